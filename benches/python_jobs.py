@@ -54,17 +54,23 @@ def universal() -> None:
 
 def slopes() -> None:
     """Pulls at 100 points with slopes by modulus and wall, by `universal`"""
-    MUSCLE.force(PRESSURES[::10000], 0.1, jac=["tube.material.c10", "wall_mm"], model="universal")
+    MUSCLE.force(
+        PRESSURES[::10000], 0.1, jac=["tube.material.c10", "wall_mm"], model="universal"
+    )
 
 
 def isobars() -> None:
     """Isobars, drawn"""
-    MUSCLE.curve(pressures_mpa=[0.1, 0.2, 0.3], model="universal").plot(units="bar").figure.savefig(FOLDER / "isobars.png")
+    MUSCLE.curve(pressures_mpa=[0.1, 0.2, 0.3], model="universal").plot(
+        units="bar"
+    ).figure.savefig(FOLDER / "isobars.png")
 
 
 def table() -> None:
     """A map of 50 points with all results, by `fe`, as a data frame"""
-    MUSCLE.solve(np.linspace(0.05, 0.25, 10)[:, None], np.linspace(0, 0.15, 5)).to_pandas()
+    MUSCLE.solve(
+        np.linspace(0.05, 0.25, 10)[:, None], np.linspace(0, 0.15, 5)
+    ).to_pandas()
 
 
 def load() -> None:
@@ -74,7 +80,14 @@ def load() -> None:
 
 def design() -> None:
     """A muscle for a specification"""
-    print(mk.design(force_n=700, contraction="15%", max_pressure_mpa="2.5 bar", model="universal").best)
+    print(
+        mk.design(
+            force_n=700,
+            contraction="15%",
+            max_pressure_mpa="2.5 bar",
+            model="universal",
+        ).best
+    )
 
 
 def identify() -> None:
@@ -85,18 +98,28 @@ def identify() -> None:
 
 def compare() -> None:
     """Three models beside measurements"""
-    mk.load("examples/tondu2012.toml").compare(models=["ideal", "universal", "thick-wall"], data="data/tondu2012/static_force_20deg.csv")
+    mk.load("examples/tondu2012.toml").compare(
+        models=["ideal", "universal", "thick-wall"],
+        data="data/tondu2012/static_force_20deg.csv",
+    )
 
 
 def rubber() -> None:
     """A rubber from tension data, used in a muscle"""
-    MUSCLE.replace(rubber=mk.fit_rubber("data/treloar/tension.csv").rubber()).force(0.2, 0.1)
+    MUSCLE.replace(rubber=mk.fit_rubber("data/treloar/tension.csv").rubber()).force(
+        0.2, 0.1
+    )
 
 
 def formula() -> None:
     """1,271 muscles by a fitted formula"""
     fitted = FORMULA.formula if FORMULA else mk.fit("data/campaign/paper.csv").formula
-    fitted(pressure_mpa=0.2, contraction=0.1, outer_diameter_mm=np.linspace(30, 50, 41)[:, None], wall_mm=np.linspace(1, 5, 31))
+    fitted(
+        pressure_mpa=0.2,
+        contraction=0.1,
+        outer_diameter_mm=np.linspace(30, 50, 41)[:, None],
+        wall_mm=np.linspace(1, 5, 31),
+    )
 
 
 def fit() -> None:
@@ -106,7 +129,11 @@ def fit() -> None:
 
 def elbow() -> None:
     """The torque of an elbow at 25 angles"""
-    mk.load("examples/elbow.toml").solve(pressures_mpa=[["3 bar", "1 bar"]], angles_deg=np.linspace(-60, 60, 25), model="universal")
+    mk.load("examples/elbow.toml").solve(
+        pressures_mpa=[["3 bar", "1 bar"]],
+        angles_deg=np.linspace(-60, 60, 25),
+        model="universal",
+    )
 
 
 def motion() -> None:
@@ -116,14 +143,24 @@ def motion() -> None:
 
 def loop() -> None:
     """A second of an elbow in a control loop of 1 kHz"""
-    simulation, angle = mk.Simulation("examples/elbow-drive.toml", 1e-3, record=False, model="universal"), 0.0
+    simulation, angle = (
+        mk.Simulation(
+            "examples/elbow-drive.toml", 1e-3, record=False, model="universal"
+        ),
+        0.0,
+    )
     for _ in range(1000):
-        angle = simulation.step([0.15 + 0.004 * (20 - angle), 0.15 - 0.004 * (20 - angle)]).angle_deg
+        angle = simulation.step(
+            [0.15 + 0.004 * (20 - angle), 0.15 - 0.004 * (20 - angle)]
+        ).angle_deg
 
 
 def rollout() -> None:
     """100 rollouts of a second of an elbow in steps of 50 ms"""
-    mk.rollout(mk.Simulation("examples/elbow-drive.toml", 0.05, model="universal"), np.random.default_rng(1).uniform(0.1, 0.2, (100, 20, 2)))
+    mk.rollout(
+        mk.Simulation("examples/elbow-drive.toml", 0.05, model="universal"),
+        np.random.default_rng(1).uniform(0.1, 0.2, (100, 20, 2)),
+    )
 
 
 def jax_batch() -> None:
@@ -132,14 +169,22 @@ def jax_batch() -> None:
 
     from mckibben.jax import force
 
-    jax.vmap(jax.value_and_grad(force(MUSCLE, model="universal")))(np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1))
+    jax.vmap(jax.value_and_grad(force(MUSCLE, model="universal")))(
+        np.linspace(0.1, 0.3, 1000), np.full(1000, 0.1)
+    )
 
 
 def optimise() -> None:
     """The wall for 1000 N at 2 bar and 10 %, by SciPy"""
     from scipy.optimize import brentq
 
-    brentq(lambda wall: MUSCLE.replace(wall_mm=wall).force(0.2, 0.1, model="universal") - 1000, 1.1, 5)
+    brentq(
+        lambda wall: (
+            MUSCLE.replace(wall_mm=wall).force(0.2, 0.1, model="universal") - 1000
+        ),
+        1.1,
+        5,
+    )
 
 
 def export() -> None:
@@ -160,8 +205,30 @@ def saved() -> None:
 
 FORMULA: Fit | None = None
 JOBS: list[Callable[[], None]] = [
-    number, uncertain, inverse, broadcast, universal, slopes, isobars, table, load, design, identify, compare, rubber, formula, fit, elbow, motion, loop, rollout, jax_batch,
-    optimise, export, build, saved,
+    number,
+    uncertain,
+    inverse,
+    broadcast,
+    universal,
+    slopes,
+    isobars,
+    table,
+    load,
+    design,
+    identify,
+    compare,
+    rubber,
+    formula,
+    fit,
+    elbow,
+    motion,
+    loop,
+    rollout,
+    jax_batch,
+    optimise,
+    export,
+    build,
+    saved,
 ]
 
 

@@ -3,6 +3,7 @@
 
 Usage: campaign.py PROGRAM [PLAN]
 """
+
 import pathlib
 import subprocess
 import sys
@@ -17,9 +18,28 @@ root = pathlib.Path(__file__).resolve().parent.parent
 plan = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else root / "plans" / "paper.toml"
 
 COLUMNS = [
-    "muscle", "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "law", "c10_mpa", "c01_mpa",
-    "braid_stiffness_n_per_mm", "pressure_mpa", "contraction", "force_n", "volume_mm3", "stiffness_n_per_mm",
-    "force_per_pressure_n_per_mpa", "braid_tension_n", "strand_tension_n", "bulged_diameter_mm", "max_stretch", "status", "cause", "iterations",
+    "muscle",
+    "outer_diameter_mm",
+    "wall_mm",
+    "length_mm",
+    "angle_deg",
+    "law",
+    "c10_mpa",
+    "c01_mpa",
+    "braid_stiffness_n_per_mm",
+    "pressure_mpa",
+    "contraction",
+    "force_n",
+    "volume_mm3",
+    "stiffness_n_per_mm",
+    "force_per_pressure_n_per_mpa",
+    "braid_tension_n",
+    "strand_tension_n",
+    "bulged_diameter_mm",
+    "max_stretch",
+    "status",
+    "cause",
+    "iterations",
 ]
 
 with tempfile.TemporaryDirectory() as folder:
@@ -27,7 +47,9 @@ with tempfile.TemporaryDirectory() as folder:
     one, parts = folder / "campaign.parquet", folder / "parts"
 
     def campaign(*words):
-        subprocess.run([program, "campaign", *map(str, words)], check=True, capture_output=True)
+        subprocess.run(
+            [program, "campaign", *map(str, words)], check=True, capture_output=True
+        )
 
     campaign(plan, "-o", one)
     campaign(plan, "-o", parts, "--shard", "1/2")
@@ -37,10 +59,16 @@ with tempfile.TemporaryDirectory() as folder:
     assert list(table.columns) == COLUMNS, list(table.columns)
     assert len(table) == 2600, len(table)
     ok = table[table.status == "ok"]
-    assert len(ok) > 2500 and not ok.force_n.isna().any(), "a point with an answer has a force"
+    assert len(ok) > 2500 and not ok.force_n.isna().any(), (
+        "a point with an answer has a force"
+    )
     assert table[table.status != "ok"].force_n.isna().all(), "a failure has none"
-    assert (ok.bulged_diameter_mm > 0.9 * ok.outer_diameter_mm).all() and (ok.max_stretch >= 1 - 1e-9).all()
-    assert ok.strand_tension_n.isna().all(), "the paper's braid has no number of strands"
+    assert (ok.bulged_diameter_mm > 0.9 * ok.outer_diameter_mm).all() and (
+        ok.max_stretch >= 1 - 1e-9
+    ).all()
+    assert ok.strand_tension_n.isna().all(), (
+        "the paper's braid has no number of strands"
+    )
     assert (ok.cause == "").all() and (table[table.status != "ok"].cause != "").all()
     # 4 diameters x 5 walls x 5 contractions x 26 pressures, each once, in the order of the plan.
     keys = ["outer_diameter_mm", "wall_mm", "contraction", "pressure_mpa"]
@@ -55,7 +83,10 @@ with tempfile.TemporaryDirectory() as folder:
     ).fetchall()
     assert both == [(2600, 2600)], both
 
-    metadata = {k.decode(): v.decode() for k, v in pyarrow.parquet.read_metadata(one).metadata.items()}
+    metadata = {
+        k.decode(): v.decode()
+        for k, v in pyarrow.parquet.read_metadata(one).metadata.items()
+    }
     assert metadata["mckibben.plan"] == plan.read_text(), "the plan is in the file"
     assert len(metadata["mckibben.plan_sha256"]) == 64 and metadata["mckibben.version"]
     largest = ok.loc[ok.force_n.idxmax()]

@@ -3,6 +3,7 @@
 
 Usage: exports.py PROGRAM [PART ...]
 """
+
 import json
 import os
 import pathlib
@@ -25,15 +26,37 @@ rows = []
 
 
 def run(*words, cwd=None, ok=True, timeout=300):
-    done = subprocess.run([str(w) for w in words], cwd=cwd or ROOT, capture_output=True, text=True, timeout=timeout)
-    assert not ok or done.returncode == 0, (words, done.stdout[-2000:], done.stderr[-2000:])
+    done = subprocess.run(
+        [str(w) for w in words],
+        cwd=cwd or ROOT,
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+    )
+    assert not ok or done.returncode == 0, (
+        words,
+        done.stdout[-2000:],
+        done.stderr[-2000:],
+    )
     return done
 
 
 def export(target, *words):
     """The folder of a target, its answer, and the seconds that the export took."""
     folder, begun = work / "".join([target, *words]), time.monotonic()
-    done = run(program, "export", MUSCLE, "--as", target, *words, "-o", folder, "--overwrite", "--format", "json")
+    done = run(
+        program,
+        "export",
+        MUSCLE,
+        "--as",
+        target,
+        *words,
+        "-o",
+        folder,
+        "--overwrite",
+        "--format",
+        "json",
+    )
     return folder, json.loads(done.stdout), time.monotonic() - begun
 
 
@@ -44,11 +67,22 @@ def noted(target, host, error, size, seconds):
 
 python_folder, answer, python_seconds = export("python")
 form, blocked = answer["form"], answer["blocked_force_n"]
-L0, SUPPLY, LOW, HIGH = form["length_m"], form["supply_pa"], form["contraction_low"], form["contraction_high"]
+L0, SUPPLY, LOW, HIGH = (
+    form["length_m"],
+    form["supply_pa"],
+    form["contraction_low"],
+    form["contraction_high"],
+)
 sys.path.insert(0, str(python_folder))
 import muscle_prototype as exported
 
-grid = np.array([(p, e) for p in np.linspace(-0.1, 1.2, 14) for e in np.linspace(LOW - 0.03, HIGH + 0.05, 23)])
+grid = np.array(
+    [
+        (p, e)
+        for p in np.linspace(-0.1, 1.2, 14)
+        for e in np.linspace(LOW - 0.03, HIGH + 0.05, 23)
+    ]
+)
 P, L = grid[:, 0] * SUPPLY, (1 - grid[:, 1]) * L0
 F, K, V = exported.force(P, L), exported.stiffness(P, L), exported.volume(P, L)
 pulls = F > 1e-3 * blocked
@@ -59,11 +93,23 @@ inside = exported.status(P, L) & ~exported.SLACK == 0
 def python():
     here = pulls & inside
     back = exported.pressure(F[here], L[here])
-    assert np.abs(back - P[here]).max() < 1e-7 * SUPPLY and not exported.pressure_status(F[here], L[here]).any()
+    assert (
+        np.abs(back - P[here]).max() < 1e-7 * SUPPLY
+        and not exported.pressure_status(F[here], L[here]).any()
+    )
     back = exported.contraction(F[here], P[here])
-    assert np.abs(back - grid[here, 1]).max() < 1e-10 and not exported.contraction_status(F[here], P[here]).any()
+    assert (
+        np.abs(back - grid[here, 1]).max() < 1e-10
+        and not exported.contraction_status(F[here], P[here]).any()
+    )
     size = (python_folder / "muscle_prototype.py").stat().st_size
-    noted("python", "NumPy", "inverses return their input to 1e-10", f"{size} B", python_seconds)
+    noted(
+        "python",
+        "NumPy",
+        "inverses return their input to 1e-10",
+        f"{size} B",
+        python_seconds,
+    )
     import jax
     import jax.numpy as jnp
 
@@ -71,42 +117,92 @@ def python():
     near = lambda a, b, scale: float(np.abs(np.asarray(a) - b).max() / scale)
     force = jax.jit(jax.vmap(exported.force))(jnp.asarray(P), jnp.asarray(L))
     volume = jax.jit(exported.volume)(jnp.asarray(P), jnp.asarray(L))
-    slope = jax.vmap(jax.grad(exported.force, argnums=1))(jnp.asarray(P), jnp.asarray(L))
+    slope = jax.vmap(jax.grad(exported.force, argnums=1))(
+        jnp.asarray(P), jnp.asarray(L)
+    )
     by_pressure = jax.vmap(jax.grad(exported.force))(jnp.asarray(P), jnp.asarray(L))
     # dV/dL = -dF/dP by automatic differentiation.
-    volume_slope = jax.vmap(jax.grad(exported.volume, argnums=1))(jnp.asarray(P), jnp.asarray(L))
+    volume_slope = jax.vmap(jax.grad(exported.volume, argnums=1))(
+        jnp.asarray(P), jnp.asarray(L)
+    )
     error = max(near(force, F, blocked), near(volume, V, V.max()))
     assert error < 1e-12, error
-    assert near(slope[inside], K[inside], np.abs(K).max()) < 1e-10 and float(jnp.abs(volume_slope + by_pressure)[inside].max()) < 1e-10 * float(jnp.abs(by_pressure).max())
-    noted("python", f"JAX {jax.__version__} (jit, vmap, grad)", f"{error:.1e}", "", time.monotonic() - begun)
+    assert near(slope[inside], K[inside], np.abs(K).max()) < 1e-10 and float(
+        jnp.abs(volume_slope + by_pressure)[inside].max()
+    ) < 1e-10 * float(jnp.abs(by_pressure).max())
+    noted(
+        "python",
+        f"JAX {jax.__version__} (jit, vmap, grad)",
+        f"{error:.1e}",
+        "",
+        time.monotonic() - begun,
+    )
 
 
 def main_c(points, count):
     """A program that prints pulls as numbers of 1e-3 N, with no floating point in its output."""
-    lines = ["#include \"muscle_prototype.h\"", "extern void put(long value);", f"static const mckibben_real points[{count}][2] = {{"]
+    lines = [
+        '#include "muscle_prototype.h"',
+        "extern void put(long value);",
+        f"static const mckibben_real points[{count}][2] = {{",
+    ]
     lines += [f"{{MCKIBBEN_R({p:.9e}), MCKIBBEN_R({l:.9e})}}," for p, l in points]
-    lines += ["};", f"void all(void) {{ for (int i = 0; i < {count}; i++) put((long)(mckibben_force(&muscle_prototype, points[i][0], points[i][1], 0) * MCKIBBEN_R(1000) + MCKIBBEN_R(0.5))); }}"]
+    lines += [
+        "};",
+        f"void all(void) {{ for (int i = 0; i < {count}; i++) put((long)(mckibben_force(&muscle_prototype, points[i][0], points[i][1], 0) * MCKIBBEN_R(1000) + MCKIBBEN_R(0.5))); }}",
+    ]
     return "\n".join(lines) + "\n"
 
 
 def c():
     folder, _, seconds = export("c")
-    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2"]
+    strict = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O2",
+    ]
     size = sum(f.stat().st_size for f in folder.glob("*.[ch]"))
     for compiler in ("gcc", "clang"):
         for flags in ([], ["-DMCKIBBEN_FLOAT"]):
             begun = time.monotonic()
-            run(compiler, *strict, *flags, "muscle_prototype_example.c", "mckibben.c", "-lm", "-o", "example", cwd=folder)
+            run(
+                compiler,
+                *strict,
+                *flags,
+                "muscle_prototype_example.c",
+                "mckibben.c",
+                "-lm",
+                "-o",
+                "example",
+                cwd=folder,
+            )
             out = run(folder / "example").stdout
             force = float(re.search(r": ([\d.]+) N", out).group(1))
             expected = float(exported.force(0.5 * SUPPLY, 0.95 * L0))
             error = abs(force - expected) / blocked
             assert error < (1e-4 if flags else 1e-6), out
-            noted("c", f"{compiler} {'float' if flags else 'double'}, no warning", f"{error:.1e} (printed to 1e-3 N)", f"{size} B of source", seconds + time.monotonic() - begun)
+            noted(
+                "c",
+                f"{compiler} {'float' if flags else 'double'}, no warning",
+                f"{error:.1e} (printed to 1e-3 N)",
+                f"{size} B of source",
+                seconds + time.monotonic() - begun,
+            )
     points = list(zip(P, L))[::7]
     expected = F[::7]
     (folder / "points.c").write_text(main_c(points, len(points)))
-    flags = ["-std=c99", "-Os", "-DMCKIBBEN_FLOAT", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"]
+    flags = [
+        "-std=c99",
+        "-Os",
+        "-DMCKIBBEN_FLOAT",
+        "-ffunction-sections",
+        "-fdata-sections",
+        "-Wl,--gc-sections",
+    ]
     # Cortex-M4 with single-precision unit, on the board netduinoplus2 of QEMU, with semihosting.
     (folder / "arm.c").write_text("""#include <stdio.h>
 extern void all(void);
@@ -114,7 +210,14 @@ void put(long value) { printf("%ld\\n", value); }
 int main(void) { all(); fflush(stdout); return 0; }
 """)
     begun = time.monotonic()
-    arm = ["arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", *flags]
+    arm = [
+        "arm-none-eabi-gcc",
+        "-mcpu=cortex-m4",
+        "-mthumb",
+        "-mfloat-abi=hard",
+        "-mfpu=fpv4-sp-d16",
+        *flags,
+    ]
     (folder / "board.ld").write_text("""ENTRY(_start)
 MEMORY { FLASH (rx): ORIGIN = 0x08000000, LENGTH = 512K RAM (rwx): ORIGIN = 0x20000000, LENGTH = 128K }
 SECTIONS {
@@ -132,16 +235,64 @@ extern void all(void);
 void reset(void) { *(volatile unsigned *)0xE000ED88 |= 0xFu << 20; __asm__ volatile("dsb\\nisb"); all(); int stop[2] = {0x20026, 0}; semi(0x18, (void *)0x20026); (void)stop; for (;;) {} }
 __attribute__((section(".vectors"), used)) void *const vectors[2] = {(void *)0x20020000, (void *)reset};
 """)
-    run(*arm, "-nostartfiles", "-T", "board.ld", "-Wl,-e,reset", "start.c", "points.c", "mckibben.c", "-lm", "-o", "arm.elf", cwd=folder)
-    done = run("qemu-system-arm", "-M", "netduinoplus2", "-nographic", "-semihosting-config", "enable=on,target=native", "-kernel", "arm.elf", cwd=folder, ok=False, timeout=60)
-    values = np.array([int(v) for v in re.findall(r"-?\d+", done.stdout + done.stderr)]) / 1000
-    assert len(values) == len(expected), (len(values), len(expected), done.stdout[:300], done.stderr[:300])
+    run(
+        *arm,
+        "-nostartfiles",
+        "-T",
+        "board.ld",
+        "-Wl,-e,reset",
+        "start.c",
+        "points.c",
+        "mckibben.c",
+        "-lm",
+        "-o",
+        "arm.elf",
+        cwd=folder,
+    )
+    done = run(
+        "qemu-system-arm",
+        "-M",
+        "netduinoplus2",
+        "-nographic",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+        "arm.elf",
+        cwd=folder,
+        ok=False,
+        timeout=60,
+    )
+    values = (
+        np.array([int(v) for v in re.findall(r"-?\d+", done.stdout + done.stderr)])
+        / 1000
+    )
+    assert len(values) == len(expected), (
+        len(values),
+        len(expected),
+        done.stdout[:300],
+        done.stderr[:300],
+    )
     error = np.abs(values - expected).max() / blocked
     run(*arm, "-c", "mckibben.c", cwd=folder)
-    text = sum(map(int, re.findall(r"^\.text\S*\s+(\d+)", run("arm-none-eabi-size", "-A", "mckibben.o", cwd=folder).stdout, re.M)))
+    text = sum(
+        map(
+            int,
+            re.findall(
+                r"^\.text\S*\s+(\d+)",
+                run("arm-none-eabi-size", "-A", "mckibben.o", cwd=folder).stdout,
+                re.M,
+            ),
+        )
+    )
     assert error < 1e-4, error
     assert text <= 2176, text
-    noted("c", "Cortex-M4 float, QEMU", f"{error:.1e}", f"{text} B flash, all functions", time.monotonic() - begun)
+    noted(
+        "c",
+        "Cortex-M4 float, QEMU",
+        f"{error:.1e}",
+        f"{text} B flash, all functions",
+        time.monotonic() - begun,
+    )
     # ATmega2560, on simavr: results over its serial line.
     begun = time.monotonic()
     (folder / "avr.c").write_text("""#include <avr/io.h>
@@ -171,16 +322,42 @@ int main(void) {
 """)
     avr = ["avr-gcc", "-mmcu=atmega2560", *flags]
     run(*avr, "avr.c", "points.c", "mckibben.c", "-lm", "-o", "avr.elf", cwd=folder)
-    done = run("timeout", "60", "simavr", "-m", "atmega2560", "-f", "16000000", "avr.elf", cwd=folder, ok=False)
+    done = run(
+        "timeout",
+        "60",
+        "simavr",
+        "-m",
+        "atmega2560",
+        "-f",
+        "16000000",
+        "avr.elf",
+        cwd=folder,
+        ok=False,
+    )
     said = re.sub(r"\x1b\[[0-9;]*m", "", done.stdout + done.stderr)
     values = np.array([int(v) for v in re.findall(r"V(-?\d+)", said)]) / 1000
     assert len(values) == len(expected), (len(values), len(expected), said[:500])
     cycles = [int(v) for v in re.findall(r"C(\d+)", said)]
     error = np.abs(values - expected).max() / blocked
     run(*avr[:2], *flags, "-c", "mckibben.c", cwd=folder)
-    text = sum(map(int, re.findall(r"^\.text\S*\s+(\d+)", run("avr-size", "-A", "mckibben.o", cwd=folder).stdout, re.M)))
+    text = sum(
+        map(
+            int,
+            re.findall(
+                r"^\.text\S*\s+(\d+)",
+                run("avr-size", "-A", "mckibben.o", cwd=folder).stdout,
+                re.M,
+            ),
+        )
+    )
     assert error < 1e-4, error
-    noted("c", f"ATmega2560 float, simavr: {cycles[0]} cycles a pull, {cycles[1]} an inverse", f"{error:.1e}", f"{text} B flash, all functions", time.monotonic() - begun)
+    noted(
+        "c",
+        f"ATmega2560 float, simavr: {cycles[0]} cycles a pull, {cycles[1]} an inverse",
+        f"{error:.1e}",
+        f"{text} B flash, all functions",
+        time.monotonic() - begun,
+    )
 
 
 def sketch():
@@ -213,49 +390,173 @@ int main() {
     return 0;
 }
 """)
-    flags = ["-mmcu=atmega2560", "-Os", "-DMCKIBBEN_FLOAT", "-ffunction-sections", "-fdata-sections"]
+    flags = [
+        "-mmcu=atmega2560",
+        "-Os",
+        "-DMCKIBBEN_FLOAT",
+        "-ffunction-sections",
+        "-fdata-sections",
+    ]
     # As Arduino does: every source that was exported.
-    sources = [file["name"][:-2] for file in answer["files"] if file["name"].endswith(".c")]
+    sources = [
+        file["name"][:-2] for file in answer["files"] if file["name"].endswith(".c")
+    ]
     for source in sources:
-        run("avr-gcc", *flags, "-std=c99", "-DARDUINO=10819", "-c", source + ".c", cwd=folder)
-    run("avr-g++", *flags, "-Wl,--gc-sections", "-include", "Arduino.h", "-x", "c++", "muscle_prototype_loop.ino", "board.cpp", "-x", "none", *(source + ".o" for source in sources), "-lm", "-o", "loop.elf", cwd=folder)
-    done = run("timeout", "60", "simavr", "-m", "atmega2560", "-f", "16000000", "loop.elf", cwd=folder, ok=False)
+        run(
+            "avr-gcc",
+            *flags,
+            "-std=c99",
+            "-DARDUINO=10819",
+            "-c",
+            source + ".c",
+            cwd=folder,
+        )
+    run(
+        "avr-g++",
+        *flags,
+        "-Wl,--gc-sections",
+        "-include",
+        "Arduino.h",
+        "-x",
+        "c++",
+        "muscle_prototype_loop.ino",
+        "board.cpp",
+        "-x",
+        "none",
+        *(source + ".o" for source in sources),
+        "-lm",
+        "-o",
+        "loop.elf",
+        cwd=folder,
+    )
+    done = run(
+        "timeout",
+        "60",
+        "simavr",
+        "-m",
+        "atmega2560",
+        "-f",
+        "16000000",
+        "loop.elf",
+        cwd=folder,
+        ok=False,
+    )
     share = int(re.search(r"V(\d+)", done.stdout + done.stderr).group(1)) / 1e6
     length = L0 * (1 - 0.3 * 171 / 1023)
-    pull, slope = float(exported.force(1.25 * SUPPLY * share, length)), float(exported.force_per_pressure(0.5 * SUPPLY, length))
+    pull, slope = (
+        float(exported.force(1.25 * SUPPLY * share, length)),
+        float(exported.force_per_pressure(0.5 * SUPPLY, length)),
+    )
     # One step of the valve (8 bits) and one of the sensor (10 bits).
-    error, bound = abs(pull / (0.3 * blocked) - 1), 1.25 * SUPPLY * (1 / 255 + 1 / 1023) * slope / (0.3 * blocked)
+    error, bound = (
+        abs(pull / (0.3 * blocked) - 1),
+        1.25 * SUPPLY * (1 / 255 + 1 / 1023) * slope / (0.3 * blocked),
+    )
     assert error <= bound, (pull, 0.3 * blocked, bound)
-    text = sum(map(int, re.findall(r"^\.(?:text|data)\s+(\d+)", run("avr-size", "-A", "loop.elf", cwd=folder).stdout, re.M)))
-    noted("c", "Arduino sketch of a closed loop, ATmega2560 in simavr", f"pull {100 * error:.2f} % of at most {100 * bound:.2f} % (steps of valve and sensor)", f"{text} B flash, all", time.monotonic() - begun)
+    text = sum(
+        map(
+            int,
+            re.findall(
+                r"^\.(?:text|data)\s+(\d+)",
+                run("avr-size", "-A", "loop.elf", cwd=folder).stdout,
+                re.M,
+            ),
+        )
+    )
+    noted(
+        "c",
+        "Arduino sketch of a closed loop, ATmega2560 in simavr",
+        f"pull {100 * error:.2f} % of at most {100 * bound:.2f} % (steps of valve and sensor)",
+        f"{text} B flash, all",
+        time.monotonic() - begun,
+    )
 
 
 def observer():
     """The Kalman filter of the C target against a simulated drive, with noise at the sensors."""
     folder, answer, _ = export("c", "-p", "3bar")
     begun, blocked = time.monotonic(), answer["blocked_force_n"]
-    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "muscle_prototype_observer.c", "mckibben.c", "-lm", "-o", "observer", cwd=folder)
-    series = json.loads(run(program, "motion", "examples/drive.toml", "--format", "json").stdout)["series"]
-    t, pressure, length, mass, force = (np.array(series[name]) for name in ("time_s", "pressure_mpa", "contraction", "air_mass_g", "force_n"))
+    run(
+        "gcc",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O2",
+        "muscle_prototype_observer.c",
+        "mckibben.c",
+        "-lm",
+        "-o",
+        "observer",
+        cwd=folder,
+    )
+    series = json.loads(
+        run(program, "motion", "examples/drive.toml", "--format", "json").stdout
+    )["series"]
+    t, pressure, length, mass, force = (
+        np.array(series[name])
+        for name in ("time_s", "pressure_mpa", "contraction", "air_mass_g", "force_n")
+    )
     length, random, said = L0 * (1 - length), np.random.default_rng(1), []
     stroke = length.max() - length.min()
     # Sensors: 500 Pa and 5 mg/s; the same and a flow sensor that shows 1 % too much.
     for gain, allowed in ((1.0, 0.01), (1.01, 0.06)):
-        flow = gain * np.diff(1e-3 * mass, prepend=1e-3 * mass[0]) / np.diff(t, prepend=-1)
-        lines = np.column_stack([t, 1e6 * pressure + 500 * random.standard_normal(len(t)), flow + 5e-6 * random.standard_normal(len(t))])
-        done = subprocess.run([folder / "observer"], input="".join(f"{a!r} {b!r} {c!r}\n" for a, b, c in lines.tolist()), capture_output=True, text=True, timeout=60)
-        found = np.array([[float(v) for v in line.split()] for line in done.stdout.splitlines()])
+        flow = (
+            gain * np.diff(1e-3 * mass, prepend=1e-3 * mass[0]) / np.diff(t, prepend=-1)
+        )
+        lines = np.column_stack(
+            [
+                t,
+                1e6 * pressure + 500 * random.standard_normal(len(t)),
+                flow + 5e-6 * random.standard_normal(len(t)),
+            ]
+        )
+        done = subprocess.run(
+            [folder / "observer"],
+            input="".join(f"{a!r} {b!r} {c!r}\n" for a, b, c in lines.tolist()),
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
+        found = np.array(
+            [[float(v) for v in line.split()] for line in done.stdout.splitlines()]
+        )
         rms = lambda e: float(np.sqrt(np.mean(np.square(e))))
         off, pull = rms(found[:, 1] - length), rms(found[:, 2] - force)
         assert off < allowed * stroke, (gain, off, stroke)
-        said.append(f"{1e3 * off:.2f} mm of {1e3 * stroke:.0f} mm, {pull:.1f} N of {blocked:.0f} N")
-    noted("c", "observer against motion, rms: noise; and flow 1 % too high", "; ".join(said), f"{(folder / 'muscle_prototype_observer.c').stat().st_size} B of source", time.monotonic() - begun)
+        said.append(
+            f"{1e3 * off:.2f} mm of {1e3 * stroke:.0f} mm, {pull:.1f} N of {blocked:.0f} N"
+        )
+    noted(
+        "c",
+        "observer against motion, rms: noise; and flow 1 % too high",
+        "; ".join(said),
+        f"{(folder / 'muscle_prototype_observer.c').stat().st_size} B of source",
+        time.monotonic() - begun,
+    )
 
 
 def fe(pressures, contractions):
     """Pulls by finite elements, slack as 0."""
-    done = run(program, "curve", "isobaric", MUSCLE, "-p", ",".join(f"{p / 1e6:.9g}" for p in pressures), "-e", ",".join(f"{e:.9g}" for e in contractions), "--format", "json")
-    return {(round(1e6 * p["pressure_mpa"]), round(p["contraction"], 9)): p["force_n"] for p in json.loads(done.stdout)["points"] if "force_n" in p}
+    done = run(
+        program,
+        "curve",
+        "isobaric",
+        MUSCLE,
+        "-p",
+        ",".join(f"{p / 1e6:.9g}" for p in pressures),
+        "-e",
+        ",".join(f"{e:.9g}" for e in contractions),
+        "--format",
+        "json",
+    )
+    return {
+        (round(1e6 * p["pressure_mpa"]), round(p["contraction"], 9)): p["force_n"]
+        for p in json.loads(done.stdout)["points"]
+        if "force_n" in p
+    }
 
 
 def mjcf():
@@ -274,20 +575,54 @@ def mjcf():
     rms, worst = float(np.sqrt(np.mean(np.square(errors)))), float(np.abs(errors).max())
     assert rms <= 0.01 and worst <= 0.02, (rms, worst)
     # The stiffness by central differences, at the points for which the file states its error.
-    tension = lambda e: (data.qpos.__setitem__(0, e * L0), mujoco.mj_forward(model, data), float(data.qfrc_actuator[0]))[-1]
+    tension = lambda e: (
+        data.qpos.__setitem__(0, e * L0),
+        mujoco.mj_forward(model, data),
+        float(data.qfrc_actuator[0]),
+    )[-1]
     slopes, near = [], 1e-5
-    shares = np.array([0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1])
+    shares = np.array(
+        [0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1]
+    )
     for p in (0, *(shares[1:] + shares[:-1]) / 2 * SUPPLY, SUPPLY):
         data.ctrl[:] = p
-        for e in [e for e in np.linspace(0, HIGH, 49) if exported.force(p, (1 - e) * L0) > 0 and tension(e) > 0]:
+        for e in [
+            e
+            for e in np.linspace(0, HIGH, 49)
+            if exported.force(p, (1 - e) * L0) > 0 and tension(e) > 0
+        ]:
             slope = (tension(e - near) - tension(e + near)) / (2 * near * L0)
-            slopes.append((slope - float(exported.stiffness(p, (1 - e) * L0))) * HIGH * L0 / blocked)
-    said = [float(v) / 100 for v in re.search(r"Stiffness .*: ([\d.]+) % rms, ([\d.]+) % worst", (folder / "muscle_prototype.xml").read_text()).groups()]
-    slope_rms, slope_worst = float(np.sqrt(np.mean(np.square(slopes)))), float(np.abs(slopes).max())
-    assert abs(slope_rms - said[0]) < 0.01 and abs(slope_worst - said[1]) < 0.01, (slope_rms, slope_worst, said)
+            slopes.append(
+                (slope - float(exported.stiffness(p, (1 - e) * L0)))
+                * HIGH
+                * L0
+                / blocked
+            )
+    said = [
+        float(v) / 100
+        for v in re.search(
+            r"Stiffness .*: ([\d.]+) % rms, ([\d.]+) % worst",
+            (folder / "muscle_prototype.xml").read_text(),
+        ).groups()
+    ]
+    slope_rms, slope_worst = (
+        float(np.sqrt(np.mean(np.square(slopes)))),
+        float(np.abs(slopes).max()),
+    )
+    assert abs(slope_rms - said[0]) < 0.01 and abs(slope_worst - said[1]) < 0.01, (
+        slope_rms,
+        slope_worst,
+        said,
+    )
     settled = hung_mass(model)
     size = (folder / "muscle_prototype.xml").stat().st_size
-    noted("mjcf", f"MuJoCo {mujoco.__version__}", f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * settled:.2f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    noted(
+        "mjcf",
+        f"MuJoCo {mujoco.__version__}",
+        f"{100 * rms:.2f} % rms, {100 * worst:.2f} % worst against fe; stiffness {100 * slope_rms:.0f} % rms of the mean; a hung mass within {100 * settled:.2f} % contraction",
+        f"{size} B",
+        seconds + time.monotonic() - begun,
+    )
     warp(folder / "muscle_prototype.xml", *joint())
 
 
@@ -303,7 +638,19 @@ def hung_mass(model):
             mujoco.mj_step(model, data)
         residual = abs(data.qfrc_actuator[0] - 9.81 * mass) / blocked
         assert residual < 1e-9 and abs(data.qvel[0]) < 1e-9, (q, residual, data.qvel[0])
-        exact = json.loads(run(program, "contraction", MUSCLE, "-F", f"{9.81 * mass}", "-p", f"{q * SUPPLY / 1e6}", "--format", "json").stdout)["contraction"]
+        exact = json.loads(
+            run(
+                program,
+                "contraction",
+                MUSCLE,
+                "-F",
+                f"{9.81 * mass}",
+                "-p",
+                f"{q * SUPPLY / 1e6}",
+                "--format",
+                "json",
+            ).stdout
+        )["contraction"]
         off = max(off, abs(data.qpos[0] / L0 - exact))
     return off
 
@@ -319,14 +666,28 @@ def mjcf_plugin():
     data, errors = mujoco.MjData(model), []
     assert model.nu == 1
     box = (grid[:, 1] >= LOW) & (grid[:, 1] <= HIGH)
-    for p, l, force in zip(P[box], L[box], exported.force(P[box], L[box])):  # the scene limits the control
-        data.qpos[0], data.ctrl[0] = L0 - l, p  # of the muscle: the cord is above the mass
+    for p, l, force in zip(
+        P[box], L[box], exported.force(P[box], L[box])
+    ):  # the scene limits the control
+        data.qpos[0], data.ctrl[0] = (
+            L0 - l,
+            p,
+        )  # of the muscle: the cord is above the mass
         mujoco.mj_forward(model, data)
         errors.append(abs(data.qfrc_actuator[0] - force) / blocked)
     assert max(errors) < 1e-12, max(errors)
     settled, worst = hung_mass(model), answer["force_worst_ratio"]
-    assert settled < worst, (settled, worst)  # steeper than the blocked force over L0 everywhere
-    noted("mjcf", f"MuJoCo {mujoco.__version__}, plugin", f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction", f"{size} B", seconds + time.monotonic() - begun)
+    assert settled < worst, (
+        settled,
+        worst,
+    )  # steeper than the blocked force over L0 everywhere
+    noted(
+        "mjcf",
+        f"MuJoCo {mujoco.__version__}, plugin",
+        f"{max(errors):.1e} of the form; a hung mass within {100 * settled:.3f} % contraction",
+        f"{size} B",
+        seconds + time.monotonic() - begun,
+    )
 
 
 def states():
@@ -335,18 +696,25 @@ def states():
     import mujoco
 
     begun, muscle = time.monotonic(), work / "sticks.toml"
-    muscle.write_text((ROOT / MUSCLE).read_text().replace("prototype", "sticks") + "[friction]\ncoefficient = 71.5\nexponent = 0.56\npresliding = '0.8 mm'\n")
+    muscle.write_text(
+        (ROOT / MUSCLE).read_text().replace("prototype", "sticks")
+        + "[friction]\ncoefficient = 71.5\nexponent = 0.56\npresliding = '0.8 mm'\n"
+    )
     folder = work / "states"
     for target in ("mjcf", "fmu"):
         run(program, "export", muscle, "--as", target, "-o", folder, "--overwrite")
     plugged(folder, "muscle_sticks")
     part = folder / "muscle_sticks_plugin_part.xml"
     valve = '<plugin name="muscle_sticks" tendon="muscle_sticks" plugin="mckibben.muscle_sticks" ctrlrange="-1 1"><config key="sonic_conductance" value="2e-9"/><config key="dead_volume" value="1e-5"/></plugin>'
-    part.write_text(re.sub(r'<plugin name="muscle_sticks" [^>]*/>', valve, part.read_text()))
+    part.write_text(
+        re.sub(r'<plugin name="muscle_sticks" [^>]*/>', valve, part.read_text())
+    )
     model = mujoco.MjModel.from_xml_path(str(folder / "muscle_sticks_plugin.xml"))
     data, n = mujoco.MjData(model), 1600
     data.qpos[0] = 0.02 * L0
-    signals = np.zeros(n, dtype=[("time", float), ("command", float), ("length", float)])
+    signals = np.zeros(
+        n, dtype=[("time", float), ("command", float), ("length", float)]
+    )
     pulls = np.zeros(n)
     for k in range(n):
         data.ctrl[0] = 1.0 if k < 600 else (-1.0 if k % 200 < 100 else 0.2)
@@ -354,24 +722,42 @@ def states():
         signals[k] = data.time, data.ctrl[0], data.actuator_length[0]
         pulls[k] = -data.actuator_force[0]
         mujoco.mj_step(model, data)
-    unit = {"dead_volume": 1e-5, "sonic_conductance": 2e-9, "exhaust_conductance": 2e-9, "exhaust_critical_ratio": 0.3}
+    unit = {
+        "dead_volume": 1e-5,
+        "sonic_conductance": 2e-9,
+        "exhaust_conductance": 2e-9,
+        "exhaust_critical_ratio": 0.3,
+    }
 
     def along(**more):
         """The pull of the unit, whose length follows the motion."""
-        description = fmpy.read_model_description(str(folder / "muscle_sticks_valve.fmu"))
+        description = fmpy.read_model_description(
+            str(folder / "muscle_sticks_valve.fmu")
+        )
         references = {v.name: v.valueReference for v in description.modelVariables}
         from fmpy.fmi2 import FMU2Slave
 
-        slave = FMU2Slave(guid=description.guid, unzipDirectory=fmpy.extract(str(folder / "muscle_sticks_valve.fmu")), modelIdentifier="muscle_sticks")
+        slave = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=fmpy.extract(str(folder / "muscle_sticks_valve.fmu")),
+            modelIdentifier="muscle_sticks",
+        )
         slave.instantiate()
         slave.setupExperiment(startTime=0.0)
         slave.enterInitializationMode()
-        start = {**unit, **more, "length": float(signals["length"][0]), "command": float(signals["command"][0])}
+        start = {
+            **unit,
+            **more,
+            "length": float(signals["length"][0]),
+            "command": float(signals["command"][0]),
+        }
         slave.setReal([references[name] for name in start], list(start.values()))
         slave.exitInitializationMode()
         found = []
         for k, (time_s, command, length) in enumerate(signals):
-            slave.setReal([references["command"], references["length"]], [command, length])
+            slave.setReal(
+                [references["command"], references["length"]], [command, length]
+            )
             found.append(slave.getReal([references["force"]])[0])
             slave.doStep(time_s, model.opt.timestep)
         slave.terminate()
@@ -381,7 +767,13 @@ def states():
     error = np.abs(along() - pulls).max() / blocked
     without = np.abs(along(friction_factor=0.0) - pulls).max()
     assert error < 1e-6 and without > 20.0, (error, without)
-    noted("mjcf, fmu", "valve, air and friction with memory: plugin against unit along one motion", f"{error:.1e} of the blocked force; friction of {without:.0f} N", "", time.monotonic() - begun)
+    noted(
+        "mjcf, fmu",
+        "valve, air and friction with memory: plugin against unit along one motion",
+        f"{error:.1e} of the blocked force; friction of {without:.0f} N",
+        "",
+        time.monotonic() - begun,
+    )
 
 
 def plugged(folder, *names):
@@ -390,9 +782,31 @@ def plugged(folder, *names):
 
     place = pathlib.Path(mujoco.__file__).parent
     (library,) = place.glob("libmujoco.so*")
-    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
+    strict = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O2",
+        "-shared",
+        "-fPIC",
+    ]
     for name in names:
-        run("gcc", *strict, "-isystem", place / "include", f"{name}_plugin.c", "mckibben.c", library, "-lm", "-o", f"{name}_plugin.so", cwd=folder)
+        run(
+            "gcc",
+            *strict,
+            "-isystem",
+            place / "include",
+            f"{name}_plugin.c",
+            "mckibben.c",
+            library,
+            "-lm",
+            "-o",
+            f"{name}_plugin.so",
+            cwd=folder,
+        )
         mujoco.mj_loadPluginLibrary(str(folder / f"{name}_plugin.so"))
     return folder / f"{names[0]}_plugin.so"
 
@@ -400,8 +814,11 @@ def plugged(folder, *names):
 # An antagonist pair between points, a pulley against a torsion spring with a weight, and a finger with a spring on a rope.
 ARM = 0.04
 JOINTS = {
-    "pair": "[joint]\nrange = '-30..30 deg'\ndamping = '1 N m s/rad'\ninertia = '0.002 kg m2'\n" + "".join(
-        f"[muscle_{k}]\nfile = 'muscle.toml'\ncontraction_at_neutral = 0.1\norigin = ['{x} m', '{0.9 * L0 + 0.06} m']\ninsertion = ['{x} m', '0 m']\n" for k, x in ((1, ARM), (2, -ARM))),
+    "pair": "[joint]\nrange = '-30..30 deg'\ndamping = '1 N m s/rad'\ninertia = '0.002 kg m2'\n"
+    + "".join(
+        f"[muscle_{k}]\nfile = 'muscle.toml'\ncontraction_at_neutral = 0.1\norigin = ['{x} m', '{0.9 * L0 + 0.06} m']\ninsertion = ['{x} m', '0 m']\n"
+        for k, x in ((1, ARM), (2, -ARM))
+    ),
     "crane": "[joint]\nradius = '20 mm'\nrange = '0..60 deg'\ndamping = '1 N m s/rad'\n[link]\nmass = '1 kg'\ncentre = '100 mm'\ninclination = '20 deg'\npayload = '0.5 kg'\npayload_at = '250 mm'\n[muscle_1]\nfile = 'muscle.toml'\ncontraction_at_neutral = '1%'\n[spring]\nangular_rate = '3 N m/rad'\npreload_torque = '2 N m'\n",
     "finger": "[joint]\nradius = '8 mm'\nrange = '0..70 deg'\ninertia = '0.002 kg m2'\ndamping = '1 N m s/rad'\n[muscle_1]\nfile = 'muscle.toml'\ncontraction_at_neutral = '2%'\n[spring]\nrate = '40 N/mm'\npreload = '300 N'\n",
 }
@@ -420,56 +837,151 @@ def joint():
         shutil.copy(ROOT / MUSCLE, folder / "muscle.toml")
         (folder / f"{name}.toml").write_text(text)
         for target in ("python", "mjcf"):
-            done = run(program, "export", folder / f"{name}.toml", "--as", target, "-o", folder, "--overwrite", "--format", "json")
+            done = run(
+                program,
+                "export",
+                folder / f"{name}.toml",
+                "--as",
+                target,
+                "-o",
+                folder,
+                "--overwrite",
+                "--format",
+                "json",
+            )
         answer = json.loads(done.stdout)
-        forces = [float(v) for v in re.findall(r"blocked force of ([\d.]+) N", (folder / f"joint_{name}.xml").read_text())]
+        forces = [
+            float(v)
+            for v in re.findall(
+                r"blocked force of ([\d.]+) N",
+                (folder / f"joint_{name}.xml").read_text(),
+            )
+        ]
         count = len(forces)
         pressures = [0.22, 0.16][:count]
 
         def core(*words):
-            return json.loads(run(program, "joint", folder / f"{name}.toml", "-p", ",".join(f"{p} MPa" for p in pressures), *words, "--format", "json").stdout)["points"]
+            return json.loads(
+                run(
+                    program,
+                    "joint",
+                    folder / f"{name}.toml",
+                    "-p",
+                    ",".join(f"{p} MPa" for p in pressures),
+                    *words,
+                    "--format",
+                    "json",
+                ).stdout
+            )["points"]
 
-        low, high = np.rad2deg([float(v) for v in re.search(r'range="(\S+) (\S+)" damping', (folder / f"joint_{name}.xml").read_text()).groups()])
+        low, high = np.rad2deg(
+            [
+                float(v)
+                for v in re.search(
+                    r'range="(\S+) (\S+)" damping',
+                    (folder / f"joint_{name}.xml").read_text(),
+                ).groups()
+            ]
+        )
         low, high = (low, high) if count == 1 else (-16.0, 16.0)
         points, rests = core("--angle", f"{low}..{high}:{(high - low) / 8} deg"), core()
         library = plugged(folder, *(f"muscle_{name}_{k + 1}" for k in range(count)))
-        worst = [float(v) / 100 for v in re.findall(r"free contraction: .* ([\d.]+) % worst", "\n".join(answer["warnings"]))]
+        worst = [
+            float(v) / 100
+            for v in re.findall(
+                r"free contraction: .* ([\d.]+) % worst", "\n".join(answer["warnings"])
+            )
+        ]
         arm = ARM if name == "pair" else max(p["arm_1_mm"] for p in points) / 1e3
-        for kind, bound, each in (("", max(worst) * arm * sum(forces), 2), ("_plugin", answer["torque_error_nm"], 1)):
-            model = mujoco.MjModel.from_xml_path(str(folder / f"joint_{name}{kind}.xml"))
+        for kind, bound, each in (
+            ("", max(worst) * arm * sum(forces), 2),
+            ("_plugin", answer["torque_error_nm"], 1),
+        ):
+            model = mujoco.MjModel.from_xml_path(
+                str(folder / f"joint_{name}{kind}.xml")
+            )
             data = mujoco.MjData(model)
-            controls = np.append(np.repeat([1e6 * p for p in pressures], each), [0.0] * (name != "pair"))
+            controls = np.append(
+                np.repeat([1e6 * p for p in pressures], each), [0.0] * (name != "pair")
+            )
             assert model.nu == len(controls)
 
             def torque(angle):
                 data.qpos[0], data.qvel[0], data.ctrl[:] = angle, 0, controls
                 mujoco.mj_forward(model, data)
-                return float(data.qfrc_actuator[0] + data.qfrc_passive[0] - data.qfrc_bias[0])
+                return float(
+                    data.qfrc_actuator[0] + data.qfrc_passive[0] - data.qfrc_bias[0]
+                )
 
-            errors = [abs(torque(np.deg2rad(p["angle_deg"])) - p["torque_nm"]) for p in points]
+            errors = [
+                abs(torque(np.deg2rad(p["angle_deg"])) - p["torque_nm"]) for p in points
+            ]
             assert max(errors) <= bound, (name, kind, errors, bound)
             mujoco.mj_resetData(model, data)
             data.ctrl[:] = controls
             for _ in range(20000):
                 mujoco.mj_step(model, data)
-            off = min(abs(float(data.qpos[0]) - np.deg2rad(rest["angle_deg"])) for rest in rests)
-            assert off <= bound / min(rest["stiffness_nm_per_rad"] for rest in rests) + 1e-3, (name, kind, np.rad2deg(data.qpos[0]), rests)
-            noted("mjcf", f"joint_{name}{kind}.xml", f"torque {max(errors):.1e} of at most {bound:.1e} N m, rest angle {np.rad2deg(off):.2f} deg", f"{library.stat().st_size if kind else 0} B", time.monotonic() - begun)
+            off = min(
+                abs(float(data.qpos[0]) - np.deg2rad(rest["angle_deg"]))
+                for rest in rests
+            )
+            assert (
+                off
+                <= bound / min(rest["stiffness_nm_per_rad"] for rest in rests) + 1e-3
+            ), (name, kind, np.rad2deg(data.qpos[0]), rests)
+            noted(
+                "mjcf",
+                f"joint_{name}{kind}.xml",
+                f"torque {max(errors):.1e} of at most {bound:.1e} N m, rest angle {np.rad2deg(off):.2f} deg",
+                f"{library.stat().st_size if kind else 0} B",
+                time.monotonic() - begun,
+            )
             if not kind:
                 scenes.append(folder / f"joint_{name}.xml")
         sys.path.insert(0, str(folder))
         module = __import__(f"joint_{name}")
         at, q = np.deg2rad(points[3]["angle_deg"]), [1e6 * p for p in pressures]
-        wanted = [float(module.torque(q, at)), at, *([float(module.stiffness(q, at))] if count == 2 else [])]
+        wanted = [
+            float(module.torque(q, at)),
+            at,
+            *([float(module.stiffness(q, at))] if count == 2 else []),
+        ]
         found = jax.jit(module.pressures)(*map(jnp.asarray, wanted))
-        assert max(abs(a - b) for a, b in zip(found, q)) < 1e-3 * SUPPLY and int(module.pressures_status(*wanted)) == 0, (found, q)
-        many = jax.vmap(lambda t: module.pressures(t, *wanted[1:])[0])(jnp.asarray([wanted[0], 0.99 * wanted[0]]))
-        slopes = jax.jit(jax.grad(lambda *x: module.pressures(*x)[0], argnums=tuple(range(len(wanted)))))(*wanted)
+        assert (
+            max(abs(a - b) for a, b in zip(found, q)) < 1e-3 * SUPPLY
+            and int(module.pressures_status(*wanted)) == 0
+        ), (found, q)
+        many = jax.vmap(lambda t: module.pressures(t, *wanted[1:])[0])(
+            jnp.asarray([wanted[0], 0.99 * wanted[0]])
+        )
+        slopes = jax.jit(
+            jax.grad(
+                lambda *x: module.pressures(*x)[0], argnums=tuple(range(len(wanted)))
+            )
+        )(*wanted)
         for k, slope in enumerate(map(float, slopes)):
             step = 1e-5 * abs(wanted[k])
-            up, down = (float(module.pressures(*(x + s * (i == k) for i, x in enumerate(wanted)))[0]) for s in (step, -step))
-            assert abs(slope - (up - down) / (2 * step)) <= 1e-3 * abs(slope) + 1e-6, (name, k, slope, (up - down) / (2 * step))
-        noted("python", f"joint_{name}.py in JAX", f"derivatives of pressures by differences to 1e-3; {float(jnp.abs(many[0] - found[0])):.0e} Pa between jit and vmap", "", time.monotonic() - begun)
+            up, down = (
+                float(
+                    module.pressures(*(x + s * (i == k) for i, x in enumerate(wanted)))[
+                        0
+                    ]
+                )
+                for s in (step, -step)
+            )
+            assert abs(slope - (up - down) / (2 * step)) <= 1e-3 * abs(slope) + 1e-6, (
+                name,
+                k,
+                slope,
+                (up - down) / (2 * step),
+            )
+        noted(
+            "python",
+            f"joint_{name}.py in JAX",
+            f"derivatives of pressures by differences to 1e-3; {float(jnp.abs(many[0] - found[0])):.0e} Pa between jit and vmap",
+            "",
+            time.monotonic() - begun,
+        )
     return scenes
 
 
@@ -480,8 +992,23 @@ def robot():
     begun, folder = time.monotonic(), work / "robot"
     for name, diameter in (("biceps", "25 mm"), ("triceps", "20 mm")):
         for target in ("mjcf", "c"):
-            run(program, "export", MUSCLE, "-D", diameter, "--name", name, "--as", target, "-o", folder, "--overwrite")
-    blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/your-model.md").read_text(), re.DOTALL)
+            run(
+                program,
+                "export",
+                MUSCLE,
+                "-D",
+                diameter,
+                "--name",
+                name,
+                "--as",
+                target,
+                "-o",
+                folder,
+                "--overwrite",
+            )
+    blocks = re.findall(
+        r"```xml\n(.*?)```", (ROOT / "docs/your-model.md").read_text(), re.DOTALL
+    )
     (robot,) = (block for block in blocks if "muscle_biceps_part.xml" in block)
     (folder / "robot.xml").write_text(robot)
     model = mujoco.MjModel.from_xml_path(str(folder / "robot.xml"))
@@ -495,9 +1022,27 @@ def robot():
 #include "muscle_triceps.h"
 int main(void) { return mckibben_force(&muscle_biceps, 1e5, muscle_biceps.length, 0) > mckibben_force(&muscle_triceps, 1e5, muscle_triceps.length, 0) ? 0 : 1; }
 """)
-    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "both.c", "mckibben.c", "-lm", "-o", "both", cwd=folder)
+    run(
+        "gcc",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "both.c",
+        "mckibben.c",
+        "-lm",
+        "-o",
+        "both",
+        cwd=folder,
+    )
     run(folder / "both")
-    noted("mjcf, c", "two muscles in one robot, and in one program", f"the arm settles at {said:.1f} deg", "", time.monotonic() - begun)
+    noted(
+        "mjcf, c",
+        "two muscles in one robot, and in one program",
+        f"the arm settles at {said:.1f} deg",
+        "",
+        time.monotonic() - begun,
+    )
 
 
 def warp(*scenes):
@@ -519,11 +1064,30 @@ def warp(*scenes):
             data.ctrl[:] = 0.7 * SUPPLY
             data.qpos[0] = 0.02
             mujoco.mj_forward(model, data)
-            on_warp, its = mujoco_warp.put_model(model), mujoco_warp.put_data(model, data)
+            on_warp, its = (
+                mujoco_warp.put_model(model),
+                mujoco_warp.put_data(model, data),
+            )
             mujoco_warp.forward(on_warp, its)
-            worst = max(worst, float(np.abs(its.actuator_force.numpy()[0] - data.actuator_force).max() / blocked), float(np.abs(its.qfrc_actuator.numpy()[0] - data.qfrc_actuator).max() / blocked))
+            worst = max(
+                worst,
+                float(
+                    np.abs(its.actuator_force.numpy()[0] - data.actuator_force).max()
+                    / blocked
+                ),
+                float(
+                    np.abs(its.qfrc_actuator.numpy()[0] - data.qfrc_actuator).max()
+                    / blocked
+                ),
+            )
     assert worst <= 1e-5, worst
-    noted("mjcf", "mujoco-warp, CPU", f"{worst:.1e} against MuJoCo", "", time.monotonic() - begun)
+    noted(
+        "mjcf",
+        "mujoco-warp, CPU",
+        f"{worst:.1e} against MuJoCo",
+        "",
+        time.monotonic() - begun,
+    )
 
 
 def run_parts(*parts):

@@ -25,89 +25,275 @@ RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
 # Parts of a minute or two (the page: five; exports: four with their hosts installed), which need the build of the tests alone.
-SHORT = ("golds", "figures", "programs", "pages", "server", "page", "python", "wasm", "exports")
+SHORT = (
+    "golds",
+    "figures",
+    "programs",
+    "pages",
+    "server",
+    "page",
+    "python",
+    "wasm",
+    "exports",
+)
 
 # Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
 PARTS = {
-    "golds": ("tables and formulas that the program makes itself", [
-        r"crates/mckibben(-io|-fit|-fem|-campaign)?/(src|data|examples)/.*", r"plans/.*", r"data/(campaign|silicones|treloar)/.*",
-    ], None, ["cargo xtask golds --check"]),
-    "figures": ("figures of README and docs", [
-        r"crates/.*/src/.*", r"crates/.*/data/.*", r"docs/figures/.*", r"examples/.*", r"data/.*\.csv", r"xtask/.*",
-    ], None, ["cargo xtask figures --check"]),
-    "programs": ("other programs read what is written", [
-        r"crates/mckibben-(fem|motion|campaign|io|report)/src/.*", r"crates/mckibben-app/src/(figure|simulate)/.*", r"checks/.*\.py",
-    ], None, ["bash checks/programs.sh"]),
-    "pages": ("commands of all pages of the documentation", [
-        r"README\.md", r"docs/.*\.md", r"crates/mckibben-cli/src/.*",
-    ], None, ["MCKIBBEN_PAGES=1 cargo test --workspace --locked --test all the_commands_in_help_texts_and_pages_run"]),
-    "server": ("the server: two hundred clients", [
-        r"crates/mckibben-(server|app)/src/.*", r"checks/server.*",
-    ], None, ["python3 checks/server_load.py \"$MCKIBBEN\" --sessions 200 --seconds 5"]),
-    "page": ("the workbench in a browser: every page and form, axe, five minutes of use, speed", [
-        r"web/(page|src|tests)/.*", r"web/.*\.(json|mjs|sh)", r"docs/contract\.txt", r"crates/mckibben-(server|wasm)/src/.*",
-    ], None, ["bash web/test.sh serve"]),
-    "python": ("the Python package: all its tests", [
-        r"python/.*", r"crates/mckibben-python/.*", r"docs/contract\.txt",
-    ], None, ["bash checks/python.sh"]),
-    "wasm": ("all crates of the page for the browser", [*MANIFESTS, r"crates/mckibben-wasm/.*", r"checks/wasm\.sh"], None, ["bash checks/wasm.sh"]),
-    "documentation": ("examples and links of the crates' documentation", [r"crates/.*/src/.*", r"checks/rustdoc\.sh"], None, [
-        "RUSTDOC=$PWD/checks/rustdoc.sh cargo test --workspace --locked --doc",
-    ]),
-    "random": ("ten times as many random muscles, specifications and inputs", [
-        r"crates/mckibben(-fem|-design|-export|-io)?/(src|tests)/.*",
-    ], None, ["MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all -- random branches answers fuzz mutat"]),
-    "exports": ("exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX", [
-        r"crates/mckibben-export/.*", r"crates/mckibben-app/src/export\.rs", r"checks/exports.*", r"checks/fmu.*", r"checks/mach_o\.py",
-    ], None, ["bash checks/exports.sh \"$MCKIBBEN\""]),
-    "torch": ("the exported module in PyTorch", [
-        r"crates/mckibben-export/templates/muscle\.py", r"checks/(exports_)?torch\..*",
-    ], None, ["bash checks/torch.sh"]),
-    "campaigns": ("campaigns on Slurm, Dask and process pools", [
-        r"crates/mckibben-campaign/src/campaign/.*", r"crates/mckibben-io/src/.*", r"crates/mckibben-cli/src/commands/campaign.*",
-        r"python/mckibben/_campaign\.py", r"python/tests/test_executors\.py", r"checks/(slurm|campaigns)\.sh", r"docs/campaigns-engines\.md",
-    ], None, ["bash checks/campaigns.sh \"$MCKIBBEN\""]),
-    "editors": ("schemas of files in a TOML language server", [
-        r"crates/mckibben-app/src/file_schema/.*", r"crates/mckibben/data/keys.txt", r"crates/mckibben/src/muscle/(file|measures)/.*", r"checks/editors.*", r"(examples|plans)/.*\.toml",
-    ], None, ["bash checks/editors.sh \"$MCKIBBEN\""]),
-    "book": ("the book in a browser, at 400 and 1440 pixels", [
-        r"docs/.*", r"web/(book.*|build\.sh|tests/book\.mjs)",
-    ], None, ["bash web/build.sh --site target/site", "cd web && npm install --no-package-lock --no-audit --no-fund --silent && node tests/book.mjs ../target/site/docs"]),
-    "release": ("the release build, README's first command, and a dry run of a release", [*MANIFESTS, r"\.github/workflows/release\.yml", r"packaging/.*", r"checks/release\.py", r"\.zenodo\.json"], None, [
-        "cargo build --release --locked",
-        "cargo xtask release",
-        "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
-    ]),
-    "packages": ("every crate as it would be published", [*MANIFESTS, r"checks/package\.sh"], None, ["bash checks/package.sh"]),
-    "targets": ("the program on other systems", [*MANIFESTS, r"crates/.*\.rs"], r"cfg(_attr|!)?\(.*(unix|windows|target_)|std::os::", [
-        "bash checks/targets.sh",
-    ]),
-    "processors": ("lanes of the finite elements on lesser processors", [
-        r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/tests/lanes.*", r"crates/mckibben/src/.*lanes.*",
-    ], r"target_feature|lanes", ["bash checks/processors.sh"]),
-    "wheel": ("the Python package from its wheel: types, stubs, tests, notebooks", [
-        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh", r"docs/contract\.txt",
-    ], None, ["bash checks/wheel.sh"]),
-    "engine": ("the page on its engine as WebAssembly", [
-        r"web/(build|test)\.sh", r"web/page/js/engine/.*", r"crates/mckibben-wasm/.*", r"web/tests/engines\.mjs",
-    ], None, ["bash web/build.sh", "bash web/test.sh static"]),
-    "studies": ("research scripts and benches build, and their figures", [r"studies/.*"], None, [
-        "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
-        "cargo xtask study-figures --check",
-    ]),
-    "peers": ("finite elements beside FElupe and CalculiX", [
-        r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
-    ], None, ["cargo xtask peers --check"]),
+    "golds": (
+        "tables and formulas that the program makes itself",
+        [
+            r"crates/mckibben(-io|-fit|-fem|-campaign)?/(src|data|examples)/.*",
+            r"plans/.*",
+            r"data/(campaign|silicones|treloar)/.*",
+        ],
+        None,
+        ["cargo xtask golds --check"],
+    ),
+    "figures": (
+        "figures of README and docs",
+        [
+            r"crates/.*/src/.*",
+            r"crates/.*/data/.*",
+            r"docs/figures/.*",
+            r"examples/.*",
+            r"data/.*\.csv",
+            r"xtask/.*",
+        ],
+        None,
+        ["cargo xtask figures --check"],
+    ),
+    "programs": (
+        "other programs read what is written",
+        [
+            r"crates/mckibben-(fem|motion|campaign|io|report)/src/.*",
+            r"crates/mckibben-app/src/(figure|simulate)/.*",
+            r"checks/.*\.py",
+        ],
+        None,
+        ["bash checks/programs.sh"],
+    ),
+    "pages": (
+        "commands of all pages of the documentation",
+        [
+            r"README\.md",
+            r"docs/.*\.md",
+            r"crates/mckibben-cli/src/.*",
+        ],
+        None,
+        [
+            "MCKIBBEN_PAGES=1 cargo test --workspace --locked --test all the_commands_in_help_texts_and_pages_run"
+        ],
+    ),
+    "server": (
+        "the server: two hundred clients",
+        [
+            r"crates/mckibben-(server|app)/src/.*",
+            r"checks/server.*",
+        ],
+        None,
+        ['python3 checks/server_load.py "$MCKIBBEN" --sessions 200 --seconds 5'],
+    ),
+    "page": (
+        "the workbench in a browser: every page and form, axe, five minutes of use, speed",
+        [
+            r"web/(page|src|tests)/.*",
+            r"web/.*\.(json|mjs|sh)",
+            r"docs/contract\.txt",
+            r"crates/mckibben-(server|wasm)/src/.*",
+        ],
+        None,
+        ["bash web/test.sh serve"],
+    ),
+    "python": (
+        "the Python package: all its tests",
+        [
+            r"python/.*",
+            r"crates/mckibben-python/.*",
+            r"docs/contract\.txt",
+        ],
+        None,
+        ["bash checks/python.sh"],
+    ),
+    "wasm": (
+        "all crates of the page for the browser",
+        [*MANIFESTS, r"crates/mckibben-wasm/.*", r"checks/wasm\.sh"],
+        None,
+        ["bash checks/wasm.sh"],
+    ),
+    "documentation": (
+        "examples and links of the crates' documentation",
+        [r"crates/.*/src/.*", r"checks/rustdoc\.sh"],
+        None,
+        [
+            "RUSTDOC=$PWD/checks/rustdoc.sh cargo test --workspace --locked --doc",
+        ],
+    ),
+    "random": (
+        "ten times as many random muscles, specifications and inputs",
+        [
+            r"crates/mckibben(-fem|-design|-export|-io)?/(src|tests)/.*",
+        ],
+        None,
+        [
+            "MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all -- random branches answers fuzz mutat"
+        ],
+    ),
+    "exports": (
+        "exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX",
+        [
+            r"crates/mckibben-export/.*",
+            r"crates/mckibben-app/src/export\.rs",
+            r"checks/exports.*",
+            r"checks/fmu.*",
+            r"checks/mach_o\.py",
+        ],
+        None,
+        ['bash checks/exports.sh "$MCKIBBEN"'],
+    ),
+    "torch": (
+        "the exported module in PyTorch",
+        [
+            r"crates/mckibben-export/templates/muscle\.py",
+            r"checks/(exports_)?torch\..*",
+        ],
+        None,
+        ["bash checks/torch.sh"],
+    ),
+    "campaigns": (
+        "campaigns on Slurm, Dask and process pools",
+        [
+            r"crates/mckibben-campaign/src/campaign/.*",
+            r"crates/mckibben-io/src/.*",
+            r"crates/mckibben-cli/src/commands/campaign.*",
+            r"python/mckibben/_campaign\.py",
+            r"python/tests/test_executors\.py",
+            r"checks/(slurm|campaigns)\.sh",
+            r"docs/campaigns-engines\.md",
+        ],
+        None,
+        ['bash checks/campaigns.sh "$MCKIBBEN"'],
+    ),
+    "editors": (
+        "schemas of files in a TOML language server",
+        [
+            r"crates/mckibben-app/src/file_schema/.*",
+            r"crates/mckibben/data/keys.txt",
+            r"crates/mckibben/src/muscle/(file|measures)/.*",
+            r"checks/editors.*",
+            r"(examples|plans)/.*\.toml",
+        ],
+        None,
+        ['bash checks/editors.sh "$MCKIBBEN"'],
+    ),
+    "book": (
+        "the book in a browser, at 400 and 1440 pixels",
+        [
+            r"docs/.*",
+            r"web/(book.*|build\.sh|tests/book\.mjs)",
+        ],
+        None,
+        [
+            "bash web/build.sh --site target/site",
+            "cd web && npm install --no-package-lock --no-audit --no-fund --silent && node tests/book.mjs ../target/site/docs",
+        ],
+    ),
+    "release": (
+        "the release build, README's first command, and a dry run of a release",
+        [
+            *MANIFESTS,
+            r"\.github/workflows/release\.yml",
+            r"packaging/.*",
+            r"checks/release\.py",
+            r"\.zenodo\.json",
+        ],
+        None,
+        [
+            "cargo build --release --locked",
+            "cargo xtask release",
+            "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
+        ],
+    ),
+    "packages": (
+        "every crate as it would be published",
+        [*MANIFESTS, r"checks/package\.sh"],
+        None,
+        ["bash checks/package.sh"],
+    ),
+    "targets": (
+        "the program on other systems",
+        [*MANIFESTS, r"crates/.*\.rs"],
+        r"cfg(_attr|!)?\(.*(unix|windows|target_)|std::os::",
+        [
+            "bash checks/targets.sh",
+        ],
+    ),
+    "processors": (
+        "lanes of the finite elements on lesser processors",
+        [
+            r"crates/mckibben-fem/src/(element|solver)/.*",
+            r"crates/mckibben-fem/tests/lanes.*",
+            r"crates/mckibben/src/.*lanes.*",
+        ],
+        r"target_feature|lanes",
+        ["bash checks/processors.sh"],
+    ),
+    "wheel": (
+        "the Python package from its wheel: types, stubs, tests, notebooks",
+        [
+            r"pyproject\.toml",
+            r"python/.*",
+            r"crates/mckibben-python/.*",
+            r"checks/wheel\.sh",
+            r"docs/contract\.txt",
+        ],
+        None,
+        ["bash checks/wheel.sh"],
+    ),
+    "engine": (
+        "the page on its engine as WebAssembly",
+        [
+            r"web/(build|test)\.sh",
+            r"web/page/js/engine/.*",
+            r"crates/mckibben-wasm/.*",
+            r"web/tests/engines\.mjs",
+        ],
+        None,
+        ["bash web/build.sh", "bash web/test.sh static"],
+    ),
+    "studies": (
+        "research scripts and benches build, and their figures",
+        [r"studies/.*"],
+        None,
+        [
+            "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
+            "cargo xtask study-figures --check",
+        ],
+    ),
+    "peers": (
+        "finite elements beside FElupe and CalculiX",
+        [
+            r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*",
+            r"benches/peers/.*",
+            r"data/peers/.*",
+        ],
+        None,
+        ["cargo xtask peers --check"],
+    ),
 }
 
 
 def guarded(part):
     """A digest of the files of a part, by path and content."""
     _, patterns, text, _ = PARTS[part]
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.splitlines()
     digest = hashlib.sha256()
     for path in sorted(listed):
-        if not any(re.fullmatch(pattern, path) for pattern in patterns) or not (ROOT / path).is_file():
+        if (
+            not any(re.fullmatch(pattern, path) for pattern in patterns)
+            or not (ROOT / path).is_file()
+        ):
             continue
         content = (ROOT / path).read_bytes()
         if text and path.endswith(".rs") and not re.search(text.encode(), content):
@@ -117,15 +303,23 @@ def guarded(part):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("parts", nargs="*", metavar="NAME", help=", ".join(PARTS))
-    for flag, about in (("short", "the short ones of those that are due"), ("all", "all"), ("list", "only print them")):
+    for flag, about in (
+        ("short", "the short ones of those that are due"),
+        ("all", "all"),
+        ("list", "only print them"),
+    ):
         parser.add_argument(f"--{flag}", action="store_true", help=about)
     words = parser.parse_args()
     asked = words.parts
     unknown = [word for word in asked if word not in PARTS]
     if unknown:
-        parser.error(f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}")
+        parser.error(
+            f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}"
+        )
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
     changed = [part for part in PARTS if record.get(part) != guarded(part)]
     if words.list:
@@ -134,13 +328,33 @@ def main():
         return
     if words.short:
         changed = [part for part in changed if part in SHORT]
-    os.environ.setdefault("MCKIBBEN", str(Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/mckibben"))
+    os.environ.setdefault(
+        "MCKIBBEN",
+        str(
+            Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug/mckibben"
+        ),
+    )
     due = asked or (list(PARTS) if words.all else changed)
     if due and not Path(os.environ["MCKIBBEN"]).exists():
-        subprocess.run(["cargo", "build", "--workspace", "--all-targets", "--profile", "test", "--locked"], cwd=ROOT, check=True)
+        subprocess.run(
+            [
+                "cargo",
+                "build",
+                "--workspace",
+                "--all-targets",
+                "--profile",
+                "test",
+                "--locked",
+            ],
+            cwd=ROOT,
+            check=True,
+        )
     for part in due:
         about, *_, commands = PARTS[part]
-        print(f"\n== {part}: {about}{'' if asked or words.all else ' (its files have changed)'}", flush=True)
+        print(
+            f"\n== {part}: {about}{'' if asked or words.all else ' (its files have changed)'}",
+            flush=True,
+        )
         begun, digest = time.monotonic(), guarded(part)
         for command in commands:
             subprocess.run(command, shell=True, cwd=ROOT, check=True, env=os.environ)

@@ -4,6 +4,7 @@
 Usage: target/debug/examples/exported > FILE; motion.py FILE
 The numbers of the drive stand here again; nothing is read but the answer.
 """
+
 import json
 import sys
 
@@ -69,20 +70,31 @@ def with_hose(c, b):
 
 def share(x, turns):
     """z of Masing's rule after the beginning and the reversals (position, z); what a closed loop leaves is cut off."""
-    while len(turns) > 1 and abs(x - turns[-1][0]) >= abs(turns[-1][0] - turns[-2][0]) * (2 if len(turns) == 2 else 1):
+    while len(turns) > 1 and abs(x - turns[-1][0]) >= abs(
+        turns[-1][0] - turns[-2][0]
+    ) * (2 if len(turns) == 2 else 1):
         del turns[-1 if len(turns) == 2 else -2 :]
     (begin, z), width = turns[-1], min(len(turns), 2)
-    return z + np.sign(x - begin) * width * (1 - max(0, 1 - abs(x - begin) / (width * PRESLIDING)) ** 2)
+    return z + np.sign(x - begin) * width * (
+        1 - max(0, 1 - abs(x - begin) / (width * PRESLIDING)) ** 2
+    )
 
 
 def rates(_, y, command, turns):
     x, v, p, m, u = y
     e, gauge = x / L0, p - P_ATM
     vol, t = volume(e), p * volume(e) / (m * R)
-    g_in, t_in = (0.0, T0) if u <= 0 else flow(*with_hose(0.5e-8 * u, 0.3), SUPPLY, T0, p, t)
-    g_ex, t_ex = (0.0, T0) if u >= 0 else flow(*with_hose(-0.6e-8 * u, 0.25), P_ATM, T0, p, t)
+    g_in, t_in = (
+        (0.0, T0) if u <= 0 else flow(*with_hose(0.5e-8 * u, 0.3), SUPPLY, T0, p, t)
+    )
+    g_ex, t_ex = (
+        (0.0, T0) if u >= 0 else flow(*with_hose(-0.6e-8 * u, 0.25), P_ATM, T0, p, t)
+    )
     heat = HA * (T0 - t)
-    dp = ((GAMMA - 1) * (CP * (g_in * t_in + g_ex * t_ex) + heat) - GAMMA * p * volume_e(e) * v / L0) / vol
+    dp = (
+        (GAMMA - 1) * (CP * (g_in * t_in + g_ex * t_ex) + heat)
+        - GAMMA * p * volume_e(e) * v / L0
+    ) / vol
     pull = force(gauge, e) - LEVEL * (gauge * 1e-6) ** BETA * share(x, turns[:])
     dv = (pull - MASS * 9.80665 - PRELOAD - SPRING * x - DAMPER * v) / MASS
     du = (np.clip(GAIN * (command + P_ATM - p), -1, 1) - u) / LAG
@@ -91,7 +103,12 @@ def rates(_, y, command, turns):
 
 answer = json.load(open(sys.argv[1]))["series"]
 gauge = 0.1e6
-x = brentq(lambda x: force(gauge, x / L0) - MASS * 9.80665 - PRELOAD - SPRING * x, 0, 0.06, xtol=1e-16)
+x = brentq(
+    lambda x: force(gauge, x / L0) - MASS * 9.80665 - PRELOAD - SPRING * x,
+    0,
+    0.06,
+    xtol=1e-16,
+)
 y = np.array([x, 0, gauge + P_ATM, (gauge + P_ATM) * volume(x / L0) / (R * T0), 0])
 turns, sign = [(x, 0.0)], 1.0
 
@@ -105,10 +122,22 @@ for begin, end, command in [(0, 0.1, 0.1e6), (0.1, 0.6, 0.3e6), (0.6, 1.0, 0.15e
             return y[1]
 
         zero.terminal, zero.direction = True, -sign
-        found = solve_ivp(rates, (t, end), y, "Radau", rtol=1e-11, atol=[1e-13, 1e-12, 1e-4, 1e-15, 1e-12],
-                          events=zero, args=(command, turns), dense_output=True, max_step=2e-3)
+        found = solve_ivp(
+            rates,
+            (t, end),
+            y,
+            "Radau",
+            rtol=1e-11,
+            atol=[1e-13, 1e-12, 1e-4, 1e-15, 1e-12],
+            events=zero,
+            args=(command, turns),
+            dense_output=True,
+            max_step=2e-3,
+        )
         assert found.success, found.message
-        while done < len(times) and times[done] <= found.t[-1] + (1e-12 if end == 1.0 else -1e-12):
+        while done < len(times) and times[done] <= found.t[-1] + (
+            1e-12 if end == 1.0 else -1e-12
+        ):
             states.append(found.sol(min(times[done], found.t[-1])))
             done += 1
         t, y = found.t[-1], found.y[:, -1]
@@ -120,7 +149,12 @@ states = np.array(states)
 assert len(states) == len(times), (len(states), len(times))
 wrong = False
 for name, ours, theirs, scale in [
-    ("shortening", np.array(answer["contraction"]) * L0 * 1e3, states[:, 0] * 1e3, 40.0),
+    (
+        "shortening",
+        np.array(answer["contraction"]) * L0 * 1e3,
+        states[:, 0] * 1e3,
+        40.0,
+    ),
     ("pressure", answer["pressure_mpa"], (states[:, 2] - P_ATM) * 1e-6, 0.3),
     ("air mass", answer["air_mass_g"], states[:, 3] * 1e3, 0.3),
     ("opening", answer["opening"], states[:, 4], 1.0),

@@ -3,6 +3,7 @@
 
 Usage: outputs.py PROGRAM [CHROMIUM]
 """
+
 import csv
 import io
 import json
@@ -31,20 +32,53 @@ def ink(path):
     return 1 - max(histogram) / sum(histogram), image.size
 
 
-curve = ["curve", "isobaric", "-D", "50", "-s", "1", "-p", "0.05..0.25:0.05", "-e", "0..0.2:0.01"]
+curve = [
+    "curve",
+    "isobaric",
+    "-D",
+    "50",
+    "-s",
+    "1",
+    "-p",
+    "0.05..0.25:0.05",
+    "-e",
+    "0..0.2:0.01",
+]
 points = json.loads(run(*curve, "--format", "json"))["points"]
 rows = list(csv.DictReader(io.StringIO(run(*curve, "--format", "csv"))))
 assert len(points) == len(rows) == 105
 for point, row in zip(points, rows):
-    assert float(row["force_n"]) == point["force_n"] and float(row["contraction"]) == point["contraction"]
+    assert (
+        float(row["force_n"]) == point["force_n"]
+        and float(row["contraction"]) == point["contraction"]
+    )
 print("JSON and CSV: 105 points each, the same numbers")
 
 figures = {
-    "design": ["design", "--force", "700N", "--contraction", "15%", "--max-pressure", "2.5bar", "--format", "json"],
+    "design": [
+        "design",
+        "--force",
+        "700N",
+        "--contraction",
+        "15%",
+        "--max-pressure",
+        "2.5bar",
+        "--format",
+        "json",
+    ],
     "curve": curve,
     "study": ["curve", "--study", "thickness", "--model", "thick-wall"],
-    "compare": ["compare", "--models", "ideal,thick-wall", "--muscle", "examples/tondu2012.toml", "--data",
-                "data/tondu2012/static_force_20deg.csv", "--fit", "modulus,end-factor"],
+    "compare": [
+        "compare",
+        "--models",
+        "ideal,thick-wall",
+        "--muscle",
+        "examples/tondu2012.toml",
+        "--data",
+        "data/tondu2012/static_force_20deg.csv",
+        "--fit",
+        "modulus,end-factor",
+    ],
 }
 with tempfile.TemporaryDirectory() as folder:
     folder = pathlib.Path(folder)
@@ -58,14 +92,33 @@ with tempfile.TemporaryDirectory() as folder:
         if not chromium:
             continue
         page = (folder / f"{name}.html").read_text()
-        assert "http://" not in page.replace("http://www.w3.org/", "") and "https://" not in page, "the page asks the network"
-        assert "<script" not in page and page.count("<td>") > 20, "the page needs a script or lacks its table"
+        assert (
+            "http://" not in page.replace("http://www.w3.org/", "")
+            and "https://" not in page
+        ), "the page asks the network"
+        assert "<script" not in page and page.count("<td>") > 20, (
+            "the page needs a script or lacks its table"
+        )
         for ending in ("svg", "html"):
             shot = folder / f"{name}-{ending}.png"
-            flags = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-sync", "--disable-quic",
-                     "--disable-background-networking", "--disable-component-update", f"--user-data-dir={folder / 'profile'}",
-                     "--window-size=1200,900", f"--screenshot={shot}"]
-            subprocess.run([chromium, *flags, (folder / f"{name}.{ending}").as_uri()], capture_output=True, timeout=120)
+            flags = [
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--no-first-run",
+                "--disable-sync",
+                "--disable-quic",
+                "--disable-background-networking",
+                "--disable-component-update",
+                f"--user-data-dir={folder / 'profile'}",
+                "--window-size=1200,900",
+                f"--screenshot={shot}",
+            ]
+            subprocess.run(
+                [chromium, *flags, (folder / f"{name}.{ending}").as_uri()],
+                capture_output=True,
+                timeout=120,
+            )
             share, size = ink(shot)
             assert share > 0.01, f"the browser shows nothing of {name}.{ending}"
             print(f"{name}.{ending} in the browser: {100 * share:.1f} % drawn")

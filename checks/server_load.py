@@ -23,7 +23,9 @@ asked = arguments.parse_args()
 
 def memory_mb(process):
     with open(f"/proc/{process.pid}/status") as status:
-        return next(int(line.split()[1]) / 1000 for line in status if line.startswith("VmRSS"))
+        return next(
+            int(line.split()[1]) / 1000 for line in status if line.startswith("VmRSS")
+        )
 
 
 async def answer(reader):
@@ -64,11 +66,15 @@ async def session(port, end, times, counts):
 async def all_sessions(port):
     times, counts = [], Counter()
     end = time.monotonic() + asked.seconds
-    await asyncio.gather(*(session(port, end, times, counts) for _ in range(asked.sessions)))
+    await asyncio.gather(
+        *(session(port, end, times, counts) for _ in range(asked.sessions))
+    )
     return sorted(times), counts
 
 
-server = subprocess.Popen([asked.program, "serve", "--port", "0"], stdout=subprocess.PIPE, text=True)
+server = subprocess.Popen(
+    [asked.program, "serve", "--port", "0"], stdout=subprocess.PIPE, text=True
+)
 try:
     port = int(server.stdout.readline().rsplit(":", 1)[1])
     before = memory_mb(server)
@@ -78,7 +84,10 @@ finally:
     server.terminate()
     code = server.wait(timeout=5)
 part = lambda share: 1e3 * times[int(share * (len(times) - 1))]
-print(f"{asked.sessions} sessions: {len(times) / asked.seconds:.0f} answers a second", end=", ")
+print(
+    f"{asked.sessions} sessions: {len(times) / asked.seconds:.0f} answers a second",
+    end=", ",
+)
 print(f"p50 {part(0.5):.0f} ms, p95 {part(0.95):.0f} ms, worst {part(1):.0f} ms")
 print("by status:", dict(sorted(counts.items())))
 print(f"memory {before:.0f} MB before, {after:.0f} MB after; ended with {code}")

@@ -19,7 +19,8 @@ ROOT = Path(__file__).resolve().parent.parent
 LIMITS = ROOT / "checks/size.toml"
 # Comments, strings, characters and lifetimes of Rust: what must not be read as code or as braces.
 LEXEMES = re.compile(
-    r"//[^\n]*|/\*.*?\*/|b?r(#*)\".*?\"\1|b?\"(?:\\.|[^\"\\])*\"|b?'(?:\\[^\n]+?|[^\\'\n])'|'\w+", re.DOTALL
+    r"//[^\n]*|/\*.*?\*/|b?r(#*)\".*?\"\1|b?\"(?:\\.|[^\"\\])*\"|b?'(?:\\[^\n]+?|[^\\'\n])'|'\w+",
+    re.DOTALL,
 )
 
 
@@ -61,7 +62,9 @@ def rust(paths):
     tests = set()
     for path, (_, modules) in marked.items():
         here = Path(path)
-        folder = here.parent if here.stem in ("mod", "lib", "main") else here.with_suffix("")
+        folder = (
+            here.parent if here.stem in ("mod", "lib", "main") else here.with_suffix("")
+        )
         tests.update(str(folder / name) for name in modules)
     counts = {}
     for path, code in codes.items():
@@ -69,18 +72,33 @@ def rust(paths):
             path == f"{module}.rs" or path.startswith(f"{module}/") for module in tests
         )
         lines = [number for number, line in enumerate(code.split("\n")) if line.strip()]
-        in_tests = len(lines) if only_tests else sum(number in marked[path][0] for number in lines)
-        counts[path] = (len(lines) - in_tests, in_tests, sources[path].count("\n"), len(re.findall(r"\w+|[^\w\s]", code)))
+        in_tests = (
+            len(lines)
+            if only_tests
+            else sum(number in marked[path][0] for number in lines)
+        )
+        counts[path] = (
+            len(lines) - in_tests,
+            in_tests,
+            sources[path].count("\n"),
+            len(re.findall(r"\w+|[^\w\s]", code)),
+        )
     return counts
 
 
 def filled(paths):
     """Lines that are not blank."""
-    return sum(bool(line.strip()) for path in paths for line in (ROOT / path).read_text().split("\n"))
+    return sum(
+        bool(line.strip())
+        for path in paths
+        for line in (ROOT / path).read_text().split("\n")
+    )
 
 
 def measured():
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\n")
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.split("\n")
     listed = [path for path in listed if path and (ROOT / path).is_file()]
     counts = rust([path for path in listed if path.endswith(".rs")])
     numbers, tokens = {}, 0
@@ -94,7 +112,9 @@ def measured():
     flags = 0
     for path in counts:
         if path.startswith("crates/mckibben-cli/src/"):
-            flags += len(re.findall(r"^\s*#\[arg\(", (ROOT / path).read_text(), re.MULTILINE))
+            flags += len(
+                re.findall(r"^\s*#\[arg\(", (ROOT / path).read_text(), re.MULTILINE)
+            )
     tree = {
         "rust_all": sum(lines for _, _, lines, _ in counts.values()),
         "rust_code": sum(code for code, _, _, _ in counts.values()),
@@ -102,8 +122,18 @@ def measured():
         "contract": filled(["docs/contract.txt"]),
         "flags": flags,
         # What python/write.py makes is no line by hand.
-        "python": sum((ROOT / path).read_text().count("\n") for path in listed if re.fullmatch(r"python/mckibben/(?!_api\.py).*\.py", path)),
-        "page": filled([path for path in listed if re.fullmatch(r"web/page/.*\.(js|html|css)", path)]),
+        "python": sum(
+            (ROOT / path).read_text().count("\n")
+            for path in listed
+            if re.fullmatch(r"python/mckibben/(?!_api\.py).*\.py", path)
+        ),
+        "page": filled(
+            [
+                path
+                for path in listed
+                if re.fullmatch(r"web/page/.*\.(js|html|css)", path)
+            ]
+        ),
     }
     return {"tree": tree, **dict(sorted(numbers.items()))}, tokens
 
@@ -111,7 +141,9 @@ def measured():
 def written(limits):
     text = "# Limits of lines, counted by checks/size.py. They only fall: `python3 checks/size.py --lower`.\n"
     for table, row in limits.items():
-        text += f"\n[{table}]\n" + "".join(f"{key} = {value}\n" for key, value in row.items())
+        text += f"\n[{table}]\n" + "".join(
+            f"{key} = {value}\n" for key, value in row.items()
+        )
     return text
 
 
@@ -129,12 +161,17 @@ def main():
     print(f"{'tree':<20} {'tokens':<11} {tokens:>8}")
     if "--lower" in sys.argv:
         lower = {
-            table: {key: min(value, limits.get(table, {}).get(key, value)) for key, value in row.items()}
+            table: {
+                key: min(value, limits.get(table, {}).get(key, value))
+                for key, value in row.items()
+            }
             for table, row in numbers.items()
         }
         LIMITS.write_text(written(lower))
     elif over:
-        sys.exit(f"{over} of the numbers are above their limits in checks/size.toml: remove lines, or ask for an issue that grants them")
+        sys.exit(
+            f"{over} of the numbers are above their limits in checks/size.toml: remove lines, or ask for an issue that grants them"
+        )
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ Usage: vtu.py FOLDER JSON [PNG]
 JSON: {"points": [{"pressure_mpa", "contraction", "force_n", "volume_mm3", "bulged_diameter_mm"}, ...]}, one per step.
 With PNG the steps are drawn by matplotlib.
 """
+
 import json
 import pathlib
 import sys
@@ -21,8 +22,12 @@ AROUND = 48
 
 steps = {}
 for part in xml.parse(folder / "muscle.pvd").getroot().iter("DataSet"):
-    steps.setdefault(int(part.get("timestep")), {})[part.get("name")] = folder / part.get("file")
-assert sorted(steps) == list(range(len(printed))), f"{len(steps)} steps, {len(printed)} printed"
+    steps.setdefault(int(part.get("timestep")), {})[part.get("name")] = (
+        folder / part.get("file")
+    )
+assert sorted(steps) == list(range(len(printed))), (
+    f"{len(steps)} steps, {len(printed)} printed"
+)
 left = [path.name for path in folder.iterdir() if path.name.startswith(".vtu-")]
 assert not left, f"left half-written: {left}"
 
@@ -53,10 +58,25 @@ drawn = []
 for step, point in enumerate(printed):
     tube = meshio.read(steps[step]["tube"])
     braid = meshio.read(steps[step]["braid"])
-    finite(tube, ["displacement", "hoop_stretch", "meridional_stretch", "max_stretch", "stress_hoop_mpa"])
+    finite(
+        tube,
+        [
+            "displacement",
+            "hoop_stretch",
+            "meridional_stretch",
+            "max_stretch",
+            "stress_hoop_mpa",
+        ],
+    )
     finite(braid, ["stretch", "angle_deg", "tension_per_width_n_per_mm", "family"])
     for mesh in (tube, braid):
-        for name in ("pressure_mpa", "contraction", "force_n", "volume_mm3", "bulged_diameter_mm"):
+        for name in (
+            "pressure_mpa",
+            "contraction",
+            "force_n",
+            "volume_mm3",
+            "bulged_diameter_mm",
+        ):
             near(float(np.ravel(mesh.field_data[name])[0]), point[name], 1e-12, name)
 
     # Rings station by station, each from the bore outwards.
@@ -72,13 +92,25 @@ for step, point in enumerate(printed):
 
     length = height[-1, 0] - height[0, 0]
     rest = tube.points - tube.point_data["displacement"]
-    near(1 - length / (rest[:, 2].max() - rest[:, 2].min()), point["contraction"], 1e-9, "contraction")
+    near(
+        1 - length / (rest[:, 2].max() - rest[:, 2].min()),
+        point["contraction"],
+        1e-9,
+        "contraction",
+    )
     # The highest place of the outer line, which is quadratic through three rings each, may lie between them.
     a, b, c = radius[:-2:2, -1], radius[1::2, -1], radius[2::2, -1]
     bend = a - 2 * b + c
-    x = np.clip(np.divide(a - c, 2 * bend, out=np.zeros_like(bend), where=bend < 0), -1, 1)
+    x = np.clip(
+        np.divide(a - c, 2 * bend, out=np.zeros_like(bend), where=bend < 0), -1, 1
+    )
     highest = b + (c - a) / 2 * x + bend / 2 * x**2
-    error = near(2 * max(highest.max(), radius.max()), point["bulged_diameter_mm"], 1e-9, "bulged diameter")
+    error = near(
+        2 * max(highest.max(), radius.max()),
+        point["bulged_diameter_mm"],
+        1e-9,
+        "bulged diameter",
+    )
     worst["diameter"] = max(worst["diameter"], error)
 
     # The cavity under quadratic lines through three rings each: what the elements enclose.
@@ -87,21 +119,41 @@ for step, point in enumerate(printed):
     for k in range(0, len(r) - 1, 2):
         for x, w in gauss:
             n = np.array([x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2])
-            volume += w * np.pi * (n @ r[k : k + 3]) ** 2 * (np.array([x - 0.5, -2 * x, x + 0.5]) @ h[k : k + 3])
+            volume += (
+                w
+                * np.pi
+                * (n @ r[k : k + 3]) ** 2
+                * (np.array([x - 0.5, -2 * x, x + 0.5]) @ h[k : k + 3])
+            )
     error = near(volume, point["volume_mm3"], 1e-9, "volume")
     worst["volume"] = max(worst["volume"], error)
     # The cavity inside the hexahedra: a polygon around, straight lines along. A chord over the length dz is off the line
     # by up to |r''| dz²/8, which second differences of the rings tell.
-    faces = (np.diff(h) * (r[:-1] ** 2 + r[:-1] * r[1:] + r[1:] ** 2) / 3).sum() * np.pi * polygon
+    faces = (
+        (np.diff(h) * (r[:-1] ** 2 + r[:-1] * r[1:] + r[1:] ** 2) / 3).sum()
+        * np.pi
+        * polygon
+    )
     slope = np.diff(r) / np.diff(h)
     bend = np.abs(np.diff(slope)) / (0.5 * (h[2:] - h[:-2]))
-    chord = 2 * (np.concatenate([bend[:1], bend])[: len(h) - 1] * np.diff(h) ** 2 / 8 * np.diff(h)).sum() / (r.min() * length)
+    chord = (
+        2
+        * (
+            np.concatenate([bend[:1], bend])[: len(h) - 1]
+            * np.diff(h) ** 2
+            / 8
+            * np.diff(h)
+        ).sum()
+        / (r.min() * length)
+    )
     worst["its bound"] = max(worst.get("its bound", 0.0), float(chord))
     error = near(faces, point["volume_mm3"] * polygon, chord, "volume of the hexahedra")
     worst["hexahedra"] = max(worst["hexahedra"], error)
     corner = tube.points[block.data]
     edge = [corner[:, k] - corner[:, 0] for k in (1, 3, 4)]
-    assert (np.einsum("ij,ij->i", np.cross(edge[0], edge[1]), edge[2]) > 0).all(), "cells turned inside out"
+    assert (np.einsum("ij,ij->i", np.cross(edge[0], edge[1]), edge[2]) > 0).all(), (
+        "cells turned inside out"
+    )
 
     strands = lines(braid)
     assert len(strands) == float(np.ravel(braid.field_data["strands_drawn"])[0])
@@ -115,20 +167,33 @@ for step, point in enumerate(printed):
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
     except ImportError:
         continue
-    for name, mesh, cells in (("tube", tube, len(block.data)), ("braid", braid, len(strands))):
+    for name, mesh, cells in (
+        ("tube", tube, len(block.data)),
+        ("braid", braid, len(strands)),
+    ):
         reader = vtkXMLUnstructuredGridReader()
         reader.SetFileName(str(steps[step][name]))
         reader.Update()
         grid = reader.GetOutput()
-        assert grid.GetNumberOfCells() == cells and grid.GetNumberOfPoints() == len(mesh.points)
+        assert grid.GetNumberOfCells() == cells and grid.GetNumberOfPoints() == len(
+            mesh.points
+        )
         assert grid.GetPointData().GetNumberOfArrays() == len(mesh.point_data)
-        assert np.allclose([grid.GetPoint(k) for k in range(0, len(mesh.points), 97)], mesh.points[::97])
+        assert np.allclose(
+            [grid.GetPoint(k) for k in range(0, len(mesh.points), 97)],
+            mesh.points[::97],
+        )
         assert grid.GetFieldData().GetArray("force_n").GetValue(0) == point["force_n"]
         if name == "braid":
-            assert all(grid.GetCell(k).GetNumberOfPoints() == len(strands[k]) for k in range(cells))
+            assert all(
+                grid.GetCell(k).GetNumberOfPoints() == len(strands[k])
+                for k in range(cells)
+            )
         worst["read by VTK"] = worst.get("read by VTK", 0) + 1
 
-print(f"{len(printed)} steps: {', '.join(f'{k} {v:.1e}' if isinstance(v, float) else f'{v} files {k}' for k, v in worst.items())}")
+print(
+    f"{len(printed)} steps: {', '.join(f'{k} {v:.1e}' if isinstance(v, float) else f'{v} files {k}' for k, v in worst.items())}"
+)
 
 if picture:
     import matplotlib
@@ -140,17 +205,35 @@ if picture:
     figure = plt.figure(figsize=(14, 5 * len(rows)))
     for row, k in enumerate(rows):
         tube, cells, rings, strands, _ = drawn[k]
-        axes = figure.add_subplot(len(rows), 1, row + 1, projection="3d", computed_zorder=False)
+        axes = figure.add_subplot(
+            len(rows), 1, row + 1, projection="3d", computed_zorder=False
+        )
         outer = np.concatenate([rings[:, -1], rings[:, -1, :1]], axis=1)
         value = tube.point_data["max_stretch"].reshape(rings.shape[:3])[:, -1]
         span = value.max() - value.min()
-        colour = plt.cm.viridis((np.concatenate([value, value[:, :1]], axis=1) - value.min()) / span)
-        axes.plot_surface(outer[..., 2], outer[..., 0], outer[..., 1], facecolors=colour, rstride=1, cstride=1, shade=False)
+        colour = plt.cm.viridis(
+            (np.concatenate([value, value[:, :1]], axis=1) - value.min()) / span
+        )
+        axes.plot_surface(
+            outer[..., 2],
+            outer[..., 0],
+            outer[..., 1],
+            facecolors=colour,
+            rstride=1,
+            cstride=1,
+            shade=False,
+        )
         for line in strands:
             # Only what faces the eye.
-            seen = np.where((line[:, 0] * -0.87 + line[:, 1] * 0.5 > 0)[:, None], line, np.nan)
-            axes.plot(seen[:, 2], seen[:, 0] * 1.01, seen[:, 1] * 1.01, color="black", lw=0.6)
+            seen = np.where(
+                (line[:, 0] * -0.87 + line[:, 1] * 0.5 > 0)[:, None], line, np.nan
+            )
+            axes.plot(
+                seen[:, 2], seen[:, 0] * 1.01, seen[:, 1] * 1.01, color="black", lw=0.6
+            )
         axes.set_box_aspect(np.ptp(outer.reshape(-1, 3), axis=0)[[2, 0, 1]])
         axes.view_init(elev=30, azim=-90)
-        axes.set_title(f"step {k}: {printed[k]['pressure_mpa']:.2f} MPa, max stretch {value.min():.3f} to {value.max():.3f}")
+        axes.set_title(
+            f"step {k}: {printed[k]['pressure_mpa']:.2f} MPa, max stretch {value.min():.3f} to {value.max():.3f}"
+        )
     figure.savefig(picture, dpi=80, bbox_inches="tight")

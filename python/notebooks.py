@@ -1,6 +1,6 @@
 """Executes the notebooks of python/examples, each in a kernel of its own; what they assert holds, or this fails.
 
-    python python/notebooks.py
+python python/notebooks.py
 """
 
 from __future__ import annotations
@@ -22,9 +22,16 @@ def executed(path: Path) -> str:
     begun = time.monotonic()
     files: Any = nbformat
     notebook = files.read(path, as_version=4)
-    NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}}).execute()
+    NotebookClient(
+        notebook,
+        timeout=300,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(FOLDER)}},
+    ).execute()
     size = len(files.writes(notebook)) / 1e6
-    return f"{path.name}: {time.monotonic() - begun:.1f} s, {size:.1f} MB with its outputs"
+    return (
+        f"{path.name}: {time.monotonic() - begun:.1f} s, {size:.1f} MB with its outputs"
+    )
 
 
 if __name__ == "__main__":

@@ -32,54 +32,163 @@ Schema = Any
 
 # Commands as functions and as methods of a muscle, a joint and a drive, with what may be given without its keyword.
 FUNCTIONS: dict[str, tuple[str, list[str]]] = {
-    "design": ("design", []), "identify": ("identify", ["muscle", "data"]), "rubber": ("fit_rubber", ["data"]), "fit": ("fit", ["table"]),
-    "parts-list": ("parts", ["kind"]), "parts-show": ("part", ["name"]), "measures": ("measures", []), "validate": ("validate", []), "measured": ("measured", []),
-    "plan": ("plan", ["plan"]), "fit-report": ("fit_report", []), "export-list": ("export_targets", []), "check-formula": ("check_formula", ["file"]),
+    "design": ("design", []),
+    "identify": ("identify", ["muscle", "data"]),
+    "rubber": ("fit_rubber", ["data"]),
+    "fit": ("fit", ["table"]),
+    "parts-list": ("parts", ["kind"]),
+    "parts-show": ("part", ["name"]),
+    "measures": ("measures", []),
+    "validate": ("validate", []),
+    "measured": ("measured", []),
+    "plan": ("plan", ["plan"]),
+    "fit-report": ("fit_report", []),
+    "export-list": ("export_targets", []),
+    "check-formula": ("check_formula", ["file"]),
 }
 METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
     "MuscleCommands": {
-        "curve": ("curve", ["test"]), "simulate": ("simulate", ["test"]), "shape": ("shape", ["pressure_mpa", "contraction"]), "fill": ("fill", ["volume_mm3"]), "check": ("check", []),
-        "compare": ("compare", []), "study": ("study", []), "build": ("build", ["pressure_mpa"]), "export": ("export", ["target"]),
+        "curve": ("curve", ["test"]),
+        "simulate": ("simulate", ["test"]),
+        "shape": ("shape", ["pressure_mpa", "contraction"]),
+        "fill": ("fill", ["volume_mm3"]),
+        "check": ("check", []),
+        "compare": ("compare", []),
+        "study": ("study", []),
+        "build": ("build", ["pressure_mpa"]),
+        "export": ("export", ["target"]),
     },
     "JointCommands": {"joint": ("solve", []), "export-joint": ("export", ["target"])},
     "DriveCommands": {"motion": ("motion", [])},
-    "CampaignCommands": {"campaign": ("run", []), "campaign-status": ("status", []), "campaign-show": ("summary", [])},
+    "CampaignCommands": {
+        "campaign": ("run", []),
+        "campaign-status": ("status", []),
+        "campaign-show": ("summary", []),
+    },
 }
 # Arguments that such an object has itself.
-OWN = {"MuscleCommands": {"muscle"}, "JointCommands": {"joint", "muscles"}, "DriveCommands": {"drive", "muscle", "joint", "muscles", "tables"}, "CampaignCommands": {"plan", "output", "campaign"}}
+OWN = {
+    "MuscleCommands": {"muscle"},
+    "JointCommands": {"joint", "muscles"},
+    "DriveCommands": {"drive", "muscle", "joint", "muscles", "tables"},
+    "CampaignCommands": {"plan", "output", "campaign"},
+}
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric"}
 # What must be given.
-NEEDED = {("identify", "muscle"), ("identify", "data"), ("rubber", "data"), ("parts-show", "name"), ("parts-list", "kind"), ("plan", "plan"), ("check-formula", "file"), ("fill", "volume_mm3")}
+NEEDED = {
+    ("identify", "muscle"),
+    ("identify", "data"),
+    ("rubber", "data"),
+    ("parts-show", "name"),
+    ("parts-list", "kind"),
+    ("plan", "plan"),
+    ("check-formula", "file"),
+    ("fill", "volume_mm3"),
+}
 # Answers with a name of their own, and what they inherit from.
 NAMES = {
-    "CurveAnswer": "Curve", "PlanAnswer": "Plan", "FitAnswer": "Fit", "IdentifyAnswer": "Identification", "RubberFitAnswer": "RubberFit", "DesignAnswer": "Design", "BuildAnswer": "Build",
-    "ExportAnswer": "Export", "ExportJointAnswer": "JointExport", "ShapeAnswer": "Shape", "CheckFormulaAnswer": "FormulaCheck", "JointAnswer": "JointSolution", "MotionAnswer": "Motion", "Results": "FitReport",
-    "Summary": "CampaignSummary", "Outcome": "CampaignOutcome",
+    "CurveAnswer": "Curve",
+    "PlanAnswer": "Plan",
+    "FitAnswer": "Fit",
+    "IdentifyAnswer": "Identification",
+    "RubberFitAnswer": "RubberFit",
+    "DesignAnswer": "Design",
+    "BuildAnswer": "Build",
+    "ExportAnswer": "Export",
+    "ExportJointAnswer": "JointExport",
+    "ShapeAnswer": "Shape",
+    "CheckFormulaAnswer": "FormulaCheck",
+    "JointAnswer": "JointSolution",
+    "MotionAnswer": "Motion",
+    "Results": "FitReport",
+    "Summary": "CampaignSummary",
+    "Outcome": "CampaignOutcome",
 }
 BASES = {
-    "Curve": "Curves", "Fit": "Fitting", "Identification": "Identified", "RubberFit": "FittedLaws", "Design": "Designed", "Build": "Files", "Export": "Files", "JointExport": "Files", "Shape": "Shaped",
+    "Curve": "Curves",
+    "Fit": "Fitting",
+    "Identification": "Identified",
+    "RubberFit": "FittedLaws",
+    "Design": "Designed",
+    "Build": "Files",
+    "Export": "Files",
+    "JointExport": "Files",
+    "Shape": "Shaped",
 }
 # The list of an answer that is its table, by command.
 ROWS = {
-    "build": "parts", "export": "files", "export-joint": "files", "export-list": "targets", "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases",
-    "measured": "results", "compare": "models", "identify": "parameters", "rubber": "laws", "measures": "measures", "motion": "series", "fit-report": "findings", "parts-list": "tubes",
-    "curve": "points", "plan": "table",
+    "build": "parts",
+    "export": "files",
+    "export-joint": "files",
+    "export-list": "targets",
+    "simulate": "points",
+    "design": "candidates",
+    "joint": "points",
+    "study": "points",
+    "validate": "cases",
+    "measured": "results",
+    "compare": "models",
+    "identify": "parameters",
+    "rubber": "laws",
+    "measures": "measures",
+    "motion": "series",
+    "fit-report": "findings",
+    "parts-list": "tubes",
+    "curve": "points",
+    "plan": "table",
 }
 # Types of what may be given, by the names of fields.
 GIVEN = {
-    "muscle": "MuscleLike", "cases": "FileLike | Sequence[FileLike]", "rubber": "RubberLike", "model": "FormulaLike", "models": "FormulaLike | Sequence[FormulaLike]",
-    "formulas": "Sequence[FormulaLike]", "file": "FormulaLike", "terminal": "Mapping[str, Plain]", "log": "TableLike", "table": "TableLike", "campaign": "FileLike",
-    **dict.fromkeys(("data", "tables", "load_tables"), "TableLike | Sequence[TableLike]"), "stiffness": "Number",
+    "muscle": "MuscleLike",
+    "cases": "FileLike | Sequence[FileLike]",
+    "rubber": "RubberLike",
+    "model": "FormulaLike",
+    "models": "FormulaLike | Sequence[FormulaLike]",
+    "formulas": "Sequence[FormulaLike]",
+    "file": "FormulaLike",
+    "terminal": "Mapping[str, Plain]",
+    "log": "TableLike",
+    "table": "TableLike",
+    "campaign": "FileLike",
+    **dict.fromkeys(
+        ("data", "tables", "load_tables"), "TableLike | Sequence[TableLike]"
+    ),
+    "stiffness": "Number",
 }
 # Numbers that a muscle answers: what it is, of which two, what the derivatives are, and an example.
 NUMBERS = {
-    "force": ("F(P, ε): the pull, in N; 0 where the muscle is slack", ("pressure_mpa", "contraction"), "∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit", "muscle.force([0.1, 0.2], 0.1, model=\"paper\").round(1)", "array([ 585.7, 1202.7])"),
-    "pressure": ("P(F, ε): the pressure that gives a pull, in MPa", ("force_n", "contraction"), "∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation", "round(muscle.pressure(300, \"10%\", model=\"ideal\"), 4)", "0.0377"),
-    "contraction": ("ε(F, P): the contraction at which a pressure gives a pull", ("force_n", "pressure_mpa"), "∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation", "round(muscle.contraction(300, \"2 bar\", model=\"ideal\"), 3)", "0.293"),
+    "force": (
+        "F(P, ε): the pull, in N; 0 where the muscle is slack",
+        ("pressure_mpa", "contraction"),
+        "∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit",
+        'muscle.force([0.1, 0.2], 0.1, model="paper").round(1)',
+        "array([ 585.7, 1202.7])",
+    ),
+    "pressure": (
+        "P(F, ε): the pressure that gives a pull, in MPa",
+        ("force_n", "contraction"),
+        "∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation",
+        'round(muscle.pressure(300, "10%", model="ideal"), 4)',
+        "0.0377",
+    ),
+    "contraction": (
+        "ε(F, P): the contraction at which a pressure gives a pull",
+        ("force_n", "pressure_mpa"),
+        "∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation",
+        'round(muscle.contraction(300, "2 bar", model="ideal"), 3)',
+        "0.293",
+    ),
 }
 OF = {
-    "pressure_mpa": ("MPa", "Gauge pressures P: numbers, a text such as `\"2.5 bar\"` or `\"0..2.5:0.5 bar\"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for."),
-    "contraction": ("ratio", "Contraction ratios ε = ΔL/L0, broadcast against the other argument."), "force_n": ("N", "Pulls F, broadcast against the other argument."),
+    "pressure_mpa": (
+        "MPa",
+        'Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.',
+    ),
+    "contraction": (
+        "ratio",
+        "Contraction ratios ε = ΔL/L0, broadcast against the other argument.",
+    ),
+    "force_n": ("N", "Pulls F, broadcast against the other argument."),
 }
 JAC = (
     "True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others held: k of the strands as well, where the "
@@ -141,7 +250,9 @@ class Bundle:
         """The fields that an object always has."""
         schema = self.defined(schema)
         of_options = [self.required(option) for option in options(schema)]
-        return set(schema.get("required", [])).union(set.intersection(*of_options) if of_options else ())
+        return set(schema.get("required", [])).union(
+            set.intersection(*of_options) if of_options else ()
+        )
 
     def request(self, command: str) -> dict[str, Schema]:
         return self.properties(self.held[command]["request"])
@@ -154,7 +265,11 @@ class Bundle:
         if not isinstance(schema, dict) or not schema:
             return "Any"
         if name := reference(schema):
-            known = {"TextFile": "FileLike", "Choice": "Choice", "Stiffness": "Number | str"}.get(name)
+            known = {
+                "TextFile": "FileLike",
+                "Choice": "Choice",
+                "Stiffness": "Number | str",
+            }.get(name)
             if not is_answer and known:
                 return known
             target = self.defined(schema)
@@ -167,26 +282,46 @@ class Bundle:
             return union([self.type_of(option, is_answer) for option in alternatives])
         kind = schema.get("type")
         if isinstance(kind, list):
-            return union([self.type_of({**schema, "type": one}, is_answer) for one in kind])
+            return union(
+                [self.type_of({**schema, "type": one}, is_answer) for one in kind]
+            )
         if kind == "array" and "prefixItems" in schema:
             return f"tuple[{', '.join(self.type_of(item, is_answer) for item in schema['prefixItems'])}]"
         if kind == "array":
             return f"list[{self.type_of(schema.get('items'), is_answer)}]"
         if kind == "object":
             return f"dict[str, {self.type_of(schema.get('additionalProperties') or None, is_answer)}]"
-        return {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}.get(str(kind), "Any")
+        return {
+            "string": "str",
+            "number": "float",
+            "integer": "int",
+            "boolean": "bool",
+            "null": "None",
+        }.get(str(kind), "Any")
 
     def muscle(self) -> dict[str, Schema]:
         """The fields of a muscle besides its file."""
-        return {name: field for name, field in self.request("check").items() if field.get("x-group") == "muscle" and name != "muscle"}
+        return {
+            name: field
+            for name, field in self.request("check").items()
+            if field.get("x-group") == "muscle" and name != "muscle"
+        }
 
 
 def reference(schema: Schema) -> str | None:
-    return schema["$ref"].rsplit("/", 1)[-1] if isinstance(schema, dict) and "$ref" in schema else None
+    return (
+        schema["$ref"].rsplit("/", 1)[-1]
+        if isinstance(schema, dict) and "$ref" in schema
+        else None
+    )
 
 
 def options(schema: Schema) -> list[Schema]:
-    return [*schema.get("anyOf", []), *schema.get("oneOf", [])] if isinstance(schema, dict) else []
+    return (
+        [*schema.get("anyOf", []), *schema.get("oneOf", [])]
+        if isinstance(schema, dict)
+        else []
+    )
 
 
 def words(schema: Schema) -> list[str]:
@@ -195,7 +330,13 @@ def words(schema: Schema) -> list[str]:
         return list(schema["enum"])
     out: list[str] = []
     for option in options(schema):
-        found = [option["const"]] if "const" in option else option.get("enum") if option.get("type") == "string" else None
+        found = (
+            [option["const"]]
+            if "const" in option
+            else option.get("enum")
+            if option.get("type") == "string"
+            else None
+        )
         if found is None:
             return []
         out += found
@@ -205,7 +346,13 @@ def words(schema: Schema) -> list[str]:
 def union(kinds: list[str]) -> str:
     """One of several types; None is the last."""
     parts = list(dict.fromkeys(kinds))
-    return "Any" if "Any" in parts else " | ".join([*(p for p in parts if p != "None"), *(p for p in parts if p == "None")])
+    return (
+        "Any"
+        if "Any" in parts
+        else " | ".join(
+            [*(p for p in parts if p != "None"), *(p for p in parts if p == "None")]
+        )
+    )
 
 
 def doc(schema: Schema) -> str:
@@ -213,7 +360,9 @@ def doc(schema: Schema) -> str:
     text = schema.get("description", "") if isinstance(schema, dict) else ""
     text = re.sub(r"```.*?```", "", text, flags=re.DOTALL).strip()
     text = re.sub(r"\\\[([a-z0-9]+)\\\]", r"[\1]", text)
-    return " ".join(re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).split()).replace("\\", "\\\\")
+    return " ".join(re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).split()).replace(
+        "\\", "\\\\"
+    )
 
 
 def named(name: str) -> str:
@@ -223,30 +372,57 @@ def named(name: str) -> str:
 def documented(parts: list[str], indent: str) -> str:
     """A docstring of paragraphs."""
     text = "\n\n".join(part for part in parts if part)
-    return textwrap.indent(f'"""{text}\n"""' if "\n" in text else f'"""{text}"""', indent)
+    return textwrap.indent(
+        f'"""{text}\n"""' if "\n" in text else f'"""{text}"""', indent
+    )
 
 
 def wrapped(text: str, indent: str = "") -> str:
-    return textwrap.fill(text, 150, initial_indent=indent, subsequent_indent=indent, break_long_words=False)
+    return textwrap.fill(
+        text,
+        150,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+    )
 
 
 def section(title: str, entries: list[tuple[str, str, str]]) -> str:
     """A part of a docstring: names with their units, and what they are."""
-    lines = [name + (f" : {unit}" if unit else "") + "\n" + wrapped(text or "See the documentation.", "    ") for name, unit, text in entries]
+    lines = [
+        name
+        + (f" : {unit}" if unit else "")
+        + "\n"
+        + wrapped(text or "See the documentation.", "    ")
+        for name, unit, text in entries
+    ]
     return "\n".join([title, "-" * len(title), *lines]) if lines else ""
 
 
 def entries_of(fields: dict[str, Schema]) -> list[tuple[str, str, str]]:
-    return [(named(name), field.get("x-unit", "") if isinstance(field, dict) else "", doc(field)) for name, field in fields.items()]
+    return [
+        (
+            named(name),
+            field.get("x-unit", "") if isinstance(field, dict) else "",
+            doc(field),
+        )
+        for name, field in fields.items()
+    ]
 
 
-def parameter(bundle: Bundle, command: str, name: str, schema: Schema) -> tuple[str, str | None]:
+def parameter(
+    bundle: Bundle, command: str, name: str, schema: Schema
+) -> tuple[str, str | None]:
     """The annotated parameter of a field, and its default; None where it must be given."""
     kind = bundle.type_of(schema, False)
     if name in GIVEN and kind not in ("bool", "int"):
         kind = GIVEN[name]
     kind = re.sub(r"^list\[list\[.*?\]\]", "Sequence[Numbers]", kind)
-    kind = re.sub(r"^list\[float\]", "Numbers", kind).replace("list[", "Sequence[").replace("dict[", "Mapping[")
+    kind = (
+        re.sub(r"^list\[float\]", "Numbers", kind)
+        .replace("list[", "Sequence[")
+        .replace("dict[", "Mapping[")
+    )
     kind = re.sub(r"\bfloat\b", "Number", kind).removesuffix(" | None")
     default = DEFAULTS.get((command, name))
     if default is not None:
@@ -258,20 +434,40 @@ def parameter(bundle: Bundle, command: str, name: str, schema: Schema) -> tuple[
     return f"{named(name)}: {kind} | None", "None"
 
 
-def signature(me: bool, parameters: list[tuple[str, str | None]], keywords: list[tuple[str, str | None]]) -> str:
+def signature(
+    me: bool,
+    parameters: list[tuple[str, str | None]],
+    keywords: list[tuple[str, str | None]],
+) -> str:
     def one(p: tuple[str, str | None]) -> str:
         return p[0] if p[1] is None else f"{p[0]} = {p[1]}"
 
-    return ", ".join([*(["self"] if me else []), *map(one, parameters), *(["*", *map(one, keywords)] if keywords else [])])
+    return ", ".join(
+        [
+            *(["self"] if me else []),
+            *map(one, parameters),
+            *(["*", *map(one, keywords)] if keywords else []),
+        ]
+    )
 
 
-def function(bundle: Bundle, command: str, name: str, first: list[str], owner: str | None) -> str:
+def function(
+    bundle: Bundle, command: str, name: str, first: list[str], owner: str | None
+) -> str:
     held = bundle.held[command]
     title = held["answer"]["title"]
     answer = NAMES.get(title, title)
     fields = bundle.request(command)
-    left_out = (OWN[owner] if owner else set()) | {"figure"} | (set(bundle.muscle()) if owner == "MuscleCommands" else set())
-    fields = {n: fields[n] for n in [*first, *(n for n in fields if n not in first)] if n not in left_out}
+    left_out = (
+        (OWN[owner] if owner else set())
+        | {"figure"}
+        | (set(bundle.muscle()) if owner == "MuscleCommands" else set())
+    )
+    fields = {
+        n: fields[n]
+        for n in [*first, *(n for n in fields if n not in first)]
+        if n not in left_out
+    }
     made = {n: parameter(bundle, command, n, field) for n, field in fields.items()}
     keywords = [made[n] for n in fields if n not in first]
     listed = entries_of(fields)
@@ -281,10 +477,24 @@ def function(bundle: Bundle, command: str, name: str, first: list[str], owner: s
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
     # A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
-    drawn = "" if figure is None or command in ("curve", "measured") else ", True" if figure.get("type") == "boolean" else ', "MPa"'
-    raises = section("Raises", [("MckibbenError", "", "One of its classes says why there is no answer.")])
-    about = [wrapped(doc(held["request"]) or f"The command `{command}`."), section("Parameters", listed), section("Returns", [(answer, "", doc(held["answer"]) or "The answer.")]), raises]
-    return f"{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + '    ')}\n{indent}    return answered({answer}, \"{command}\", locals(){drawn})"
+    drawn = (
+        ""
+        if figure is None or command in ("curve", "measured")
+        else ", True"
+        if figure.get("type") == "boolean"
+        else ', "MPa"'
+    )
+    raises = section(
+        "Raises",
+        [("MckibbenError", "", "One of its classes says why there is no answer.")],
+    )
+    about = [
+        wrapped(doc(held["request"]) or f"The command `{command}`."),
+        section("Parameters", listed),
+        section("Returns", [(answer, "", doc(held["answer"]) or "The answer.")]),
+        raises,
+    ]
+    return f'{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", locals(){drawn})'
 
 
 def fields_class(bundle: Bundle) -> str:
@@ -293,101 +503,291 @@ def fields_class(bundle: Bundle) -> str:
     always = ("outer_diameter_mm", "wall_mm", "length_mm")
     made = {n: parameter(bundle, "check", n, field) for n, field in fields.items()}
     needed = {n: (made[n][0].removesuffix(" | None"), None) for n in always}
-    entries = [(n, unit, text + (" Or a :class:`Rubber`." if n == "rubber" else "")) for n, unit, text in entries_of(fields)]
-    raises = section("Raises", [("InputError", "", "There is no such muscle; `field` is the argument to blame.")])
-    out = ["class MuscleFields:", documented(["What makes a muscle, and its measures; None where it does not have one."], "    "), "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n"]
-    parameters = [*(needed[n] for n in always), *(made[n] for n in fields if n not in always)]
-    out.append(f"    def __init__({signature(True, [], parameters)}) -> None:\n{documented([section('Parameters', sorted(entries, key=lambda e: e[0] not in always)), raises], '        ')}\n        self._make({{name: value for name, value in locals().items() if name != \"self\"}})\n")
-    out.append(f"    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(['The same with other values.', section('Parameters', entries), raises], '        ')}\n        return self._changed({{name: value for name, value in locals().items() if name != \"self\"}})\n")
+    entries = [
+        (n, unit, text + (" Or a :class:`Rubber`." if n == "rubber" else ""))
+        for n, unit, text in entries_of(fields)
+    ]
+    raises = section(
+        "Raises",
+        [
+            (
+                "InputError",
+                "",
+                "There is no such muscle; `field` is the argument to blame.",
+            )
+        ],
+    )
+    out = [
+        "class MuscleFields:",
+        documented(
+            ["What makes a muscle, and its measures; None where it does not have one."],
+            "    ",
+        ),
+        "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n",
+    ]
+    parameters = [
+        *(needed[n] for n in always),
+        *(made[n] for n in fields if n not in always),
+    ]
+    out.append(
+        f'    def __init__({signature(True, [], parameters)}) -> None:\n{documented([section("Parameters", sorted(entries, key=lambda e: e[0] not in always)), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+    )
+    out.append(
+        f'    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values.", section("Parameters", entries), raises], "        ")}\n        return self._changed({{name: value for name, value in locals().items() if name != "self"}})\n'
+    )
     for name, field in fields.items():
         if name not in ("rubber", "rubber_file", "braid"):
             kind = "float | str" if name == "stiffness" else "float"
             kind = kind if name in (*always, "angle_deg") else f"{kind} | None"
-            out.append(f"    @property\n    def {name}(self) -> {kind}:\n{documented([wrapped(doc(field))], '        ')}\n        found: {kind} = self._field(\"{name}\")\n        return found\n")
+            out.append(
+                f'    @property\n    def {name}(self) -> {kind}:\n{documented([wrapped(doc(field))], "        ")}\n        found: {kind} = self._field("{name}")\n        return found\n'
+            )
     return "\n".join(out)
 
 
 def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
     fields, always = bundle.properties(schema), bundle.required(schema)
     base = f"_record.{BASES[name]}" if name in BASES else "Record"
-    lines = [f"class {name}({base}):", documented([wrapped(doc(schema) or name), section("Attributes", entries_of(fields))], "    ")]
+    lines = [
+        f"class {name}({base}):",
+        documented(
+            [wrapped(doc(schema) or name), section("Attributes", entries_of(fields))],
+            "    ",
+        ),
+    ]
     if rows:
         lines.append(f"    _rows: ClassVar[str | None] = {json.dumps(rows)}")
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = bundle.type_of(value, True)
         optional = field not in always
-        kind = f"{kind} | None" if optional and not kind.endswith("None") and kind != "Any" else kind
+        kind = (
+            f"{kind} | None"
+            if optional and not kind.endswith("None") and kind != "Any"
+            else kind
+        )
         lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
     return "\n".join(lines)
 
 
 def solution(bundle: Bundle) -> str:
     """What is known of points, each as an array."""
-    fields = {n: f for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items() if bundle.type_of(f, True) in ("float", "float | None")}
-    about = ["Points of a muscle as arrays of one shape; NaN where a point does not have it.", section("Attributes", [*entries_of(fields), ("slack", "", "Whether the muscle hangs slack."), ("status", "", "`ok`, or the kind of why there is no answer."), ("cause", "", "Why there is none."), ("warned", "", "A bit for each of `warnings`.")])]
-    kinds = {**dict.fromkeys(fields, "float64"), "slack": "bool_", "status": "str_", "cause": "object_", "warned": "int64"}
-    return "\n".join(["class Solution(_record.Points):", documented(about, "    "), *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())])
+    fields = {
+        n: f
+        for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items()
+        if bundle.type_of(f, True) in ("float", "float | None")
+    }
+    about = [
+        "Points of a muscle as arrays of one shape; NaN where a point does not have it.",
+        section(
+            "Attributes",
+            [
+                *entries_of(fields),
+                ("slack", "", "Whether the muscle hangs slack."),
+                ("status", "", "`ok`, or the kind of why there is no answer."),
+                ("cause", "", "Why there is none."),
+                ("warned", "", "A bit for each of `warnings`."),
+            ],
+        ),
+    ]
+    kinds = {
+        **dict.fromkeys(fields, "float64"),
+        "slack": "bool_",
+        "status": "str_",
+        "cause": "object_",
+        "warned": "int64",
+    }
+    return "\n".join(
+        [
+            "class Solution(_record.Points):",
+            documented(about, "    "),
+            *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items()),
+        ]
+    )
 
 
 def numbers() -> str:
     """What a muscle answers of numbers and arrays."""
-    out = ["class MuscleNumbers:", documented(["What a muscle answers of numbers and arrays."], "    ")]
-    out.append("    if TYPE_CHECKING:\n        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...\n        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...\n")
-    more = "errors: Errors = \"raise\", progress: Progress = None, **options"
-    raises = ("MckibbenError", "", "One of its classes says why there is no answer; `index` is the place of the point.")
-    rest = [("errors", "", ERRORS), ("progress", "", PROGRESS), ("options", "", OPTIONS)]
+    out = [
+        "class MuscleNumbers:",
+        documented(["What a muscle answers of numbers and arrays."], "    "),
+    ]
+    out.append(
+        "    if TYPE_CHECKING:\n        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...\n        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...\n"
+    )
+    more = 'errors: Errors = "raise", progress: Progress = None, **options'
+    raises = (
+        "MckibbenError",
+        "",
+        "One of its classes says why there is no answer; `index` is the place of the point.",
+    )
+    rest = [
+        ("errors", "", ERRORS),
+        ("progress", "", PROGRESS),
+        ("options", "", OPTIONS),
+    ]
     for name, (about, pair, slopes, example, shown) in NUMBERS.items():
         first, second = pair
         usual = " = 0.0" if second == "contraction" else ""
-        for kind, jac, found in (("Number", "Literal[False] = False", "float"), ("Floats", "Literal[False] = False", "Array"), ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"), ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]")):
+        for kind, jac, found in (
+            ("Number", "Literal[False] = False", "float"),
+            ("Floats", "Literal[False] = False", "Array"),
+            ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"),
+            ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]"),
+        ):
             ignored = "  # type: ignore[overload-overlap]" if kind == "Number" else ""
-            out.append(f"    @overload\n    def {name}(self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ...{ignored}")
-        returns = ("float or numpy.ndarray", "", f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.")
-        text = [about + ".", section("Parameters", [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest]), section("Returns", [returns]), section("Raises", [raises])]
-        text.append(f"Examples\n--------\n>>> import mckibben as mk\n>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)\n>>> {example}\n{shown}")
-        out.append(f"    def {name}(self, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, '        ')}\n        return self._asked(\"{name}\", {first}, {second}, jac, errors, progress, options)\n")
-    returns = ("Solution", "", "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.")
-    text = ["All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.", section("Parameters", [("pressure_mpa", *OF["pressure_mpa"]), ("contraction", *OF["contraction"]), *rest]), section("Returns", [returns]), section("Raises", [raises])]
-    text.append("Examples\n--------\n>>> import mckibben as mk\n>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model=\"universal\")\n>>> points.force_n.shape, bool((points.uncertainty_n > 0).all())\n((2,), True)")
-    out.append(f"    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        return self._solved(pressure_mpa, contraction, errors, progress, options)")
+            out.append(
+                f"    @overload\n    def {name}(self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ...{ignored}"
+            )
+        returns = (
+            "float or numpy.ndarray",
+            "",
+            f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.",
+        )
+        text = [
+            about + ".",
+            section(
+                "Parameters", [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest]
+            ),
+            section("Returns", [returns]),
+            section("Raises", [raises]),
+        ]
+        text.append(
+            f"Examples\n--------\n>>> import mckibben as mk\n>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)\n>>> {example}\n{shown}"
+        )
+        out.append(
+            f'    def {name}(self, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, "        ")}\n        return self._asked("{name}", {first}, {second}, jac, errors, progress, options)\n'
+        )
+    returns = (
+        "Solution",
+        "",
+        "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.",
+    )
+    text = [
+        "All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.",
+        section(
+            "Parameters",
+            [
+                ("pressure_mpa", *OF["pressure_mpa"]),
+                ("contraction", *OF["contraction"]),
+                *rest,
+            ],
+        ),
+        section("Returns", [returns]),
+        section("Raises", [raises]),
+    ]
+    text.append(
+        'Examples\n--------\n>>> import mckibben as mk\n>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")\n>>> points.force_n.shape, bool((points.uncertainty_n > 0).all())\n((2,), True)'
+    )
+    out.append(
+        f"    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        return self._solved(pressure_mpa, contraction, errors, progress, options)"
+    )
     return "\n".join(out)
 
 
 def state(bundle: Bundle) -> str:
     """Where a simulation is."""
-    fields = {n: {**f, "description": re.sub(r"; of a liquid.*", "", f.get("description", ""))} for n, f in bundle.properties({"$ref": "#/$defs/MotionSeries"}).items()}
-    about = ["Where a simulation is; None what it is not.", section("Attributes", entries_of(fields))]
+    fields = {
+        n: {
+            **f,
+            "description": re.sub(r"; of a liquid.*", "", f.get("description", "")),
+        }
+        for n, f in bundle.properties({"$ref": "#/$defs/MotionSeries"}).items()
+    }
+    about = [
+        "Where a simulation is; None what it is not.",
+        section("Attributes", entries_of(fields)),
+    ]
     # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    return "\n".join(["class State(Record):", documented(about, "    "), *(f"    {n}: float" for n in fields)])
+    return "\n".join(
+        [
+            "class State(Record):",
+            documented(about, "    "),
+            *(f"    {n}: float" for n in fields),
+        ]
+    )
 
 
 def choices(bundle: Bundle) -> str:
     """Which model answers, and how, as keywords."""
-    fields = {n: f for n, f in bundle.request("force").items() if f.get("x-group") == "model"}
-    about = ["Which model of a muscle answers, and how.", section("Attributes", entries_of(fields))]
-    return "\n".join(["class Options(TypedDict, total=False):", documented(about, "    "), *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())])
+    fields = {
+        n: f for n, f in bundle.request("force").items() if f.get("x-group") == "model"
+    }
+    about = [
+        "Which model of a muscle answers, and how.",
+        section("Attributes", entries_of(fields)),
+    ]
+    return "\n".join(
+        [
+            "class Options(TypedDict, total=False):",
+            documented(about, "    "),
+            *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items()),
+        ]
+    )
 
 
 def tables(kind: str, own: list[str]) -> str:
     """The tables of a file that people write, as keywords; its keys stand in their descriptions."""
-    held = {n: f for n, f in program("--file", kind)["properties"].items() if n not in (*own, "notes")}
-    listed = [(n, "", f["description"] + (": " + ", ".join(f"``{key}``" for key in f["properties"]) if "properties" in f else "")) for n, f in held.items()]
-    kinds = {n: "str | None" if f["type"] == "string" else "Keys | str | None" if "name" in f["properties"] else "Keys | None" for n, f in held.items()}
-    return "\n".join([f"class {kind.capitalize()}Tables(TypedDict, total=False):", documented([f"Tables of a {kind} file.", section("Attributes", listed)], "    "), *(f"    {n}: {k}" for n, k in kinds.items())])
+    held = {
+        n: f
+        for n, f in program("--file", kind)["properties"].items()
+        if n not in (*own, "notes")
+    }
+    listed = [
+        (
+            n,
+            "",
+            f["description"]
+            + (
+                ": " + ", ".join(f"``{key}``" for key in f["properties"])
+                if "properties" in f
+                else ""
+            ),
+        )
+        for n, f in held.items()
+    ]
+    kinds = {
+        n: "str | None"
+        if f["type"] == "string"
+        else "Keys | str | None"
+        if "name" in f["properties"]
+        else "Keys | None"
+        for n, f in held.items()
+    }
+    return "\n".join(
+        [
+            f"class {kind.capitalize()}Tables(TypedDict, total=False):",
+            documented(
+                [f"Tables of a {kind} file.", section("Attributes", listed)], "    "
+            ),
+            *(f"    {n}: {k}" for n, k in kinds.items()),
+        ]
+    )
 
 
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
-    asked = dict.fromkeys([*(c for names in METHODS.values() for c in names), *FUNCTIONS])
+    asked = dict.fromkeys(
+        [*(c for names in METHODS.values() for c in names), *FUNCTIONS]
+    )
     out: dict[str, tuple[Schema, str | None]] = {}
 
     def reach(schema: Any) -> None:
-        parts: Any = schema.values() if isinstance(schema, dict) else schema if isinstance(schema, list) else ()
+        parts: Any = (
+            schema.values()
+            if isinstance(schema, dict)
+            else schema
+            if isinstance(schema, list)
+            else ()
+        )
         for part in parts:
             reach(part)
         name = reference(schema)
-        if name is not None and NAMES.get(name, name) not in out and bundle.is_record(schema):
+        if (
+            name is not None
+            and NAMES.get(name, name) not in out
+            and bundle.is_record(schema)
+        ):
             out[NAMES.get(name, name)] = bundle.defs[name], None
             reach(bundle.defs[name])
 
@@ -401,30 +801,70 @@ def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
 def api(bundle: Bundle) -> str:
     made = answers(bundle)
     geometry = ("outer_diameter_mm", "wall_mm", "length_mm")
-    keys = {n: f["x-key"] for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry) if "x-key" in f}
-    parts = [HEAD, f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}"]
+    keys = {
+        n: f["x-key"]
+        for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry)
+        if "x-key" in f
+    }
+    parts = [
+        HEAD,
+        f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}",
+    ]
     parts += [record(bundle, name, *held) for name, held in made.items()]
-    parts += [choices(bundle), tables("joint", ["joint", "muscle_1", "muscle_2"]), tables("drive", ["muscle", "joint", "command"])]
+    parts += [
+        choices(bundle),
+        tables("joint", ["joint", "muscle_1", "muscle_2"]),
+        tables("drive", ["muscle", "joint", "command"]),
+    ]
     parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
     for owner, methods in METHODS.items():
-        parts.append("\n\n".join([f"class {owner}:\n{documented(['What the program answers of it, by command.'], '    ')}", *(function(bundle, c, n, first, owner) for c, (n, first) in methods.items())]))
-    parts += [function(bundle, c, n, first, None) for c, (n, first) in FUNCTIONS.items()]
+        parts.append(
+            "\n\n".join(
+                [
+                    f"class {owner}:\n{documented(['What the program answers of it, by command.'], '    ')}",
+                    *(
+                        function(bundle, c, n, first, owner)
+                        for c, (n, first) in methods.items()
+                    ),
+                ]
+            )
+        )
+    parts += [
+        function(bundle, c, n, first, None) for c, (n, first) in FUNCTIONS.items()
+    ]
     return "\n\n\n".join(parts) + "\n"
 
 
 def program(*words: str) -> Schema:
     """A schema of the program."""
     tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
-    return json.loads(subprocess.run([tool, "schema", *words], capture_output=True, text=True, check=True).stdout)
+    return json.loads(
+        subprocess.run(
+            [tool, "schema", *words], capture_output=True, text=True, check=True
+        ).stdout
+    )
 
 
 def ready(native: Path | None) -> None:
     """The package in the sources with a library as its compiled half; without one, that of the workspace's build."""
     sys.path.insert(0, str(ROOT / "python"))
     built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    native = native or next((path for name in ("lib_native.so", "lib_native.dylib", "_native.dll") if (path := built / name).exists()), built)
-    if not any((PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")):
-        spec = spec_from_file_location("mckibben._native", native, loader=ExtensionFileLoader("mckibben._native", str(native)))
+    native = native or next(
+        (
+            path
+            for name in ("lib_native.so", "lib_native.dylib", "_native.dll")
+            if (path := built / name).exists()
+        ),
+        built,
+    )
+    if not any(
+        (PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")
+    ):
+        spec = spec_from_file_location(
+            "mckibben._native",
+            native,
+            loader=ExtensionFileLoader("mckibben._native", str(native)),
+        )
         assert spec is not None and spec.loader is not None
         sys.modules["mckibben._native"] = module_from_spec(spec)
         spec.loader.exec_module(sys.modules["mckibben._native"])
@@ -436,7 +876,13 @@ def parts() -> Iterator[tuple[str, str, str, Any]]:
     from mckibben import _api
 
     for name, made in sorted(vars(mckibben).items()):
-        title = "Exceptions" if inspect.isclass(made) and issubclass(made, (Exception, Warning)) else "Objects" if inspect.isclass(made) else "Functions"
+        title = (
+            "Exceptions"
+            if inspect.isclass(made) and issubclass(made, (Exception, Warning))
+            else "Objects"
+            if inspect.isclass(made)
+            else "Functions"
+        )
         if not inspect.ismodule(made) and not name.startswith("_"):
             yield title, "", name, made
     for name in _api.__all__:
@@ -445,16 +891,40 @@ def parts() -> Iterator[tuple[str, str, str, Any]]:
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
     """What a class has itself, and what a noun has of its commands."""
-    for part in (made, *(base for base in made.__mro__ if base.__name__.endswith(("Fields", "Commands")))):
+    for part in (
+        made,
+        *(
+            base
+            for base in made.__mro__
+            if base.__name__.endswith(("Fields", "Commands"))
+        ),
+    ):
         for name, value in vars(part).items():
-            value = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
-            if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)) and value.__doc__:
+            value = (
+                value.__func__
+                if isinstance(value, (classmethod, staticmethod))
+                else value
+            )
+            if (
+                not name.startswith("_")
+                and (inspect.isfunction(value) or isinstance(value, property))
+                and value.__doc__
+            ):
                 yield name, value
 
 
 def reference_page() -> str:
-    out, last = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"], ""
-    for title, _, name, made in sorted(parts(), key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0])):
+    out, last = (
+        [
+            "# Python reference\n",
+            "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n",
+        ],
+        "",
+    )
+    for title, _, name, made in sorted(
+        parts(),
+        key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0]),
+    ):
         out += [f"## {title}\n"] if title != last else []
         last = title
         out += entry(name, made, "###")
@@ -465,15 +935,43 @@ def reference_page() -> str:
 
 def entry(heading: str, made: Any, level: str) -> list[str]:
     text = inspect.getdoc(made) or ""
-    if inspect.isclass(made) and made.__init__ is not object.__init__ and "Parameters" not in text:
-        text += "\n\n" + (inspect.getdoc(made.__init__) or "" if "Parameters" in (made.__init__.__doc__ or "") else "")
+    if (
+        inspect.isclass(made)
+        and made.__init__ is not object.__init__
+        and "Parameters" not in text
+    ):
+        text += "\n\n" + (
+            inspect.getdoc(made.__init__) or ""
+            if "Parameters" in (made.__init__.__doc__ or "")
+            else ""
+        )
     if inspect.isfunction(made):
-        names = [name for name in inspect.signature(made).parameters if name not in ("self", "cls")]
+        names = [
+            name
+            for name in inspect.signature(made).parameters
+            if name not in ("self", "cls")
+        ]
         heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
     text = re.sub(r":\w+:`([^`]+)`", r"`\1`", text)
-    text = re.sub(r"((?:^(?:>>>|\.\.\.).*\n?(?:^(?!>>>)\S.*\n?)*)+)", r"```python\n\1\n```\n", text, flags=re.MULTILINE)
+    text = re.sub(
+        r"((?:^(?:>>>|\.\.\.).*\n?(?:^(?!>>>)\S.*\n?)*)+)",
+        r"```python\n\1\n```\n",
+        text,
+        flags=re.MULTILINE,
+    )
     text = re.sub(r"^(\w[\w ]*)\n-+$", r"**\1**\n", text, flags=re.MULTILINE)
-    text = re.sub(r"^(\w[\w, ]*?)(?: : (.*))?\n((?:    .*\n?)+)", lambda m: f"- `{m[1]}`" + (f" ({m[2]})" if m[2] else "") + ": " + " ".join(m[3].split()) + "\n", text, flags=re.MULTILINE)
+    text = re.sub(
+        r"^(\w[\w, ]*?)(?: : (.*))?\n((?:    .*\n?)+)",
+        lambda m: (
+            f"- `{m[1]}`"
+            + (f" ({m[2]})" if m[2] else "")
+            + ": "
+            + " ".join(m[3].split())
+            + "\n"
+        ),
+        text,
+        flags=re.MULTILINE,
+    )
     return [f"{level} `{heading}`\n", text.strip().replace("<module", "&lt;module"), ""]
 
 
@@ -481,28 +979,83 @@ def pages(folder: Path) -> None:
     """The pages for Sphinx, with their settings."""
     texts: dict[str, list[str]] = {}
     for title, module, name, made in parts():
-        kind = "exception" if title == "Exceptions" else "class" if inspect.isclass(made) else "function"
-        extra = ["   :members:", "   :inherited-members: object, Exception, str, float", "   :class-doc-from: both"] if kind == "class" else []
-        texts.setdefault(title, []).append("\n".join([f".. auto{kind}:: mckibben.{module + '.' if module else ''}{name}", *extra, ""]))
+        kind = (
+            "exception"
+            if title == "Exceptions"
+            else "class"
+            if inspect.isclass(made)
+            else "function"
+        )
+        extra = (
+            [
+                "   :members:",
+                "   :inherited-members: object, Exception, str, float",
+                "   :class-doc-from: both",
+            ]
+            if kind == "class"
+            else []
+        )
+        texts.setdefault(title, []).append(
+            "\n".join(
+                [
+                    f".. auto{kind}:: mckibben.{module + '.' if module else ''}{name}",
+                    *extra,
+                    "",
+                ]
+            )
+        )
     for title, directives in texts.items():
-        (folder / f"{title.lower()}.rst").write_text("\n".join([title, "=" * len(title), "", *directives]), "utf-8")
-    tree = [".. toctree::", "   :maxdepth: 2", "", *(f"   {title.lower()}" for title in texts), ""]
-    (folder / "index.rst").write_text("\n".join(["mckibben for Python", "===================", "", *tree]), "utf-8")
-    settings = [f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r})", "import write; write.ready(None)", 'project = "mckibben"', 'extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]', "add_module_names = False", 'autodoc_typehints = "none"', 'html_theme = "alabaster"', ""]
+        (folder / f"{title.lower()}.rst").write_text(
+            "\n".join([title, "=" * len(title), "", *directives]), "utf-8"
+        )
+    tree = [
+        ".. toctree::",
+        "   :maxdepth: 2",
+        "",
+        *(f"   {title.lower()}" for title in texts),
+        "",
+    ]
+    (folder / "index.rst").write_text(
+        "\n".join(["mckibben for Python", "===================", "", *tree]), "utf-8"
+    )
+    settings = [
+        f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r})",
+        "import write; write.ready(None)",
+        'project = "mckibben"',
+        'extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]',
+        "add_module_names = False",
+        'autodoc_typehints = "none"',
+        'html_theme = "alabaster"',
+        "",
+    ]
     (folder / "conf.py").write_text("\n".join(settings), "utf-8")
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", choices=["api", "reference", "pages"])
     parser.add_argument("place", type=Path, nargs="?", default=PACKAGE / "_api.py")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--native", type=Path)
     args = parser.parse_args()
     if args.what == "api":
-        text, held = api(Bundle(program())), args.place.read_text("utf-8") if args.place.exists() else ""
+        text, held = (
+            api(Bundle(program())),
+            args.place.read_text("utf-8") if args.place.exists() else "",
+        )
         if args.check and text != held:
-            sys.exit("".join(list(difflib.unified_diff(held.splitlines(True), text.splitlines(True), "kept", "made"))[:40]) + "python python/write.py api writes it anew")
+            sys.exit(
+                "".join(
+                    list(
+                        difflib.unified_diff(
+                            held.splitlines(True), text.splitlines(True), "kept", "made"
+                        )
+                    )[:40]
+                )
+                + "python python/write.py api writes it anew"
+            )
         if not args.check:
             args.place.write_text(text, "utf-8")
         return

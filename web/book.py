@@ -30,7 +30,11 @@ def main(book: Path) -> None:
                 return found[0]
             copied = "source" / outside.relative_to(DOCS.parent)
             # A page of the repository is read as text.
-            copied = copied.with_suffix(".txt") if copied.suffix in (".md", ".rs", ".toml", ".bib") else copied
+            copied = (
+                copied.with_suffix(".txt")
+                if copied.suffix in (".md", ".rs", ".toml", ".bib")
+                else copied
+            )
             (book / copied).parent.mkdir(parents=True, exist_ok=True)
             if outside.is_file():
                 shutil.copy(outside, book / copied)
@@ -43,8 +47,12 @@ def main(book: Path) -> None:
 
         text = page.read_text("utf-8")
         text = re.sub(r"\]\((?!https?:|#|mailto:)([^)#\s]+)(#[^)\s]*)?\)", linked, text)
-        equation = lambda m: f'<div class="equation">\n{convert(m[1], display="block")}\n</div>'
-        page.write_text(re.sub(r"^\$\$(.+?)\$\$$", equation, text, flags=re.M | re.S), "utf-8")
+        equation = lambda m: (
+            f'<div class="equation">\n{convert(m[1], display="block")}\n</div>'
+        )
+        page.write_text(
+            re.sub(r"^\$\$(.+?)\$\$$", equation, text, flags=re.M | re.S), "utf-8"
+        )
     if dead:
         raise SystemExit("links that lead nowhere:\n" + "\n".join(dead))
 

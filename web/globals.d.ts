@@ -8,40 +8,90 @@ declare global {
   type View = import("./page/js/view3d.js").View;
 
   /** A page: what it shows, by the words of its address. */
-  type Mount = (main: HTMLElement) => { load(params: URLSearchParams): Promise<void> };
+  type Mount = (main: HTMLElement) => {
+    load(params: URLSearchParams): Promise<void>;
+  };
 
   /** Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %). */
   type EngineKind = All["units"]["answer"]["kinds"][number]["kind"];
   type Kind = EngineKind | "modulus" | "number";
   /** What waits for what; `state` comes first, `read` is for what takes no time, and `job` for long work, with its progress. */
   type LaneName = "state" | "read" | "side" | "curves" | "job";
-  type How = { lane?: LaneName; signal?: AbortSignal; progress?: (done: number, total: number) => void };
+  type How = {
+    lane?: LaneName;
+    signal?: AbortSignal;
+    progress?: (done: number, total: number) => void;
+  };
   /** What was understood: of each text its number, its numbers, or what is wrong with it. */
-  type Readings = { value?: number; values?: number[]; interval?: [number, number] | null; problem?: { message: string } }[];
+  type Readings = {
+    value?: number;
+    values?: number[];
+    interval?: [number, number] | null;
+    problem?: { message: string };
+  }[];
 
   /**
    * A quantity: key of the address, field of requests, key and table of muscle files, kind, unit of a plain number, name, symbol, what it
    * is, the values that it may have and the one where nothing is stated, and the ends of its slider, where it has one.
    */
   interface Measure {
-    key: string; field: string; filed?: string; group?: string; kind: Kind; unit?: string; label: string; symbol?: string; about?: string;
-    above?: number; minimum?: number; maximum?: number; usual?: number; low?: number; high?: number; around?: boolean;
+    key: string;
+    field: string;
+    filed?: string;
+    group?: string;
+    kind: Kind;
+    unit?: string;
+    label: string;
+    symbol?: string;
+    about?: string;
+    above?: number;
+    minimum?: number;
+    maximum?: number;
+    usual?: number;
+    low?: number;
+    high?: number;
+    around?: boolean;
   }
   /** The muscle in a request: fields of measures, rubber, sleeve, file. */
-  type MuscleFields = Omit<All["check"]["request"], "pressure_mpa" | "model" | "muscle_file" | "only_data">;
+  type MuscleFields = Omit<
+    All["check"]["request"],
+    "pressure_mpa" | "model" | "muscle_file" | "only_data"
+  >;
   /**
    * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or `F`: where it is asked.
    */
-  type State = { file: string; said: Readonly<Record<string, number | string>>; p: number; e: number; F: number | undefined };
-  type MuscleMeasures = { outer_diameter_mm: number; wall_mm: number; length_mm: number; angle_deg?: number | null };
+  type State = {
+    file: string;
+    said: Readonly<Record<string, number | string>>;
+    p: number;
+    e: number;
+    F: number | undefined;
+  };
+  type MuscleMeasures = {
+    outer_diameter_mm: number;
+    wall_mm: number;
+    length_mm: number;
+    angle_deg?: number | null;
+  };
 
   /**
    * A field of a form. `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list
    * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`: until it is shown.
    */
   interface Field {
-    key: string; field: string; label: string; kind?: Kind; list?: boolean; pair?: [Kind, string][]; words?: boolean; or?: string[];
-    factor?: boolean; hidden?: boolean; options?: [string, string][]; value?: string; hint?: string;
+    key: string;
+    field: string;
+    label: string;
+    kind?: Kind;
+    list?: boolean;
+    pair?: [Kind, string][];
+    words?: boolean;
+    or?: string[];
+    factor?: boolean;
+    hidden?: boolean;
+    options?: [string, string][];
+    value?: string;
+    hint?: string;
   }
   /** What a form reads; which fields with which values there are its list of fields decides, and the engine checks. */
   type Read = Record<string, any>;
@@ -52,9 +102,23 @@ declare global {
    * reads it off; `smooth`: a cubic between its points; `fixed`: what does not change along it.
    */
   interface Series {
-    name: string; x: number[]; y: (number | null)[]; half?: (number | null | undefined)[]; z?: number[]; end?: string; at?: "start" | "end";
-    colour?: string; dash?: "solid" | "dash" | "dot"; mode?: "lines" | "markers"; width?: number; legend?: string; band?: boolean;
-    strong?: boolean; silent?: boolean; smooth?: boolean; fixed?: number;
+    name: string;
+    x: number[];
+    y: (number | null)[];
+    half?: (number | null | undefined)[];
+    z?: number[];
+    end?: string;
+    at?: "start" | "end";
+    colour?: string;
+    dash?: "solid" | "dash" | "dot";
+    mode?: "lines" | "markers";
+    width?: number;
+    legend?: string;
+    band?: boolean;
+    strong?: boolean;
+    silent?: boolean;
+    smooth?: boolean;
+    fixed?: number;
   }
   type Axis = { range?: number[]; rangemode?: string };
   /** Below the curves, between these values. */
@@ -62,9 +126,21 @@ declare global {
   type Place = { x: number; y: number; text: string };
   /** What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'. */
   interface Spec {
-    x: string; y: string; z?: string; series: Series[]; marks?: Place[]; notes?: Place[]; picture?: Picture;
-    rows?: (string | number | null)[][]; xaxis?: Axis; yaxis?: Axis;
-    exact?: (s: Series, x: number, take: (y: number, half?: number | null) => void) => void;
+    x: string;
+    y: string;
+    z?: string;
+    series: Series[];
+    marks?: Place[];
+    notes?: Place[];
+    picture?: Picture;
+    rows?: (string | number | null)[][];
+    xaxis?: Axis;
+    yaxis?: Axis;
+    exact?: (
+      s: Series,
+      x: number,
+      take: (y: number, half?: number | null) => void,
+    ) => void;
   }
   /** What is below a pointer: of which curve, and where. */
   type Found = { which: number; x: number; y: number; half?: number };
@@ -73,29 +149,56 @@ declare global {
   type Design = All["design"];
   type Candidate = Design["answer"]["candidates"][number];
   /** What of a candidate makes a muscle. */
-  type Chosen = Pick<Candidate, "outer_diameter_mm" | "wall_mm" | "length_mm" | "angle_deg" | "tube" | "sleeve"> & { rubber?: string | null };
+  type Chosen = Pick<
+    Candidate,
+    | "outer_diameter_mm"
+    | "wall_mm"
+    | "length_mm"
+    | "angle_deg"
+    | "tube"
+    | "sleeve"
+  > & { rubber?: string | null };
   /**
    * A muscle of the map of a design. `margin`: of the pull, to spare; `limit` and `misses`: the limit that it misses, and by what share.
    */
-  type GridNode = { fits: boolean; value: number; margin: number; limit: string; misses: number };
+  type GridNode = {
+    fits: boolean;
+    value: number;
+    margin: number;
+    limit: string;
+    misses: number;
+  };
   /** From a place to another one. */
   type Segment = [number, number, number, number];
 
   type JointAnswer = All["joint"]["answer"];
   /** A point as the page shows it. */
-  type JointPoint = JointAnswer["points"][number] & { model: string; words?: string | null };
+  type JointPoint = JointAnswer["points"][number] & {
+    model: string;
+    words?: string | null;
+  };
   type Family = { answer: JointAnswer; angles: number[]; pairs: number[][] };
   type Run = All["motion"]["answer"];
   type CurveAnswer = All["curve"]["answer"];
 
   /** A muscle of the project: its file with its name, and where it was looked at. */
-  type KeptMuscle = { name: string; file: string; point: Record<string, string> };
+  type KeptMuscle = {
+    name: string;
+    file: string;
+    point: Record<string, string>;
+  };
   /**
    * Muscles of the project; measured points, and what to say of them; a test of a rubber; a plan, and the one that was computed; whether
    * constants were identified, and the verification computed.
    */
   interface KeptFiles {
-    muscles?: KeptMuscle[]; data?: TextFile; "data-said"?: string; rubber?: TextFile; plan?: string; campaign?: string; constants?: boolean;
+    muscles?: KeptMuscle[];
+    data?: TextFile;
+    "data-said"?: string;
+    rubber?: TextFile;
+    plan?: string;
+    campaign?: string;
+    constants?: boolean;
     checked?: boolean;
   }
   type TextFile = { name: string; text: string };

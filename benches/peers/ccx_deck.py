@@ -28,10 +28,23 @@ def pressure_force(x, faces, p):
     f, corners = np.zeros_like(x), x[faces]
     for u in (-GAUSS, GAUSS):
         for v in (-GAUSS, GAUSS):
-            shape = np.array([(1 - u) * (1 - v), (1 + u) * (1 - v), (1 + u) * (1 + v), (1 - u) * (1 + v)]) / 4
+            shape = (
+                np.array(
+                    [
+                        (1 - u) * (1 - v),
+                        (1 + u) * (1 - v),
+                        (1 + u) * (1 + v),
+                        (1 - u) * (1 + v),
+                    ]
+                )
+                / 4
+            )
             by_u = np.array([v - 1, 1 - v, 1 + v, -1 - v]) / 4
             by_v = np.array([u - 1, -1 - u, 1 + u, 1 - u]) / 4
-            area = np.cross(np.einsum("a,eai->ei", by_u, corners), np.einsum("a,eai->ei", by_v, corners))
+            area = np.cross(
+                np.einsum("a,eai->ei", by_u, corners),
+                np.einsum("a,eai->ei", by_v, corners),
+            )
             for k in range(4):
                 np.add.at(f, faces[:, k], -p * shape[k] * area)
     return f
@@ -47,7 +60,9 @@ def increments(path):
                 if at not in found:
                     found[at] = {}
                     keys.append(at)
-                rows = found[at].setdefault(re.search(r"for set (\S+)", line).group(1), [])
+                rows = found[at].setdefault(
+                    re.search(r"for set (\S+)", line).group(1), []
+                )
             elif line.strip() and rows is not None:
                 try:
                     rows.append([float(w) for w in line.split()])
@@ -68,12 +83,21 @@ def main():
         text = open(options.deck, encoding="utf-8").read()
         if options.bulk:
             pattern = r"(\*HYPERELASTIC[^\n]*\n(?:[^,\n]+,)+)([^,\n]+)\n"
-            text = re.sub(pattern, lambda m: f"{m.group(1)}{2 / options.bulk:.10g}\n", text)
+            text = re.sub(
+                pattern, lambda m: f"{m.group(1)}{2 / options.bulk:.10g}\n", text
+            )
         with open(os.path.join(folder, "job.inp"), "w", encoding="utf-8") as file:
             file.write(text)
         env = dict(os.environ, OMP_NUM_THREADS="1", CCX_NPROC_EQUATION_SOLVER="1")
         began = time.time()
-        ran = subprocess.run(["ccx", "-i", "job"], cwd=folder, env=env, capture_output=True, text=True, timeout=3600)
+        ran = subprocess.run(
+            ["ccx", "-i", "job"],
+            cwd=folder,
+            env=env,
+            capture_output=True,
+            text=True,
+            timeout=3600,
+        )
         seconds = time.time() - began
         memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
         iterations = len(re.findall(r"^ iteration \d+", ran.stdout, re.M))

@@ -107,7 +107,13 @@ def read(path: str) -> Deck:
             else:
                 springs[options["ELSET"]] = rows[0][0]
         elif keyword == "STEP":
-            steps.append(Step(1, steps[-1].end_mm if steps else 0.0, steps[-1].pressure_mpa if steps else 0.0))
+            steps.append(
+                Step(
+                    1,
+                    steps[-1].end_mm if steps else 0.0,
+                    steps[-1].pressure_mpa if steps else 0.0,
+                )
+            )
         elif keyword == "STATIC":
             size, whole = _numbers(lines, float)[0][:2]
             steps[-1].increments = round(whole / size)

@@ -58,7 +58,11 @@ class MooneyRivlin:
             + i1 / 3 * gg
             - 2 / 3 * e("iJ...,kL...->iJkL...", first, g)
         )
-        of_fc = e("ik,LJ...->iJkL...", one, c) + e("iL...,kJ...->iJkL...", f, f) + e("ik...,JL->iJkL...", left, one)
+        of_fc = (
+            e("ik,LJ...->iJkL...", one, c)
+            + e("iL...,kJ...->iJkL...", f, f)
+            + e("ik...,JL->iJkL...", left, one)
+        )
         return [
             tangent
             + b
@@ -80,7 +84,11 @@ class Strand:
         self.k, self.tension_only = stiffness, tension_only
 
     def _share(self, strain):
-        return np.where(strain > 0, 1.0, 1e-4) if self.tension_only else np.ones_like(strain)
+        return (
+            np.where(strain > 0, 1.0, 1e-4)
+            if self.tension_only
+            else np.ones_like(strain)
+        )
 
     def gradient(self, x):
         strain = x[0] - 1
@@ -95,10 +103,14 @@ def main(path):
     start = time.time()
     mesh = fem.Mesh(deck.nodes, deck.bricks, cell_type="hexahedron")
     field = fem.FieldContainer([fem.Field(fem.RegionHexahedron(mesh), dim=3)])
-    rubber = fem.SolidBodyNearlyIncompressible(MooneyRivlin(deck.c10_mpa, deck.c01_mpa), field, bulk=deck.bulk_mpa)
+    rubber = fem.SolidBodyNearlyIncompressible(
+        MooneyRivlin(deck.c10_mpa, deck.c01_mpa), field, bulk=deck.bulk_mpa
+    )
     inner = np.zeros(len(deck.nodes), bool)
     inner[deck.sets["NIN"]] = True
-    boundary = fem.RegionHexahedronBoundary(mesh, only_surface=True, mask=np.where(inner)[0])
+    boundary = fem.RegionHexahedronBoundary(
+        mesh, only_surface=True, mask=np.where(inner)[0]
+    )
     pressure = fem.SolidBodyPressure(fem.FieldContainer([fem.Field(boundary, dim=3)]))
     ends = deck.nodes[deck.strands]
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
@@ -113,7 +125,14 @@ def main(path):
     end = deck.sets["NEND"]
     held = np.unique(
         np.concatenate(
-            [3 * deck.sets["SX"], 3 * deck.sets["SY"] + 1, 3 * deck.sets["SZ"] + 2, 3 * end, 3 * end + 1, 3 * end + 2]
+            [
+                3 * deck.sets["SX"],
+                3 * deck.sets["SY"] + 1,
+                3 * deck.sets["SZ"] + 2,
+                3 * end,
+                3 * end + 1,
+                3 * end + 2,
+            ]
         )
     )
     free = np.setdiff1d(np.arange(n), held)
@@ -132,8 +151,14 @@ def main(path):
     def tangent():
         total = None
         for item in items:
-            k = item.assemble.matrix(field=item.field) if item is braid else item.assemble.matrix()
-            k = csr_matrix(k if item.assemble.multiplier is None else k * item.assemble.multiplier)
+            k = (
+                item.assemble.matrix(field=item.field)
+                if item is braid
+                else item.assemble.matrix()
+            )
+            k = csr_matrix(
+                k if item.assemble.multiplier is None else k * item.assemble.multiplier
+            )
             total = k if total is None else total + k
         return total
 
@@ -169,15 +194,23 @@ def main(path):
     for step in deck.steps:
         for i in range(1, step.increments + 1):
             share = i / step.increments
-            e, p = e0 + share * (step.end_mm - e0), p0 + share * (step.pressure_mpa - p0)
+            e, p = (
+                e0 + share * (step.end_mm - e0),
+                p0 + share * (step.pressure_mpa - p0),
+            )
             try:
                 increment(e, p)
             except RuntimeError as error:
                 failure = f"{error} at {e} mm, {p} MPa"
                 break
-            pull = 4 * residual()[3 * end + 2].sum() - p * math.pi * deck.number("inner_radius_mm") ** 2
+            pull = (
+                4 * residual()[3 * end + 2].sum()
+                - p * math.pi * deck.number("inner_radius_mm") ** 2
+            )
             contraction = -e / deck.number("half_length_mm")
-            rows.append({"pressure_mpa": p, "contraction": contraction, "force_n": pull})
+            rows.append(
+                {"pressure_mpa": p, "contraction": contraction, "force_n": pull}
+            )
         e0, p0 = step.end_mm, step.pressure_mpa
     print(
         json.dumps(

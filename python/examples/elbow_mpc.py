@@ -1,6 +1,6 @@
 """A predictive controller of the elbow of examples/elbow.toml: at each step SciPy searches the pressures of the next ones, on a rollout of the simulation itself.
 
-    python elbow_mpc.py
+python elbow_mpc.py
 """
 
 from __future__ import annotations
@@ -38,21 +38,36 @@ def plan(elbow: mk.Simulation, target_deg: float, start: Array) -> Array:
         if key not in misses:
             plans = moves + STEP_MPA * np.vstack([np.zeros(MOVES), np.eye(MOVES)])
             ends = mk.rollout(elbow, commands(plans))
-            miss = np.hstack([ends["angle_deg"][:, 1:] - target_deg, 0.05 * ends["velocity_deg_per_s"][:, 1:]])
+            miss = np.hstack(
+                [
+                    ends["angle_deg"][:, 1:] - target_deg,
+                    0.05 * ends["velocity_deg_per_s"][:, 1:],
+                ]
+            )
             misses[key] = miss[0], (miss[1:] - miss[0]).T / STEP_MPA
         return misses[key]
 
-    found: Any = least_squares(lambda moves: rolled(moves)[0], start, jac=lambda moves: rolled(moves)[1], bounds=(-MOST_MPA, MOST_MPA), max_nfev=8)
+    found: Any = least_squares(
+        lambda moves: rolled(moves)[0],
+        start,
+        jac=lambda moves: rolled(moves)[1],
+        bounds=(-MOST_MPA, MOST_MPA),
+        max_nfev=8,
+    )
     moves: Array = found.x
     return moves
 
 
 def main(target_deg: float = 20.0) -> float:
     """The angle that it misses after a second and a half, degrees."""
-    elbow = mk.Simulation(EXAMPLES / "elbow-drive.toml", DT_S, record=False, model="universal")
+    elbow = mk.Simulation(
+        EXAMPLES / "elbow-drive.toml", DT_S, record=False, model="universal"
+    )
     moves = np.zeros(MOVES)
     for _ in range(30):
-        moves = plan(elbow, target_deg, np.clip(moves, -0.99 * MOST_MPA, 0.99 * MOST_MPA))
+        moves = plan(
+            elbow, target_deg, np.clip(moves, -0.99 * MOST_MPA, 0.99 * MOST_MPA)
+        )
         state = elbow.step(commands(moves)[0])
     return abs(state.angle_deg - target_deg)
 

@@ -1,6 +1,6 @@
 """The elbow of examples/elbow.toml in MuJoCo: each muscle is a force on its side of the pulley, by its contraction at the angle.
 
-    python elbow_mujoco.py
+python elbow_mujoco.py
 """
 
 from __future__ import annotations
@@ -26,9 +26,18 @@ ARM = """
 """
 
 
-def torque_nm(muscle: mk.Muscle, pressures_mpa: tuple[float, float], angle_rad: float) -> float:
+def torque_nm(
+    muscle: mk.Muscle, pressures_mpa: tuple[float, float], angle_rad: float
+) -> float:
     """The muscles pull on a pulley, each on its side: F1 r − F2 r."""
-    pulls = [muscle.force(p, AT_NEUTRAL + sign * RADIUS_MM * angle_rad / muscle.length_mm, model="universal") for p, sign in zip(pressures_mpa, (1, -1))]
+    pulls = [
+        muscle.force(
+            p,
+            AT_NEUTRAL + sign * RADIUS_MM * angle_rad / muscle.length_mm,
+            model="universal",
+        )
+        for p, sign in zip(pressures_mpa, (1, -1))
+    ]
     return float(1e-3 * RADIUS_MM * (pulls[0] - pulls[1]))
 
 
@@ -44,4 +53,6 @@ def main(pressures_mpa: tuple[float, float] = (0.2, 0.1)) -> float:
 
 
 if __name__ == "__main__":
-    print(f"MuJoCo {main():.3f} degrees, mckibben {mk.load(EXAMPLES / 'elbow-drive.toml').motion(model='universal').equilibrium_angle_deg:.3f} degrees")
+    print(
+        f"MuJoCo {main():.3f} degrees, mckibben {mk.load(EXAMPLES / 'elbow-drive.toml').motion(model='universal').equilibrium_angle_deg:.3f} degrees"
+    )

@@ -1,6 +1,6 @@
 """The posterior of two constants of a muscle on its bench (examples/bench.csv), by NUTS (NumPyro) and by emcee, against the error bars of identify.
 
-    python identify_bayes.py
+python identify_bayes.py
 """
 
 from __future__ import annotations
@@ -19,9 +19,15 @@ Array = NDArray[np.float64]
 
 def bench() -> tuple[Any, Array, Array, Array]:
     """What identify finds, and the points."""
-    found = mk.identify(EXAMPLES / "bench.toml", EXAMPLES / "bench.csv", model="universal")
+    found = mk.identify(
+        EXAMPLES / "bench.toml", EXAMPLES / "bench.csv", model="universal"
+    )
     rows = found.points
-    columns = ([row.pressure_mpa for row in rows], [row.contraction for row in rows], [row.force_n for row in rows])
+    columns = (
+        [row.pressure_mpa for row in rows],
+        [row.contraction for row in rows],
+        [row.force_n for row in rows],
+    )
     p, e, f = (np.array(column, dtype=np.float64) for column in columns)
     return found, p, e, f
 
@@ -35,12 +41,16 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
     def log_probability(theta: Array) -> float:
         if not (theta > 0).all():
             return -np.inf
-        pulls = muscle.with_parameters(dict(zip(names, theta))).force(p, e, errors="nan", model="universal")
+        pulls = muscle.with_parameters(dict(zip(names, theta))).force(
+            p, e, errors="nan", model="universal"
+        )
         chi = float((((pulls - f) / found.deviation) ** 2).sum())
         return -0.5 * chi if np.isfinite(chi) else -np.inf
 
     rng = np.random.default_rng(1)
-    start = found["value"] + 0.5 * found["standard_error"] * rng.standard_normal((16, len(names)))
+    start = found["value"] + 0.5 * found["standard_error"] * rng.standard_normal(
+        (16, len(names))
+    )
     sampler = emcee.EnsembleSampler(16, len(names), log_probability)
     sampler.random_state = np.random.RandomState(1).get_state()
     sampler.run_mcmc(start, steps)
@@ -62,10 +72,19 @@ def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
     pull = force(found.identified, found["name"], errors="nan", model="universal")
 
     def model() -> None:
-        z = numpyro.sample("z", numpyro.distributions.Normal(jnp.zeros(len(found["value"])), 30.0).to_event(1))
+        z = numpyro.sample(
+            "z",
+            numpyro.distributions.Normal(jnp.zeros(len(found["value"])), 30.0).to_event(
+                1
+            ),
+        )
         # In standard errors about what identify found: then the sampler needs little tuning.
         theta = jnp.asarray(found["value"]) + jnp.asarray(found["standard_error"]) * z
-        numpyro.sample("force", numpyro.distributions.Normal(pull(p, e, theta), found.deviation), obs=f)
+        numpyro.sample(
+            "force",
+            numpyro.distributions.Normal(pull(p, e, theta), found.deviation),
+            obs=f,
+        )
 
     mcmc = MCMC(NUTS(model), num_warmup=100, num_samples=samples, progress_bar=False)
     mcmc.run(jax.random.PRNGKey(0))

@@ -28,10 +28,18 @@ def main() -> Any:
 
     @jax.jit
     def loss(scaled: Any) -> Any:
-        return (((pull(PRESSURES, CONTRACTIONS, scaled * SCALE) - forces) / 100) ** 2).sum()
+        return (
+            ((pull(PRESSURES, CONTRACTIONS, scaled * SCALE) - forces) / 100) ** 2
+        ).sum()
 
     start = np.array([muscle.parameters[name] for name in NAMES]) / SCALE
-    found = minimize(loss, jnp.asarray(start), jac=jax.grad(loss), method="BFGS", options={"gtol": 1e-7})
+    found = minimize(
+        loss,
+        jnp.asarray(start),
+        jac=jax.grad(loss),
+        method="BFGS",
+        options={"gtol": 1e-7},
+    )
     constants = found.x * SCALE
     print(f"C10 {constants[0]:.4f} MPa, k {constants[1]:.1f} N/mm")
     return constants

@@ -20,15 +20,37 @@ Lengths in mm, pressures in MPa (gauge), forces in N, angles in degrees, as ever
 # Each name once more: it is public, and help() does not print all of it.
 from . import _native
 from ._errors import (
-    FileError as FileError, InputError as InputError, InternalError as InternalError, MckibbenError as MckibbenError, MuscleWarning as MuscleWarning,
-    NoAnswerError as NoAnswerError, NotConvergedError as NotConvergedError, OutOfRangeError as OutOfRangeError, UnitWarning as UnitWarning,
+    FileError as FileError,
+    InputError as InputError,
+    InternalError as InternalError,
+    MckibbenError as MckibbenError,
+    MuscleWarning as MuscleWarning,
+    NoAnswerError as NoAnswerError,
+    NotConvergedError as NotConvergedError,
+    OutOfRangeError as OutOfRangeError,
+    UnitWarning as UnitWarning,
 )
 from ._api import (
-    design as design, export_targets as export_targets, fit as fit, fit_report as fit_report, fit_rubber as fit_rubber, identify as identify, measured as measured,
-    measures as measures, part as part, parts as parts, plan as plan, validate as validate,
+    design as design,
+    export_targets as export_targets,
+    fit as fit,
+    fit_report as fit_report,
+    fit_rubber as fit_rubber,
+    identify as identify,
+    measured as measured,
+    measures as measures,
+    part as part,
+    parts as parts,
+    plan as plan,
+    validate as validate,
 )
 from ._campaign import Campaign as Campaign, campaign as campaign
-from ._motion import Drive as Drive, Joint as Joint, Simulation as Simulation, rollout as rollout
+from ._motion import (
+    Drive as Drive,
+    Joint as Joint,
+    Simulation as Simulation,
+    rollout as rollout,
+)
 from ._muscle import Muscle as Muscle
 from ._parts import Formula as Formula, Rubber as Rubber, load as load
 from ._request import ask as ask

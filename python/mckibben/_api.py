@@ -15,7 +15,19 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._request import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
+    from ._request import (
+        Choice,
+        FileLike,
+        Floats,
+        FormulaLike,
+        MuscleLike,
+        Number,
+        Numbers,
+        Plain,
+        Progress,
+        RubberLike,
+        TableLike,
+    )
 
     Errors = Literal["raise", "nan"]
     Array = NDArray[np.float64]
@@ -24,10 +36,195 @@ if TYPE_CHECKING:
     Keys = Mapping[str, Key]
 
 
-
-__all__ = ["Axis", "BoughtAnswer", "BraidDetails", "BraidPoint", "BraidSummary", "BranchAnswer", "Build", "BuildPart", "BuiltFile", "BundleAnswer", "BundlePoint", "CampaignOutcome", "CampaignStatus", "CampaignSummary", "CandidateAnswer", "CandidateJoint", "Case", "Characteristics", "CheckAnswer", "ClosestAnswer", "CompareAnswer", "ComparedModel", "Curve", "Cut", "Cycle", "DemandAnswer", "Derived", "Design", "DesignPoint", "EndPowers", "EndTerm", "Equilibrium", "ErrorSummary", "Export", "ExportForm", "ExportListAnswer", "ExportTarget", "Extent", "Failed", "FailedPoint", "Figure", "FillAnswer", "Finding", "FindingAnswer", "Fit", "FitReport", "FormulaCheck", "FormulaErrors", "FormulaRange", "GlobalTerm", "HeldOut", "HeldOutError", "HeldOutRow", "Identification", "Identified", "IdentifiedPoint", "JointExport", "JointMap", "JointRow", "JointSolution", "LawAnswer", "LawRow", "LibraryAgreement", "LibraryDetails", "LibraryFit", "LibraryMuscle", "Liquid", "LoadAnswer", "LoadedAt", "LogErrors", "Made", "MadeBraid", "MadeRubber", "MapGap", "MapPoint", "Mark", "MeasureEntry", "MeasuredAnswer", "MeasuredBin", "MeasuredBranch", "MeasuredCase", "MeasuredFit", "MeasuredResult", "MeasuredRubber", "MeasuredRubberFit", "MeasuredStress", "MeasuresAnswer", "ModeError", "ModelAbout", "ModelDetails", "ModelEntry", "Motion", "MotionRun", "MotionSeries", "MuscleFinding", "MuscleSummary", "NamedFigure", "OperatingPoint", "Panel", "PaperTerm", "Parameter", "PartShowAnswer", "PartsListAnswer", "Plan", "PointRow", "Powers", "ProfileRow", "PronyAnswer", "Provenance", "Recomputed", "RegionErrors", "RejectedAnswer", "Relaxation", "RelaxationAnswer", "RestPlace", "RubberDetails", "RubberFit", "RubberSummary", "Scales", "SearchedAnswer", "SectionFile", "SectionFile2", "SensitivityRow", "Series", "Shape", "ShardStatus", "SimulateAnswer", "SimulatedPoint", "SimulatedRow", "SleeveCut", "SofteningAnswer", "Spread", "StrandRow", "StudyAnswer", "StudyRow", "Table", "TestPoint", "TextFile", "TorqueWanted", "TubeSummary", "UncertaintyParts", "UncertaintyWords", "UnderstoodColumn", "UnderstoodTable", "UniversalErrors", "UniversalFile", "UniversalRange", "UniversalSummary", "ValidateAnswer", "Solution", "State"]
+__all__ = [
+    "Axis",
+    "BoughtAnswer",
+    "BraidDetails",
+    "BraidPoint",
+    "BraidSummary",
+    "BranchAnswer",
+    "Build",
+    "BuildPart",
+    "BuiltFile",
+    "BundleAnswer",
+    "BundlePoint",
+    "CampaignOutcome",
+    "CampaignStatus",
+    "CampaignSummary",
+    "CandidateAnswer",
+    "CandidateJoint",
+    "Case",
+    "Characteristics",
+    "CheckAnswer",
+    "ClosestAnswer",
+    "CompareAnswer",
+    "ComparedModel",
+    "Curve",
+    "Cut",
+    "Cycle",
+    "DemandAnswer",
+    "Derived",
+    "Design",
+    "DesignPoint",
+    "EndPowers",
+    "EndTerm",
+    "Equilibrium",
+    "ErrorSummary",
+    "Export",
+    "ExportForm",
+    "ExportListAnswer",
+    "ExportTarget",
+    "Extent",
+    "Failed",
+    "FailedPoint",
+    "Figure",
+    "FillAnswer",
+    "Finding",
+    "FindingAnswer",
+    "Fit",
+    "FitReport",
+    "FormulaCheck",
+    "FormulaErrors",
+    "FormulaRange",
+    "GlobalTerm",
+    "HeldOut",
+    "HeldOutError",
+    "HeldOutRow",
+    "Identification",
+    "Identified",
+    "IdentifiedPoint",
+    "JointExport",
+    "JointMap",
+    "JointRow",
+    "JointSolution",
+    "LawAnswer",
+    "LawRow",
+    "LibraryAgreement",
+    "LibraryDetails",
+    "LibraryFit",
+    "LibraryMuscle",
+    "Liquid",
+    "LoadAnswer",
+    "LoadedAt",
+    "LogErrors",
+    "Made",
+    "MadeBraid",
+    "MadeRubber",
+    "MapGap",
+    "MapPoint",
+    "Mark",
+    "MeasureEntry",
+    "MeasuredAnswer",
+    "MeasuredBin",
+    "MeasuredBranch",
+    "MeasuredCase",
+    "MeasuredFit",
+    "MeasuredResult",
+    "MeasuredRubber",
+    "MeasuredRubberFit",
+    "MeasuredStress",
+    "MeasuresAnswer",
+    "ModeError",
+    "ModelAbout",
+    "ModelDetails",
+    "ModelEntry",
+    "Motion",
+    "MotionRun",
+    "MotionSeries",
+    "MuscleFinding",
+    "MuscleSummary",
+    "NamedFigure",
+    "OperatingPoint",
+    "Panel",
+    "PaperTerm",
+    "Parameter",
+    "PartShowAnswer",
+    "PartsListAnswer",
+    "Plan",
+    "PointRow",
+    "Powers",
+    "ProfileRow",
+    "PronyAnswer",
+    "Provenance",
+    "Recomputed",
+    "RegionErrors",
+    "RejectedAnswer",
+    "Relaxation",
+    "RelaxationAnswer",
+    "RestPlace",
+    "RubberDetails",
+    "RubberFit",
+    "RubberSummary",
+    "Scales",
+    "SearchedAnswer",
+    "SectionFile",
+    "SectionFile2",
+    "SensitivityRow",
+    "Series",
+    "Shape",
+    "ShardStatus",
+    "SimulateAnswer",
+    "SimulatedPoint",
+    "SimulatedRow",
+    "SleeveCut",
+    "SofteningAnswer",
+    "Spread",
+    "StrandRow",
+    "StudyAnswer",
+    "StudyRow",
+    "Table",
+    "TestPoint",
+    "TextFile",
+    "TorqueWanted",
+    "TubeSummary",
+    "UncertaintyParts",
+    "UncertaintyWords",
+    "UnderstoodColumn",
+    "UnderstoodTable",
+    "UniversalErrors",
+    "UniversalFile",
+    "UniversalRange",
+    "UniversalSummary",
+    "ValidateAnswer",
+    "Solution",
+    "State",
+]
 # Keys of the muscle file, by field.
-KEYS = {"outer_diameter_mm": "tube.outer_diameter", "wall_mm": "tube.wall_thickness", "length_mm": "tube.length", "stiffness": "braid.stiffness", "density_kg_per_m3": "tube.density", "prestretch": "tube.prestretch", "temperature_degc": "tube.temperature", "angle_deg": "braid.angle", "insertion_mm": "terminals.insertion", "seating_mm": "terminals.seating", "slip_mm_per_n": "terminals.slip", "grip_mm": "terminals.grip", "plug_diameter_mm": "terminals.plug_diameter", "pull_off_n": "terminals.pull_off", "rated_pressure_mpa": "terminals.rated_pressure", "end_factor": "terminals.end_factor", "cone_factor": "terminals.cone_factor", "stiffness_factor": "braid.stiffness_factor", "strands": "braid.strands", "strand_area_mm2": "braid.strand_area", "strand_modulus_mpa": "braid.strand_modulus", "strand_strength_n": "braid.strand_strength", "strands_per_carrier": "braid.strands_per_carrier", "strand_length_mm": "braid.strand_length", "turns": "braid.turns", "braid_thickness_mm": "braid.thickness", "braid_diameter_mm": "braid.diameter", "crimp": "braid.crimp", "crimp_stiffness": "braid.crimp_stiffness", "friction_coefficient": "friction.coefficient", "friction_exponent": "friction.exponent", "friction_lever_mm": "friction.lever", "friction_presliding_mm": "friction.presliding"}
+KEYS = {
+    "outer_diameter_mm": "tube.outer_diameter",
+    "wall_mm": "tube.wall_thickness",
+    "length_mm": "tube.length",
+    "stiffness": "braid.stiffness",
+    "density_kg_per_m3": "tube.density",
+    "prestretch": "tube.prestretch",
+    "temperature_degc": "tube.temperature",
+    "angle_deg": "braid.angle",
+    "insertion_mm": "terminals.insertion",
+    "seating_mm": "terminals.seating",
+    "slip_mm_per_n": "terminals.slip",
+    "grip_mm": "terminals.grip",
+    "plug_diameter_mm": "terminals.plug_diameter",
+    "pull_off_n": "terminals.pull_off",
+    "rated_pressure_mpa": "terminals.rated_pressure",
+    "end_factor": "terminals.end_factor",
+    "cone_factor": "terminals.cone_factor",
+    "stiffness_factor": "braid.stiffness_factor",
+    "strands": "braid.strands",
+    "strand_area_mm2": "braid.strand_area",
+    "strand_modulus_mpa": "braid.strand_modulus",
+    "strand_strength_n": "braid.strand_strength",
+    "strands_per_carrier": "braid.strands_per_carrier",
+    "strand_length_mm": "braid.strand_length",
+    "turns": "braid.turns",
+    "braid_thickness_mm": "braid.thickness",
+    "braid_diameter_mm": "braid.diameter",
+    "crimp": "braid.crimp",
+    "crimp_stiffness": "braid.crimp_stiffness",
+    "friction_coefficient": "friction.coefficient",
+    "friction_exponent": "friction.exponent",
+    "friction_lever_mm": "friction.lever",
+    "friction_presliding_mm": "friction.presliding",
+}
 
 
 class Axis(Record):
@@ -42,6 +239,7 @@ class Axis(Record):
     from_zero
         Whether a range that follows from the data must contain zero.
     """
+
     label: str
     range: tuple[float, float] | None
     from_zero: bool
@@ -69,6 +267,7 @@ class BoughtAnswer(Record):
     uncertainty_n : N
         95 % half-width of that pull, N.
     """
+
     name: str
     product: str
     outer_diameter_mm: float
@@ -135,6 +334,7 @@ class BraidDetails(Record):
     points
         What it is on tubes.
     """
+
     filaments: int
     strand_diameter_mm: float | None
     strand_modulus_mpa: float | None
@@ -176,6 +376,7 @@ class BraidPoint(Record):
     largest_contraction
         Remaining contraction: to 54.7°, or to where the strands jam before.
     """
+
     outer_diameter_mm: float
     angle_deg: float
     largest_contraction: float
@@ -208,6 +409,7 @@ class BraidSummary(Record):
     source
         Where the data come from.
     """
+
     name: str
     title: str
     material: str
@@ -234,6 +436,7 @@ class BranchAnswer(Record):
     overstress_standard_error
         Standard error of `overstress`; null where the data do not determine it.
     """
+
     share: float
     time_constant_s: float
     overstress: float
@@ -295,6 +498,7 @@ class Build(_record.Files):
     warnings
         Warnings, in sentences.
     """
+
     _rows: ClassVar[str | None] = "parts"
     muscle: MuscleSummary
     model: str
@@ -342,6 +546,7 @@ class BuildPart(Record):
     source
         Where name and price come from.
     """
+
     number: int
     part: str
     amount: str
@@ -365,6 +570,7 @@ class BuiltFile(Record):
     base64
         What is in it, if it is not text: its bytes in base64.
     """
+
     name: str
     about: str
     text: str | None = None
@@ -393,6 +599,7 @@ class BundleAnswer(Record):
     mass_g : g
         Mass of tubes and sleeves between the terminals, g, where both are known.
     """
+
     muscles: int
     rest_envelope_mm: float
     envelope_mm: float | None
@@ -421,6 +628,7 @@ class BundlePoint(Record):
     liquid_volume_mm3 : mm3
         Liquid pushed in from rest to the point, measured at atmospheric pressure, mm³.
     """
+
     force_n: float
     contraction: float
     force_at_max_pressure_n: float
@@ -457,6 +665,7 @@ class CampaignOutcome(Record):
     recomputed
         Damaged files that were computed again.
     """
+
     output: str
     shard: str | None
     complete: bool
@@ -500,6 +709,7 @@ class CampaignStatus(Record):
     version
         Version of the program.
     """
+
     output: str
     complete: bool
     parts: int
@@ -556,6 +766,7 @@ class CampaignSummary(Record):
     points_per_muscle
         Points of each muscle.
     """
+
     muscles: int
     points: int
     points_wanted: int
@@ -655,6 +866,7 @@ class CandidateAnswer(Record):
     joint
         Of a joint: its pulley, and how the muscle is put on it.
     """
+
     count: int
     outer_diameter_mm: float
     wall_mm: float
@@ -705,6 +917,7 @@ class CandidateJoint(Record):
     largest_angle_deg : deg
         Largest angle to either side, degrees.
     """
+
     radius_mm: float
     contraction_at_neutral: float
     largest_angle_deg: float
@@ -734,6 +947,7 @@ class Case(Record):
     ok
         Whether it passes.
     """
+
     name: str
     kind: Literal["verification", "validation"]
     measure: Literal["value", "rms", "share"]
@@ -778,6 +992,7 @@ class Characteristics(Record):
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
     """
+
     model: str
     pressure_mpa: float
     blocked_force_n: float
@@ -896,6 +1111,7 @@ class CheckAnswer(Record):
     muscle_file
         The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     """
+
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
@@ -974,6 +1190,7 @@ class ClosestAnswer(Record):
     hint
         Contractions beyond every braid of the search, and the angle that reaches them.
     """
+
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
@@ -984,7 +1201,10 @@ class ClosestAnswer(Record):
     hint: str | None
     sleeve: str | None = None
     misses_by: float | None = None
-    limit: Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"] | None = None
+    limit: (
+        Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"]
+        | None
+    ) = None
 
 
 class CompareAnswer(Record):
@@ -1009,6 +1229,7 @@ class CompareAnswer(Record):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "models"
     reference: str
     points: int
@@ -1052,6 +1273,7 @@ class ComparedModel(Record):
     fitted_stiffness_n_per_mm : N/mm
         Fitted stiffness of a strand family, N/mm.
     """
+
     model: str
     rms_n: float | None
     max_n: float | None
@@ -1098,6 +1320,7 @@ class Curve(_record.Curves):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
@@ -1129,6 +1352,7 @@ class Cut(Record):
     sleeve
         The sleeve.
     """
+
     tube_mm: float
     tube_outer_diameter_mm: float
     tube_wall_mm: float
@@ -1158,6 +1382,7 @@ class Cycle(Record):
     efficiency
         Work over exergy.
     """
+
     from_pressure_mpa: float
     to_pressure_mpa: float
     stroke_mm: float
@@ -1185,6 +1410,7 @@ class DemandAnswer(Record):
     radius_mm : mm
         Radius of the pulley, mm.
     """
+
     kind: str
     points: list[OperatingPoint] | None = None
     stroke_mm: float | None = None
@@ -1215,6 +1441,7 @@ class Derived(Record):
     volume_mm3 : mm3
         Cavity at rest, mm³.
     """
+
     kind: Literal["contractile", "extensile"]
     inner_diameter_mm: float
     strand_length_mm: float
@@ -1274,6 +1501,7 @@ class Design(_record.Designed):
     muscle_files
         The candidates as muscle files, in their order.
     """
+
     _rows: ClassVar[str | None] = "candidates"
     model: str
     searched_with: str
@@ -1341,6 +1569,7 @@ class DesignPoint(Record):
     uncertainty_n : N
         95 % half-width of the pull, N.
     """
+
     pressure_mpa: float
     contraction: float
     force_n: float
@@ -1381,6 +1610,7 @@ class EndPowers(Record):
     shortening
         See the documentation.
     """
+
     wall: int | None = None
     angle: int | None = None
     slope: int | None = None
@@ -1404,6 +1634,7 @@ class EndTerm(Record):
     value
         See the documentation.
     """
+
     name: str
     powers: EndPowers
     unit: str
@@ -1474,6 +1705,7 @@ class Equilibrium(Record):
     natural_frequency_hz : Hz
         Natural frequency at constant pressure in Hz, where a mass moves.
     """
+
     model: str
     pressure_mpa: float
     contraction: float
@@ -1522,6 +1754,7 @@ class ErrorSummary(Record):
     max_of_isobar
         Largest by the paper's (12): share of the largest force of the same isobaric curve.
     """
+
     points: int
     rms_of_blocked: float
     p95_of_blocked: float
@@ -1576,6 +1809,7 @@ class Export(_record.Files):
     warnings
         Warnings, in sentences.
     """
+
     _rows: ClassVar[str | None] = "files"
     target: str
     name: str
@@ -1625,6 +1859,7 @@ class ExportForm(Record):
     presliding_m : m
         Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
     """
+
     length_m: float
     supply_pa: float
     contraction_low: float
@@ -1645,6 +1880,7 @@ class ExportListAnswer(Record):
     targets
         One for each host.
     """
+
     _rows: ClassVar[str | None] = "targets"
     targets: list[ExportTarget]
 
@@ -1663,6 +1899,7 @@ class ExportTarget(Record):
     loses
         What of the muscle it loses.
     """
+
     name: str
     about: str
     needs: str
@@ -1681,6 +1918,7 @@ class Extent(Record):
     largest
         Largest value.
     """
+
     name: str
     smallest: float
     largest: float
@@ -1698,6 +1936,7 @@ class Failed(Record):
     first_cause
         Its cause.
     """
+
     points: int
     first_muscle: int
     first_cause: str
@@ -1719,8 +1958,17 @@ class FailedPoint(Record):
     cause
         Why.
     """
+
     pressure_mpa: float
-    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    status: Literal[
+        "ok",
+        "out_of_range",
+        "no_answer",
+        "not_converged",
+        "collapsed",
+        "other_branch",
+        "no_muscle",
+    ]
     cause: str
     contraction: float | None = None
     wanted_force_n: float | None = None
@@ -1745,6 +1993,7 @@ class Figure(Record):
     palette
         How colours follow from the colour numbers of the series.
     """
+
     title: str
     caption: str
     panels: list[Panel]
@@ -1850,6 +2099,7 @@ class FillAnswer(Record):
     about
         The model.
     """
+
     model: str
     pressure_mpa: float
     contraction: float
@@ -1934,6 +2184,7 @@ class Finding(Record):
     force_n : N
         F in N, two-sided.
     """
+
     comparison: str
     at_most_of_blocked: float | None
     ok: bool
@@ -1964,6 +2215,7 @@ class FindingAnswer(Record):
     holds
         Whether it holds.
     """
+
     statement: str
     ours: str
     holds: bool
@@ -2001,6 +2253,7 @@ class Fit(_record.Fitting):
     form
         See the documentation.
     """
+
     format: Literal["mckibben formula 1"]
     name: str
     kind: Literal["paper", "global", "universal"]
@@ -2026,6 +2279,7 @@ class FitReport(Record):
     random_muscles
         Models on random muscles that no fit has seen.
     """
+
     _rows: ClassVar[str | None] = "findings"
     findings: list[Finding]
     random_muscles: list[HeldOutRow]
@@ -2061,6 +2315,7 @@ class FormulaCheck(Record):
     form
         See the documentation.
     """
+
     format: Literal["mckibben formula 1"]
     name: str
     kind: Literal["paper", "global", "universal"]
@@ -2089,6 +2344,7 @@ class FormulaErrors(Record):
     regions
         By regions.
     """
+
     against: str
     fit: ErrorSummary
     held_out: HeldOut | None
@@ -2109,6 +2365,7 @@ class FormulaRange(Record):
     contraction
         ε
     """
+
     outer_diameter_mm: tuple[float, float]
     wall_mm: tuple[float, float]
     pressure_mpa: tuple[float, float]
@@ -2129,6 +2386,7 @@ class GlobalTerm(Record):
     value
         See the documentation.
     """
+
     name: str
     powers: Powers
     unit: str
@@ -2155,6 +2413,7 @@ class HeldOut(Record):
     max_of_isobar
         Largest by the paper's (12): share of the largest force of the same isobaric curve.
     """
+
     outer_diameters_mm: list[float]
     points: int
     rms_of_blocked: float
@@ -2186,6 +2445,7 @@ class HeldOutError(Record):
     stiffer
         Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less one.
     """
+
     mode: Literal["uniaxial", "planar", "equibiaxial", "general"] | None
     points: int
     to_stretch: float
@@ -2216,6 +2476,7 @@ class HeldOutRow(Record):
     max_of_blocked
         Largest.
     """
+
     model: str
     points: int
     muscles: int
@@ -2267,6 +2528,7 @@ class Identification(_record.Identified):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "parameters"
     model: str
     data: str
@@ -2312,6 +2574,7 @@ class Identified(Record):
     matters
         Whether the points change with it at all.
     """
+
     name: str
     start: float
     value: float
@@ -2367,6 +2630,7 @@ class IdentifiedPoint(Record):
     data
         Number of its table, from 1.
     """
+
     pressure_mpa: float
     contraction: float
     force_n: float
@@ -2409,6 +2673,7 @@ class JointExport(_record.Files):
     warnings
         Warnings, in sentences.
     """
+
     _rows: ClassVar[str | None] = "files"
     target: str
     name: str
@@ -2436,6 +2701,7 @@ class JointMap(Record):
         At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other without. Angles
         at which a muscle has no state are omitted.
     """
+
     grid_mpa: list[float]
     points: list[MapPoint | None]
     border: list[MapPoint]
@@ -2502,6 +2768,7 @@ class JointRow(Record):
     pressure_2_uncertainty_mpa : MPa
         That of the second muscle, likewise, MPa.
     """
+
     angle_deg: float
     torque_nm: float
     stiffness_nm_per_rad: float
@@ -2561,6 +2828,7 @@ class JointSolution(Record):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "points"
     model: str
     muscles: list[MuscleSummary]
@@ -2612,6 +2880,7 @@ class LawAnswer(Record):
     held_out
         Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
     """
+
     law: str
     name: str
     constrained: bool
@@ -2647,6 +2916,7 @@ class LawRow(Record):
     doubt
         What makes its constants implausible, or why there are none.
     """
+
     law: str
     parameters: list[Identified]
     rms_n: float | None = None
@@ -2673,6 +2943,7 @@ class LibraryAgreement(Record):
     held
         Share of these within the ± of the bench; null without a bench.
     """
+
     points: int
     rms_n: float
     rms_of_blocked: float
@@ -2739,6 +3010,7 @@ class LibraryDetails(Record):
     muscle_file
         The muscle file, with the bench that states its ±.
     """
+
     name: str
     title: str
     source: str
@@ -2799,6 +3071,7 @@ class LibraryFit(Record):
         Largest difference from the recommended law of the stress in planar tension (a wall that widens at constant length), up to the end of the data,
         over the largest stress there.
     """
+
     law: str
     name: str
     by_reach: bool
@@ -2863,6 +3136,7 @@ class LibraryMuscle(Record):
     points
         Points of its bench.
     """
+
     name: str
     title: str
     source: str
@@ -2905,6 +3179,7 @@ class Liquid(Record):
     gas_share
         Gas by volume at atmospheric pressure, α.
     """
+
     name: str
     density_kg_per_m3: float
     bulk_modulus_mpa: float
@@ -2924,6 +3199,7 @@ class LoadAnswer(Record):
     cycle
         From the lowest pressure to the highest, where the load is lifted at the highest.
     """
+
     load: str
     at: list[LoadedAt]
     cycle: Cycle | None = None
@@ -2941,6 +3217,7 @@ class LoadedAt(Record):
     cause
         Why there is none.
     """
+
     pressure_mpa: float
     equilibria: list[Equilibrium]
     cause: str | None = None
@@ -2958,6 +3235,7 @@ class LogErrors(Record):
     held_out_rms
         Of the second half, which was predicted.
     """
+
     of: str
     rms: float
     held_out_rms: float
@@ -2977,6 +3255,7 @@ class Made(Record):
     braid
         The braid.
     """
+
     length_mm: float
     angle_deg: float
     rubber: MadeRubber
@@ -2995,6 +3274,7 @@ class MadeBraid(Record):
     stiffness_times_diameter_n : N
         See the documentation.
     """
+
     stiffness: Literal["paper", "inextensible"] | None = None
     stiffness_n_per_mm: float | None = None
     stiffness_times_diameter_n: float | None = None
@@ -3014,6 +3294,7 @@ class MadeRubber(Record):
     bulk_modulus_mpa : MPa
         Bulk modulus in MPa; `None` for an incompressible rubber.
     """
+
     name: str | None
     law: str
     constants: dict[str, float]
@@ -3030,6 +3311,7 @@ class MapGap(Record):
     reason
         Why.
     """
+
     pressures_mpa: list[float]
     reason: str
 
@@ -3052,6 +3334,7 @@ class MapPoint(Record):
     at_limit
         Whether the joint leans on a limit of its range.
     """
+
     pressures_mpa: list[float]
     angle_deg: float
     stiffness_nm_per_rad: float
@@ -3072,6 +3355,7 @@ class Mark(Record):
     label
         Text beside the dot; may be empty.
     """
+
     x: float
     y: float
     label: str
@@ -3107,13 +3391,39 @@ class MeasureEntry(Record):
     about
         What it is, in a sentence.
     """
+
     key: str
     group: str
     label: str
     about: str
     field: str | None = None
     symbol: str | None = None
-    quantity: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "compliance", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume", "density", "flow"] | None = None
+    quantity: (
+        Literal[
+            "length",
+            "pressure",
+            "angle",
+            "force",
+            "ratio",
+            "stiffness",
+            "compliance",
+            "area",
+            "mass",
+            "torque",
+            "angular-stiffness",
+            "inertia",
+            "time",
+            "frequency",
+            "temperature",
+            "conductance",
+            "damping",
+            "angular-damping",
+            "volume",
+            "density",
+            "flow",
+        ]
+        | None
+    ) = None
     unit: str | None = None
     above: float | None = None
     minimum: float | None = None
@@ -3139,6 +3449,7 @@ class MeasuredAnswer(Record):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "results"
     model: str
     cases: list[MeasuredCase]
@@ -3170,6 +3481,7 @@ class MeasuredBin(Record):
     held
         Share of the points within the ± of the model; null if there are none, or no ±.
     """
+
     from_: float
     to: float
     points: int
@@ -3200,6 +3512,7 @@ class MeasuredBranch(Record):
     held
         Share of the points within the ± of the model; null if there are none, or no ±.
     """
+
     branch: Literal["mean", "contraction", "elongation"]
     points: int
     rms_n: float
@@ -3233,6 +3546,7 @@ class MeasuredCase(Record):
     fits
         What was fitted.
     """
+
     name: str
     title: str
     source: str
@@ -3256,6 +3570,7 @@ class MeasuredFit(Record):
     parameters
         The constants, with their errors.
     """
+
     fit: str
     fitted_to: str
     parameters: list[Identified]
@@ -3299,6 +3614,7 @@ class MeasuredResult(Record):
     by_contraction
         The same by contraction ratio.
     """
+
     case: str
     fit: str
     fitted_to: str
@@ -3341,6 +3657,7 @@ class MeasuredRubber(Record):
     fits
         What was fitted.
     """
+
     name: str
     title: str
     source: str
@@ -3368,6 +3685,7 @@ class MeasuredRubberFit(Record):
     stable
         Whether the law is stable in a muscle.
     """
+
     fit: str
     law: str
     parameters: list[Parameter]
@@ -3401,6 +3719,7 @@ class MeasuredStress(Record):
     largest_mpa : MPa
         Largest difference, in MPa.
     """
+
     case: str
     fit: str
     of: str
@@ -3421,6 +3740,7 @@ class MeasuresAnswer(Record):
     measures
         All of them, in the order of the fields of requests.
     """
+
     _rows: ClassVar[str | None] = "measures"
     measures: list[MeasureEntry]
 
@@ -3447,6 +3767,7 @@ class ModeError(Record):
     unstable_from_stretch
         Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
     """
+
     mode: Literal["uniaxial", "planar", "equibiaxial", "general"]
     points: int
     to_stretch: float
@@ -3467,6 +3788,7 @@ class ModelAbout(Record):
     uncertainty_basis
         Basis of the parts of the ±.
     """
+
     source: str
     uncertainty_basis: str
 
@@ -3487,6 +3809,7 @@ class ModelDetails(Record):
     needs
         Extra data of the muscle that this model needs.
     """
+
     name: str
     description: str
     source: str
@@ -3504,6 +3827,7 @@ class ModelEntry(Record):
     description
         What it is.
     """
+
     name: str
     description: str
 
@@ -3593,6 +3917,7 @@ class Motion(Record):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "series"
     model: str
     muscles: list[MuscleSummary]
@@ -3692,6 +4017,7 @@ class MotionRun(Record):
     uncertainty_text
         The ± of the pull or torque there with its parts, in words.
     """
+
     series: MotionSeries
     rise_time_s: float | None
     settling_time_s: float | None
@@ -3781,6 +4107,7 @@ class MotionSeries(Record):
     command_2
         What is commanded: pressure in MPa, opening, or volume in mm³.
     """
+
     time_s: list[float]
     angle_deg: list[float] | None = None
     velocity_deg_per_s: list[float] | None = None
@@ -3823,6 +4150,7 @@ class MuscleFinding(Record):
     left_n : N
         95 % half-width of the blocked force that a measurement leaves at least, N: the ± without the part that it replaces.
     """
+
     kind: Literal["implausible", "unknown", "outside", "measure"]
     text: str
     left_n: float | None = None
@@ -3854,6 +4182,7 @@ class MuscleSummary(Record):
     mass_g : g
         Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
     """
+
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
@@ -3876,6 +4205,7 @@ class NamedFigure(Record):
     figure
         The figure.
     """
+
     name: str
     figure: Figure
 
@@ -3890,6 +4220,7 @@ class OperatingPoint(Record):
     contraction
         Contraction ratio.
     """
+
     force_n: float
     contraction: float
 
@@ -3910,6 +4241,7 @@ class Panel(Record):
     marks
         Operating points, drawn over the series.
     """
+
     title: str
     x: Axis
     y: Axis
@@ -3929,6 +4261,7 @@ class PaperTerm(Record):
     value
         See the documentation.
     """
+
     name: str
     unit: str
     value: float
@@ -3951,6 +4284,7 @@ class Parameter(Record):
         Whether the data determine it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be zero) is so narrow that
         it moves the stress at the end of the data by less than a quarter of the modulus.
     """
+
     name: str
     value: float
     unit: str
@@ -3974,6 +4308,7 @@ class PartShowAnswer(Record):
     model
         A force model.
     """
+
     tube: TubeSummary | None = None
     sleeve: BraidDetails | None = None
     rubber: RubberDetails | None = None
@@ -3997,6 +4332,7 @@ class PartsListAnswer(Record):
     models
         Force models.
     """
+
     _rows: ClassVar[str | None] = "tubes"
     tubes: list[TubeSummary]
     sleeves: list[BraidSummary]
@@ -4019,6 +4355,7 @@ class Plan(Record):
     failed
         Points without an answer.
     """
+
     _rows: ClassVar[str | None] = "table"
     table: TextFile
     muscles: int
@@ -4088,8 +4425,17 @@ class PointRow(Record):
     cause
         Why.
     """
+
     pressure_mpa: float
-    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    status: Literal[
+        "ok",
+        "out_of_range",
+        "no_answer",
+        "not_converged",
+        "collapsed",
+        "other_branch",
+        "no_muscle",
+    ]
     model: str | None = None
     direction: Literal["mean", "contraction", "elongation"] | None = None
     contraction: float | None = None
@@ -4131,6 +4477,7 @@ class Powers(Record):
     outer_diameter
         See the documentation.
     """
+
     wall_ratio: int | None = None
     pressure: int | None = None
     contraction: int | None = None
@@ -4153,6 +4500,7 @@ class ProfileRow(Record):
     inner_r_mm : mm
         r of the inner surface, mm.
     """
+
     rest_z_mm: float
     outer_z_mm: float
     outer_r_mm: float
@@ -4180,6 +4528,7 @@ class PronyAnswer(Record):
     duration_s : s
         Length of the test, s.
     """
+
     law: str
     instantaneous: dict[str, float]
     long_time: dict[str, float]
@@ -4211,6 +4560,7 @@ class Provenance(Record):
     seed
         Seed of the plan, where it has one.
     """
+
     program: str
     version: str
     method: str
@@ -4231,6 +4581,7 @@ class Recomputed(Record):
     cause
         Its damage.
     """
+
     file: str
     cause: str
 
@@ -4257,6 +4608,7 @@ class RegionErrors(Record):
     max_of_isobar
         Largest by the paper's (12): share of the largest force of the same isobaric curve.
     """
+
     quantity: str
     value: float
     points: int
@@ -4291,6 +4643,7 @@ class RejectedAnswer(Record):
     limit
         That limit; none where the model has no answer.
     """
+
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
@@ -4299,7 +4652,10 @@ class RejectedAnswer(Record):
     reason: str
     sleeve: str | None = None
     misses_by: float | None = None
-    limit: Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"] | None = None
+    limit: (
+        Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"]
+        | None
+    ) = None
 
 
 class Relaxation(Record):
@@ -4340,6 +4696,7 @@ class Relaxation(Record):
     changes
         Each of them.
     """
+
     relax: str
     pressure_mpa: float | None = None
     extrapolated: bool | None = None
@@ -4398,6 +4755,7 @@ class RelaxationAnswer(Record):
     changes
         Each of them.
     """
+
     text: str
     relax: str
     pressure_mpa: float | None = None
@@ -4427,6 +4785,7 @@ class RestPlace(Record):
     rest_z_mm : mm
         Z from the middle, mm.
     """
+
     rest_r_mm: float
     rest_z_mm: float
 
@@ -4461,6 +4820,7 @@ class RubberDetails(Record):
     warnings
         Warnings about the fit that the prototype uses.
     """
+
     name: str
     title: str
     source: str
@@ -4511,6 +4871,7 @@ class RubberFit(_record.FittedLaws):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "laws"
     understood: list[UnderstoodTable]
     points: int
@@ -4551,6 +4912,7 @@ class RubberSummary(Record):
     source
         Where the data come from.
     """
+
     name: str
     title: str
     law: str
@@ -4575,6 +4937,7 @@ class Scales(Record):
     outer_diameter_mm : mm
         Of d = D0, in mm.
     """
+
     wall_ratio: float
     pressure_mpa: float
     contraction: float
@@ -4603,6 +4966,7 @@ class SearchedAnswer(Record):
     guaranteed
         Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its lower end.
     """
+
     rubber: str
     braid: str
     burst_checked: bool
@@ -4639,6 +5003,7 @@ class SectionFile(Record):
     provenance
         See the documentation.
     """
+
     format: Literal["mckibben formula 1"]
     name: str
     kind: Literal["paper", "global", "universal"]
@@ -4677,6 +5042,7 @@ class SectionFile2(Record):
     provenance
         See the documentation.
     """
+
     format: Literal["mckibben formula 1"]
     name: str
     kind: Literal["paper", "global", "universal"]
@@ -4703,6 +5069,7 @@ class SensitivityRow(Record):
     force_n_per_unit : N per unit
         ∂F in N per that unit, all others (k among them) held.
     """
+
     name: str
     value: float
     unit: str
@@ -4728,6 +5095,7 @@ class Series(Record):
     neutral
         Drawn in the colour of the text: its colour means nothing.
     """
+
     label: str
     points: list[tuple[float | None, float | None]]
     style: Literal["auto", "line", "dashed", "dotted", "dash-dot", "points", "band"]
@@ -4809,6 +5177,7 @@ class Shape(_record.Shaped):
         for the other), `stretch`, `angle_deg`, `tension_n_per_mm` of a family per width at rest, and `tension_n` of one where their number is known.
         Front ends that take bytes get these as 32-bit numbers.
     """
+
     model: str
     pressure_mpa: float
     contraction: float
@@ -4856,6 +5225,7 @@ class ShardStatus(Record):
     parts_wanted
         Parts of the share.
     """
+
     shard: str
     state: Literal["done", "running", "missing"]
     parts: int
@@ -4895,6 +5265,7 @@ class SimulateAnswer(Record):
     files
         Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
     """
+
     _rows: ClassVar[str | None] = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
@@ -4968,11 +5339,20 @@ class SimulatedPoint(Record):
     sensitivities
         ∂F by constants and measures.
     """
+
     pressure_mpa: float
     contraction: float
     force_n: float
     slack: bool
-    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    status: Literal[
+        "ok",
+        "out_of_range",
+        "no_answer",
+        "not_converged",
+        "collapsed",
+        "other_branch",
+        "no_muscle",
+    ]
     rubber_energy_j: float
     braid_energy_j: float
     ends_energy_j: float
@@ -5056,8 +5436,17 @@ class SimulatedRow(Record):
     cause
         Why.
     """
+
     pressure_mpa: float
-    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    status: Literal[
+        "ok",
+        "out_of_range",
+        "no_answer",
+        "not_converged",
+        "collapsed",
+        "other_branch",
+        "no_muscle",
+    ]
     contraction: float | None = None
     force_n: float | None = None
     volume_mm3: float | None = None
@@ -5097,6 +5486,7 @@ class SleeveCut(Record):
     relaxed_mm : mm
         Length in mm to cut at that diameter.
     """
+
     mounted_mm: float
     relaxed_diameter_mm: float | None
     relaxed_mm: float | None
@@ -5130,6 +5520,7 @@ class SofteningAnswer(Record):
     largest_energy_mpa : MPa
         The largest energy of the test, MPa.
     """
+
     law: str
     first_loading: dict[str, float]
     r: float
@@ -5159,6 +5550,7 @@ class Spread(Record):
     mean_n : N
         Mean of model less measured, in N.
     """
+
     of: str
     points: int
     rms_n: float
@@ -5182,6 +5574,7 @@ class StrandRow(Record):
     strand_tension_n : N
         Tension of one strand, N, where their number is known.
     """
+
     rest_z_mm: float
     stretch: float
     angle_deg: float
@@ -5207,6 +5600,7 @@ class StudyAnswer(Record):
     figure
         The figure, if requested.
     """
+
     _rows: ClassVar[str | None] = "points"
     model: str
     test: str
@@ -5286,11 +5680,20 @@ class StudyRow(Record):
     cause
         Why.
     """
+
     test: Literal["isometric", "isotonic", "isobaric"]
     fixed: float
     curve: str
     pressure_mpa: float
-    status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
+    status: Literal[
+        "ok",
+        "out_of_range",
+        "no_answer",
+        "not_converged",
+        "collapsed",
+        "other_branch",
+        "no_muscle",
+    ]
     wall_mm: float | None = None
     model: str | None = None
     direction: Literal["mean", "contraction", "elongation"] | None = None
@@ -5331,6 +5734,7 @@ class Table(Record):
     rows
         Rows.
     """
+
     name: str
     header: list[str]
     rows: list[list[Any]]
@@ -5348,6 +5752,7 @@ class TestPoint(Record):
     branch
         Whether the pressure rises to it or falls to it.
     """
+
     pressure_mpa: float
     contraction: float
     branch: Literal["mean", "contraction", "elongation"]
@@ -5363,6 +5768,7 @@ class TextFile(Record):
     text
         What is in it.
     """
+
     name: str
     text: str
 
@@ -5377,6 +5783,7 @@ class TorqueWanted(Record):
     angle_deg : deg
         Angle from the neutral one, degrees.
     """
+
     torque_nm: float
     angle_deg: float
 
@@ -5409,6 +5816,7 @@ class TubeSummary(Record):
     note
         What else one should know.
     """
+
     name: str
     inner_diameter_mm: float
     outer_diameter_mm: float
@@ -5448,6 +5856,7 @@ class UncertaintyParts(Record):
     length_transfer
         Another length of the muscle against those that were identified.
     """
+
     formula: float | None = None
     mesh: float | None = None
     rubber: float | None = None
@@ -5472,6 +5881,7 @@ class UncertaintyWords(Record):
     branch
         What a selected branch would make of it, where the friction is not known: `a branch, shortening or lengthening, would reduce the ± to about 70 N`.
     """
+
     text: str | None = None
     bench: str | None = None
     branch: str | None = None
@@ -5493,6 +5903,7 @@ class UnderstoodColumn(Record):
     note
         What was done with it, where that is not plain.
     """
+
     column: str
     quantity: str
     unit: str
@@ -5524,6 +5935,7 @@ class UnderstoodTable(Record):
     not_used
         Headings of those that were not.
     """
+
     data: str
     rows: int
     left_out: int
@@ -5547,6 +5959,7 @@ class UniversalErrors(Record):
     left_out
         Over the same points, each predicted by a fit to the muscles of the other folds.
     """
+
     against: str
     fit: UniversalSummary
     left_out: UniversalSummary
@@ -5576,6 +5989,7 @@ class UniversalFile(Record):
     provenance
         See the documentation.
     """
+
     format: Literal["mckibben formula 1"]
     name: str
     kind: Literal["paper", "global", "universal"]
@@ -5607,6 +6021,7 @@ class UniversalRange(Record):
     c01_share
         C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
     """
+
     wall_ratio: tuple[float, float]
     length_ratio: tuple[float, float | None]
     angle_deg: tuple[float, float]
@@ -5634,6 +6049,7 @@ class UniversalSummary(Record):
     max_of_blocked
         Largest.
     """
+
     points: int
     muscles: int
     rms_of_blocked: float
@@ -5650,6 +6066,7 @@ class ValidateAnswer(Record):
     cases
         The cases.
     """
+
     _rows: ClassVar[str | None] = "cases"
     cases: list[Case]
 
@@ -5677,6 +6094,7 @@ class Options(TypedDict, total=False):
     direction
         Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
     """
+
     model: FormulaLike | None
     formulas: Sequence[FormulaLike] | None
     mesh: str | None
@@ -5699,6 +6117,7 @@ class JointTables(TypedDict, total=False):
     name
         Name, for people
     """
+
     link: Keys | None
     spring: Keys | None
     name: str | None
@@ -5737,6 +6156,7 @@ class DriveTables(TypedDict, total=False):
     name
         Name, for people
     """
+
     supply: Keys | None
     valve: Keys | str | None
     regulator: Keys | None
@@ -5804,6 +6224,7 @@ class Solution(_record.Points):
     warned
         A bit for each of `warnings`.
     """
+
     pressure_mpa: NDArray[np.float64]
     contraction: NDArray[np.float64]
     force_n: NDArray[np.float64]
@@ -5891,6 +6312,7 @@ class State(Record):
     command_2
         What is commanded: pressure in MPa, opening, or volume in mm³.
     """
+
     time_s: float
     angle_deg: float
     velocity_deg_per_s: float
@@ -5923,12 +6345,54 @@ class State(Record):
 
 class MuscleFields:
     """What makes a muscle, and its measures; None where it does not have one."""
+
     if TYPE_CHECKING:
+
         def _make(self, given: dict[str, Any]) -> Any: ...
         def _changed(self, given: dict[str, Any]) -> Muscle: ...
         def _field(self, name: str) -> Any: ...
 
-    def __init__(self, *, outer_diameter_mm: Number, wall_mm: Number, length_mm: Number, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        outer_diameter_mm: Number,
+        wall_mm: Number,
+        length_mm: Number,
+        rubber: RubberLike | None = None,
+        rubber_file: FileLike | None = None,
+        braid: str | None = None,
+        strand_diameter_mm: Number | None = None,
+        stiffness: Number | None = None,
+        density_kg_per_m3: Number | None = None,
+        prestretch: Number | None = None,
+        temperature_degc: Number | None = None,
+        angle_deg: Number | None = None,
+        insertion_mm: Number | None = None,
+        seating_mm: Number | None = None,
+        slip_mm_per_n: Number | None = None,
+        grip_mm: Number | None = None,
+        plug_diameter_mm: Number | None = None,
+        pull_off_n: Number | None = None,
+        rated_pressure_mpa: Number | None = None,
+        end_factor: Number | None = None,
+        cone_factor: Number | None = None,
+        stiffness_factor: Number | None = None,
+        strands: Number | None = None,
+        strand_area_mm2: Number | None = None,
+        strand_modulus_mpa: Number | None = None,
+        strand_strength_n: Number | None = None,
+        strands_per_carrier: Number | None = None,
+        strand_length_mm: Number | None = None,
+        turns: Number | None = None,
+        braid_thickness_mm: Number | None = None,
+        braid_diameter_mm: Number | None = None,
+        crimp: Number | None = None,
+        crimp_stiffness: Number | None = None,
+        friction_coefficient: Number | None = None,
+        friction_exponent: Number | None = None,
+        friction_lever_mm: Number | None = None,
+        friction_presliding_mm: Number | None = None,
+    ) -> None:
         """Parameters
         ----------
         outer_diameter_mm : mm
@@ -6014,7 +6478,47 @@ class MuscleFields:
         """
         self._make({name: value for name, value in locals().items() if name != "self"})
 
-    def replace(self, *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None) -> Muscle:
+    def replace(
+        self,
+        *,
+        rubber: RubberLike | None = None,
+        rubber_file: FileLike | None = None,
+        braid: str | None = None,
+        strand_diameter_mm: Number | None = None,
+        stiffness: Number | None = None,
+        outer_diameter_mm: Number | None = None,
+        wall_mm: Number | None = None,
+        length_mm: Number | None = None,
+        density_kg_per_m3: Number | None = None,
+        prestretch: Number | None = None,
+        temperature_degc: Number | None = None,
+        angle_deg: Number | None = None,
+        insertion_mm: Number | None = None,
+        seating_mm: Number | None = None,
+        slip_mm_per_n: Number | None = None,
+        grip_mm: Number | None = None,
+        plug_diameter_mm: Number | None = None,
+        pull_off_n: Number | None = None,
+        rated_pressure_mpa: Number | None = None,
+        end_factor: Number | None = None,
+        cone_factor: Number | None = None,
+        stiffness_factor: Number | None = None,
+        strands: Number | None = None,
+        strand_area_mm2: Number | None = None,
+        strand_modulus_mpa: Number | None = None,
+        strand_strength_n: Number | None = None,
+        strands_per_carrier: Number | None = None,
+        strand_length_mm: Number | None = None,
+        turns: Number | None = None,
+        braid_thickness_mm: Number | None = None,
+        braid_diameter_mm: Number | None = None,
+        crimp: Number | None = None,
+        crimp_stiffness: Number | None = None,
+        friction_coefficient: Number | None = None,
+        friction_exponent: Number | None = None,
+        friction_lever_mm: Number | None = None,
+        friction_presliding_mm: Number | None = None,
+    ) -> Muscle:
         """The same with other values.
 
         Parameters
@@ -6100,7 +6604,9 @@ class MuscleFields:
         InputError
             There is no such muscle; `field` is the argument to blame.
         """
-        return self._changed({name: value for name, value in locals().items() if name != "self"})
+        return self._changed(
+            {name: value for name, value in locals().items() if name != "self"}
+        )
 
     @property
     def strand_diameter_mm(self) -> float | None:
@@ -6311,19 +6817,82 @@ class MuscleFields:
 
 class MuscleNumbers:
     """What a muscle answers of numbers and arrays."""
+
     if TYPE_CHECKING:
-        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...
-        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...
+
+        def _asked(
+            self,
+            wanted: str,
+            a: Any,
+            b: Any,
+            jac: bool | Sequence[str],
+            errors: str,
+            progress: Progress,
+            options: Mapping[str, Any],
+        ) -> Any: ...
+        def _solved(
+            self,
+            pressure_mpa: Any,
+            contraction: Any,
+            errors: str,
+            progress: Progress,
+            options: Mapping[str, Any],
+        ) -> Solution: ...
 
     @overload
-    def force(self, pressure_mpa: Number, contraction: Number = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    def force(
+        self,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> Array: ...
     @overload
-    def force(self, pressure_mpa: Number, contraction: Number = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    def force(
+        self,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
     @overload
-    def force(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
-    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[Array, Array]: ...
+    def force(
+        self,
+        pressure_mpa: Any,
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Any,
+    ) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
 
         Parameters
@@ -6362,17 +6931,64 @@ class MuscleNumbers:
         >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
         array([ 585.7, 1202.7])
         """
-        return self._asked("force", pressure_mpa, contraction, jac, errors, progress, options)
+        return self._asked(
+            "force", pressure_mpa, contraction, jac, errors, progress, options
+        )
 
     @overload
-    def pressure(self, force_n: Number, contraction: Number = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    def pressure(
+        self,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = 0.0, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> Array: ...
     @overload
-    def pressure(self, force_n: Number, contraction: Number = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    def pressure(
+        self,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
     @overload
-    def pressure(self, force_n: Floats, contraction: Floats = 0.0, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
-    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[Array, Array]: ...
+    def pressure(
+        self,
+        force_n: Any,
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Any,
+    ) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
 
         Parameters
@@ -6411,17 +7027,64 @@ class MuscleNumbers:
         >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
         0.0377
         """
-        return self._asked("pressure", force_n, contraction, jac, errors, progress, options)
+        return self._asked(
+            "pressure", force_n, contraction, jac, errors, progress, options
+        )
 
     @overload
-    def contraction(self, force_n: Number, pressure_mpa: Number, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> float: ...  # type: ignore[overload-overlap]
+    def contraction(
+        self,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> float: ...  # type: ignore[overload-overlap]
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[False] = False, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Array: ...
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[False] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> Array: ...
     @overload
-    def contraction(self, force_n: Number, pressure_mpa: Number, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    def contraction(
+        self,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
     @overload
-    def contraction(self, force_n: Floats, pressure_mpa: Floats, *, jac: Literal[True] | Sequence[str], errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> tuple[Array, Array]: ...
-    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: Errors = "raise", progress: Progress = None, **options: Any) -> Any:
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[True] | Sequence[str],
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> tuple[Array, Array]: ...
+    def contraction(
+        self,
+        force_n: Any,
+        pressure_mpa: Any,
+        *,
+        jac: bool | Sequence[str] = False,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Any,
+    ) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
 
         Parameters
@@ -6460,9 +7123,19 @@ class MuscleNumbers:
         >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
         0.293
         """
-        return self._asked("contraction", force_n, pressure_mpa, jac, errors, progress, options)
+        return self._asked(
+            "contraction", force_n, pressure_mpa, jac, errors, progress, options
+        )
 
-    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, errors: Errors = "raise", progress: Progress = None, **options: Unpack[Options]) -> Solution:
+    def solve(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[Options],
+    ) -> Solution:
         """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
 
         Parameters
@@ -6502,7 +7175,26 @@ class MuscleNumbers:
 class MuscleCommands:
     """What the program answers of it, by command."""
 
-    def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, forces_n: Numbers | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, both: bool = False, progress: Progress = None) -> Curve:
+    def curve(
+        self,
+        test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        pressures_mpa: Numbers | None = None,
+        contractions: Numbers | None = None,
+        forces_n: Numbers | None = None,
+        load: str | None = None,
+        load_tables: TableLike | Sequence[TableLike] | None = None,
+        both: bool = False,
+        progress: Progress = None,
+    ) -> Curve:
         """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 
         Parameters
@@ -6555,7 +7247,24 @@ class MuscleCommands:
         """
         return answered(Curve, "curve", locals())
 
-    def simulate(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", *, model: FormulaLike | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, of_largest: bool = False, forces_n: Numbers | None = None, two_sided: bool = False, deck: bool = False, vtu: bool = False, eighth: bool = False, progress: Progress = None) -> SimulateAnswer:
+    def simulate(
+        self,
+        test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
+        *,
+        model: FormulaLike | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        pressures_mpa: Numbers | None = None,
+        contractions: Numbers | None = None,
+        of_largest: bool = False,
+        forces_n: Numbers | None = None,
+        two_sided: bool = False,
+        deck: bool = False,
+        vtu: bool = False,
+        eighth: bool = False,
+        progress: Progress = None,
+    ) -> SimulateAnswer:
         """A finite-element test.
 
         Parameters
@@ -6602,7 +7311,16 @@ class MuscleCommands:
         """
         return answered(SimulateAnswer, "simulate", locals(), "MPa")
 
-    def shape(self, pressure_mpa: Number | None = None, contraction: Number | None = None, *, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, force_n: Number | None = None) -> Shape:
+    def shape(
+        self,
+        pressure_mpa: Number | None = None,
+        contraction: Number | None = None,
+        *,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        force_n: Number | None = None,
+    ) -> Shape:
         """The deformed muscle at a pressure and contraction, by `fe`.
 
         Parameters
@@ -6633,7 +7351,26 @@ class MuscleCommands:
         """
         return answered(Shape, "shape", locals())
 
-    def fill(self, volume_mm3: Number, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, contraction: Number | None = None) -> FillAnswer:
+    def fill(
+        self,
+        volume_mm3: Number,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        dead_volume_mm3: Number | None = None,
+        liquid: str | None = None,
+        liquid_bulk_modulus_mpa: Number | None = None,
+        gas_share: Number | None = None,
+        load: str | None = None,
+        load_tables: TableLike | Sequence[TableLike] | None = None,
+        contraction: Number | None = None,
+    ) -> FillAnswer:
         """Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its length at rest without pressure, filled without air.
 
         Parameters
@@ -6685,7 +7422,21 @@ class MuscleCommands:
         """
         return answered(FillAnswer, "fill", locals())
 
-    def check(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, pressure_mpa: Number | None = None, only_data: bool = False, muscle_file: bool = False) -> CheckAnswer:
+    def check(
+        self,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        pressure_mpa: Number | None = None,
+        only_data: bool = False,
+        muscle_file: bool = False,
+    ) -> CheckAnswer:
         """A muscle to be checked.
 
         Parameters
@@ -6726,7 +7477,26 @@ class MuscleCommands:
         """
         return answered(CheckAnswer, "check", locals())
 
-    def compare(self, *, models: FormulaLike | Sequence[FormulaLike] | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, data: TableLike | Sequence[TableLike] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, branch: Literal["mean", "contraction", "elongation"] | None = None, fit: Sequence[Literal["modulus", "end-factor", "stiffness"]] | None = None, pressures_mpa: Numbers | None = None, contractions: Numbers | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, progress: Progress = None) -> CompareAnswer:
+    def compare(
+        self,
+        *,
+        models: FormulaLike | Sequence[FormulaLike] | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        data: TableLike | Sequence[TableLike] | None = None,
+        columns: Mapping[str, str] | None = None,
+        set: Sequence[str] | None = None,
+        branch: Literal["mean", "contraction", "elongation"] | None = None,
+        fit: Sequence[Literal["modulus", "end-factor", "stiffness"]] | None = None,
+        pressures_mpa: Numbers | None = None,
+        contractions: Numbers | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        progress: Progress = None,
+    ) -> CompareAnswer:
         """Models compared with measured points, or with the first model.
 
         Parameters
@@ -6779,7 +7549,19 @@ class MuscleCommands:
         """
         return answered(CompareAnswer, "compare", locals(), "MPa")
 
-    def study(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, two_sided: bool = False, direction: Literal["mean", "contraction", "elongation"] | None = None, progress: Progress = None) -> StudyAnswer:
+    def study(
+        self,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        progress: Progress = None,
+    ) -> StudyAnswer:
         """The thickness study with a rubber, a braid and a model.
 
         Parameters
@@ -6816,7 +7598,24 @@ class MuscleCommands:
         """
         return answered(StudyAnswer, "study", locals(), "MPa")
 
-    def build(self, pressure_mpa: Number | None = None, *, overpressure: bool = False, fitting: str | None = None, bolt_mm: Number | None = None, sleeve_diameter_mm: Number | None = None, report: bool = False, contraction: Number | None = None, units: str | None = None, name: str | None = None, project: str | None = None, number: str | None = None, revision: str | None = None, date: str | None = None, progress: Progress = None) -> Build:
+    def build(
+        self,
+        pressure_mpa: Number | None = None,
+        *,
+        overpressure: bool = False,
+        fitting: str | None = None,
+        bolt_mm: Number | None = None,
+        sleeve_diameter_mm: Number | None = None,
+        report: bool = False,
+        contraction: Number | None = None,
+        units: str | None = None,
+        name: str | None = None,
+        project: str | None = None,
+        number: str | None = None,
+        revision: str | None = None,
+        date: str | None = None,
+        progress: Progress = None,
+    ) -> Build:
         """A muscle to be built.
 
         Parameters
@@ -6863,7 +7662,23 @@ class MuscleCommands:
         """
         return answered(Build, "build", locals())
 
-    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, contraction_low: Number | None = None, contraction_high: Number | None = None, cord_mm: Number | None = None, name: str | None = None, progress: Progress = None) -> Export:
+    def export(
+        self,
+        target: str | None = None,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        pressure_mpa: Number | None = None,
+        overpressure: bool = False,
+        contraction_low: Number | None = None,
+        contraction_high: Number | None = None,
+        cord_mm: Number | None = None,
+        name: str | None = None,
+        progress: Progress = None,
+    ) -> Export:
         """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
 
         Parameters
@@ -6913,7 +7728,24 @@ class MuscleCommands:
 class JointCommands:
     """What the program answers of it, by command."""
 
-    def solve(self, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressures_mpa: Sequence[Numbers] | None = None, angles_deg: Numbers | None = None, torque_nm: Number | None = None, stiffness_nm_per_rad: Number | None = None, max_pressure_mpa: Number | None = None, map: int | None = None, extrapolate: bool = False, without_start_pressures: bool = False, progress: Progress = None) -> JointSolution:
+    def solve(
+        self,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        pressures_mpa: Sequence[Numbers] | None = None,
+        angles_deg: Numbers | None = None,
+        torque_nm: Number | None = None,
+        stiffness_nm_per_rad: Number | None = None,
+        max_pressure_mpa: Number | None = None,
+        map: int | None = None,
+        extrapolate: bool = False,
+        without_start_pressures: bool = False,
+        progress: Progress = None,
+    ) -> JointSolution:
         """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
 
         Parameters
@@ -6960,7 +7792,20 @@ class JointCommands:
         """
         return answered(JointSolution, "joint", locals(), "MPa")
 
-    def export(self, target: str | None = None, *, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, pressure_mpa: Number | None = None, overpressure: bool = False, name: str | None = None, progress: Progress = None) -> JointExport:
+    def export(
+        self,
+        target: str | None = None,
+        *,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        pressure_mpa: Number | None = None,
+        overpressure: bool = False,
+        name: str | None = None,
+        progress: Progress = None,
+    ) -> JointExport:
         """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
 
         Parameters
@@ -7003,7 +7848,21 @@ class JointCommands:
 class DriveCommands:
     """What the program answers of it, by command."""
 
-    def motion(self, *, step: Mapping[str, Plain] | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, sweep: Mapping[str, Plain] | None = None, log: TableLike | None = None, free: Sequence[str] | None = None, rise_time_s: Number | None = None, progress: Progress = None) -> Motion:
+    def motion(
+        self,
+        *,
+        step: Mapping[str, Plain] | None = None,
+        model: FormulaLike | None = None,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        sweep: Mapping[str, Plain] | None = None,
+        log: TableLike | None = None,
+        free: Sequence[str] | None = None,
+        rise_time_s: Number | None = None,
+        progress: Progress = None,
+    ) -> Motion:
         """A drive: its file, and the files that it names.
 
         Parameters
@@ -7050,7 +7909,14 @@ class DriveCommands:
 class CampaignCommands:
     """What the program answers of it, by command."""
 
-    def run(self, *, shard: str | None = None, threads: int | None = None, overwrite: bool = False, progress: Progress = None) -> CampaignOutcome:
+    def run(
+        self,
+        *,
+        shard: str | None = None,
+        threads: int | None = None,
+        overwrite: bool = False,
+        progress: Progress = None,
+    ) -> CampaignOutcome:
         """A plan, and where its table goes.
 
         Parameters
@@ -7107,7 +7973,60 @@ class CampaignCommands:
         return answered(CampaignSummary, "campaign-show", locals())
 
 
-def design(*, force_n: Number | None = None, contraction: Number | None = None, points: Sequence[Mapping[str, Plain]] | None = None, load: str | None = None, load_tables: TableLike | Sequence[TableLike] | None = None, torques: Sequence[Mapping[str, Plain]] | None = None, largest_angle_deg: Number | None = None, radius_mm: Choice | None = None, max_pressure_mpa: Number | None = None, dead_volume_mm3: Number | None = None, liquid: str | None = None, liquid_bulk_modulus_mpa: Number | None = None, gas_share: Number | None = None, stroke_mm: Number | None = None, max_bulged_diameter_mm: Number | None = None, max_liquid_volume_mm3: Number | None = None, count: int | None = None, max_envelope_mm: Number | None = None, pitch_mm: Number | None = None, min_burst_margin: Number | None = None, min_tube_margin: Number | None = None, max_stretch: Number | None = None, max_strand_strain: Number | None = None, guided: bool = False, guaranteed: Number | None = None, objective: Literal["diameter", "pressure", "air", "margin", "bulged-diameter", "length"] | None = None, muscle: MuscleLike | None = None, continuous: bool = False, tubes: Sequence[str] | None = None, parts: FileLike | None = None, outer_diameter_mm: Choice | None = None, wall_mm: Choice | None = None, angle_deg: Choice | None = None, strand_length_per_turn_mm: Numbers | None = None, braids: Sequence[str] | None = None, strand_diameter_mm: Number | None = None, strand_modulus_mpa: Number | None = None, rubbers: Sequence[str] | None = None, stiffness: Number | None = None, length_mm: Choice | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, extrapolate: bool = False, top: int | None = None, progress: Progress = None) -> Design:
+def design(
+    *,
+    force_n: Number | None = None,
+    contraction: Number | None = None,
+    points: Sequence[Mapping[str, Plain]] | None = None,
+    load: str | None = None,
+    load_tables: TableLike | Sequence[TableLike] | None = None,
+    torques: Sequence[Mapping[str, Plain]] | None = None,
+    largest_angle_deg: Number | None = None,
+    radius_mm: Choice | None = None,
+    max_pressure_mpa: Number | None = None,
+    dead_volume_mm3: Number | None = None,
+    liquid: str | None = None,
+    liquid_bulk_modulus_mpa: Number | None = None,
+    gas_share: Number | None = None,
+    stroke_mm: Number | None = None,
+    max_bulged_diameter_mm: Number | None = None,
+    max_liquid_volume_mm3: Number | None = None,
+    count: int | None = None,
+    max_envelope_mm: Number | None = None,
+    pitch_mm: Number | None = None,
+    min_burst_margin: Number | None = None,
+    min_tube_margin: Number | None = None,
+    max_stretch: Number | None = None,
+    max_strand_strain: Number | None = None,
+    guided: bool = False,
+    guaranteed: Number | None = None,
+    objective: Literal[
+        "diameter", "pressure", "air", "margin", "bulged-diameter", "length"
+    ]
+    | None = None,
+    muscle: MuscleLike | None = None,
+    continuous: bool = False,
+    tubes: Sequence[str] | None = None,
+    parts: FileLike | None = None,
+    outer_diameter_mm: Choice | None = None,
+    wall_mm: Choice | None = None,
+    angle_deg: Choice | None = None,
+    strand_length_per_turn_mm: Numbers | None = None,
+    braids: Sequence[str] | None = None,
+    strand_diameter_mm: Number | None = None,
+    strand_modulus_mpa: Number | None = None,
+    rubbers: Sequence[str] | None = None,
+    stiffness: Number | None = None,
+    length_mm: Choice | None = None,
+    model: FormulaLike | None = None,
+    formulas: Sequence[FormulaLike] | None = None,
+    mesh: str | None = None,
+    match: Literal["length", "angle"] | None = None,
+    terminal: Mapping[str, Plain] | None = None,
+    extrapolate: bool = False,
+    top: int | None = None,
+    progress: Progress = None,
+) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 
     Parameters
@@ -7228,7 +8147,66 @@ def design(*, force_n: Number | None = None, contraction: Number | None = None, 
     return answered(Design, "design", locals(), "MPa")
 
 
-def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubber: RubberLike | None = None, rubber_file: FileLike | None = None, braid: str | None = None, strand_diameter_mm: Number | None = None, stiffness: Number | None = None, outer_diameter_mm: Number | None = None, wall_mm: Number | None = None, length_mm: Number | None = None, density_kg_per_m3: Number | None = None, prestretch: Number | None = None, temperature_degc: Number | None = None, angle_deg: Number | None = None, insertion_mm: Number | None = None, seating_mm: Number | None = None, slip_mm_per_n: Number | None = None, grip_mm: Number | None = None, plug_diameter_mm: Number | None = None, pull_off_n: Number | None = None, rated_pressure_mpa: Number | None = None, end_factor: Number | None = None, cone_factor: Number | None = None, stiffness_factor: Number | None = None, strands: Number | None = None, strand_area_mm2: Number | None = None, strand_modulus_mpa: Number | None = None, strand_strength_n: Number | None = None, strands_per_carrier: Number | None = None, strand_length_mm: Number | None = None, turns: Number | None = None, braid_thickness_mm: Number | None = None, braid_diameter_mm: Number | None = None, crimp: Number | None = None, crimp_stiffness: Number | None = None, friction_coefficient: Number | None = None, friction_exponent: Number | None = None, friction_lever_mm: Number | None = None, friction_presliding_mm: Number | None = None, model: FormulaLike | None = None, formulas: Sequence[FormulaLike] | None = None, mesh: str | None = None, match: Literal["length", "angle"] | None = None, terminal: Mapping[str, Plain] | None = None, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, log: TableLike | None = None, log_offset_s: Number | None = None, weights: Numbers | None = None, branches: Literal["both", "mean", "history"] | None = None, two_sided: bool = False, free: Sequence[str] | None = None, fix: Sequence[str] | None = None, bounds: Sequence[str] | None = None, loss: Literal["squares", "huber", "largest"] | None = None, laws: bool = False, progress: Progress = None) -> Identification:
+def identify(
+    muscle: MuscleLike,
+    data: TableLike | Sequence[TableLike],
+    *,
+    rubber: RubberLike | None = None,
+    rubber_file: FileLike | None = None,
+    braid: str | None = None,
+    strand_diameter_mm: Number | None = None,
+    stiffness: Number | None = None,
+    outer_diameter_mm: Number | None = None,
+    wall_mm: Number | None = None,
+    length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
+    temperature_degc: Number | None = None,
+    angle_deg: Number | None = None,
+    insertion_mm: Number | None = None,
+    seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
+    plug_diameter_mm: Number | None = None,
+    pull_off_n: Number | None = None,
+    rated_pressure_mpa: Number | None = None,
+    end_factor: Number | None = None,
+    cone_factor: Number | None = None,
+    stiffness_factor: Number | None = None,
+    strands: Number | None = None,
+    strand_area_mm2: Number | None = None,
+    strand_modulus_mpa: Number | None = None,
+    strand_strength_n: Number | None = None,
+    strands_per_carrier: Number | None = None,
+    strand_length_mm: Number | None = None,
+    turns: Number | None = None,
+    braid_thickness_mm: Number | None = None,
+    braid_diameter_mm: Number | None = None,
+    crimp: Number | None = None,
+    crimp_stiffness: Number | None = None,
+    friction_coefficient: Number | None = None,
+    friction_exponent: Number | None = None,
+    friction_lever_mm: Number | None = None,
+    friction_presliding_mm: Number | None = None,
+    model: FormulaLike | None = None,
+    formulas: Sequence[FormulaLike] | None = None,
+    mesh: str | None = None,
+    match: Literal["length", "angle"] | None = None,
+    terminal: Mapping[str, Plain] | None = None,
+    columns: Mapping[str, str] | None = None,
+    set: Sequence[str] | None = None,
+    log: TableLike | None = None,
+    log_offset_s: Number | None = None,
+    weights: Numbers | None = None,
+    branches: Literal["both", "mean", "history"] | None = None,
+    two_sided: bool = False,
+    free: Sequence[str] | None = None,
+    fix: Sequence[str] | None = None,
+    bounds: Sequence[str] | None = None,
+    loss: Literal["squares", "huber", "largest"] | None = None,
+    laws: bool = False,
+    progress: Progress = None,
+) -> Identification:
     """Points, and the parameters of a muscle to identify from them.
 
     Parameters
@@ -7365,7 +8343,27 @@ def identify(muscle: MuscleLike, data: TableLike | Sequence[TableLike], *, rubbe
     return answered(Identification, "identify", locals(), "MPa")
 
 
-def fit_rubber(data: TableLike | Sequence[TableLike], *, columns: Mapping[str, str] | None = None, set: Sequence[str] | None = None, laws: Sequence[str] | None = None, terms: int | None = None, fit_modes: Sequence[Literal["uniaxial", "planar", "equibiaxial", "general"]] | None = None, up_to_stretch: Number | None = None, relative: bool = False, balance: bool = False, weights: Mapping[str, Number] | None = None, stable: bool = False, hoop_stretch: Number | None = None, relaxation: int | None = None, softening: bool = False, name: str | None = None, muscle: MuscleLike | None = None, progress: Progress = None) -> RubberFit:
+def fit_rubber(
+    data: TableLike | Sequence[TableLike],
+    *,
+    columns: Mapping[str, str] | None = None,
+    set: Sequence[str] | None = None,
+    laws: Sequence[str] | None = None,
+    terms: int | None = None,
+    fit_modes: Sequence[Literal["uniaxial", "planar", "equibiaxial", "general"]]
+    | None = None,
+    up_to_stretch: Number | None = None,
+    relative: bool = False,
+    balance: bool = False,
+    weights: Mapping[str, Number] | None = None,
+    stable: bool = False,
+    hoop_stretch: Number | None = None,
+    relaxation: int | None = None,
+    softening: bool = False,
+    name: str | None = None,
+    muscle: MuscleLike | None = None,
+    progress: Progress = None,
+) -> RubberFit:
     """Tension tests, and the laws to fit.
 
     Parameters
@@ -7421,7 +8419,22 @@ def fit_rubber(data: TableLike | Sequence[TableLike], *, columns: Mapping[str, s
     return answered(RubberFit, "rubber", locals(), True)
 
 
-def fit(table: TableLike | None = None, *, campaign: FileLike | None = None, method: Literal["paper", "global", "universal", "universal-small"] | None = None, hold_out_mm: Numbers | None = None, thin_rule: Literal["leave-out", "line", "whole"] | None = None, slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None, name: str | None = None, rubber: RubberLike | None = None, stiffness: Number | None = None, muscle: MuscleLike | None = None, tables: bool = False, figures: bool = False, progress: Progress = None) -> Fit:
+def fit(
+    table: TableLike | None = None,
+    *,
+    campaign: FileLike | None = None,
+    method: Literal["paper", "global", "universal", "universal-small"] | None = None,
+    hold_out_mm: Numbers | None = None,
+    thin_rule: Literal["leave-out", "line", "whole"] | None = None,
+    slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
+    name: str | None = None,
+    rubber: RubberLike | None = None,
+    stiffness: Number | None = None,
+    muscle: MuscleLike | None = None,
+    tables: bool = False,
+    figures: bool = False,
+    progress: Progress = None,
+) -> Fit:
     """A table of points, and how the formula is made.
 
     Parameters
@@ -7466,7 +8479,11 @@ def fit(table: TableLike | None = None, *, campaign: FileLike | None = None, met
     return answered(Fit, "fit", locals())
 
 
-def parts(kind: Literal["tubes", "sleeves", "rubbers", "muscles", "models"], *, parts: FileLike | None = None) -> PartsListAnswer:
+def parts(
+    kind: Literal["tubes", "sleeves", "rubbers", "muscles", "models"],
+    *,
+    parts: FileLike | None = None,
+) -> PartsListAnswer:
     """Everything with a name.
 
     Parameters
@@ -7549,7 +8566,12 @@ def validate(*, all: bool = False, progress: Progress = None) -> ValidateAnswer:
     return answered(ValidateAnswer, "validate", locals())
 
 
-def measured(*, cases: FileLike | Sequence[FileLike] | None = None, model: FormulaLike | None = None, progress: Progress = None) -> MeasuredAnswer:
+def measured(
+    *,
+    cases: FileLike | Sequence[FileLike] | None = None,
+    model: FormulaLike | None = None,
+    progress: Progress = None,
+) -> MeasuredAnswer:
     """Measured muscles and rubbers, each with its known data and its fits.
 
     Parameters
@@ -7634,7 +8656,9 @@ def export_targets() -> ExportListAnswer:
     return answered(ExportListAnswer, "export-list", locals())
 
 
-def check_formula(file: FormulaLike, *, name: str | None = None, latex: bool = False) -> FormulaCheck:
+def check_formula(
+    file: FormulaLike, *, name: str | None = None, latex: bool = False
+) -> FormulaCheck:
     """A formula to be checked.
 
     Parameters

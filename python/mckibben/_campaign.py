@@ -37,29 +37,61 @@ class Campaign(_api.CampaignCommands):
     Campaign('campaign.parquet', None)
     """
 
-    def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
+    def __init__(
+        self, output: str | PathLike[str], plan: FileLike | None = None
+    ) -> None:
         self.output: str = os.fspath(output)
-        self.plan: dict[str, str] | None = dict(plan) if isinstance(plan, Mapping) else None if plan is None else _native.read(plan, "text")
+        self.plan: dict[str, str] | None = (
+            dict(plan)
+            if isinstance(plan, Mapping)
+            else None
+            if plan is None
+            else _native.read(plan, "text")
+        )
 
     @property
     def _parts(self) -> str:
         """Where the parts are while it is computed."""
-        return self.output + ".parts" if self.output.lower().endswith(".parquet") else self.output
+        return (
+            self.output + ".parts"
+            if self.output.lower().endswith(".parquet")
+            else self.output
+        )
 
     @property
     def _table(self) -> str:
         """Where its points are: while it is not complete, in the folder of its parts."""
-        return self._parts if not os.path.exists(self.output) and os.path.isdir(self._parts) else self.output
+        return (
+            self._parts
+            if not os.path.exists(self.output) and os.path.isdir(self._parts)
+            else self.output
+        )
 
     def _files(self, command: str) -> dict[str, Any]:
         if command == "campaign-show":
             return {"campaign": self._table}
-        return {"output": self._parts} if command == "campaign-status" else {"plan": self.plan, "output": self.output}
+        return (
+            {"output": self._parts}
+            if command == "campaign-status"
+            else {"plan": self.plan, "output": self.output}
+        )
 
     @staticmethod
-    def merge(folders: list[str | PathLike[str]], output: str | PathLike[str], *, overwrite: bool = False) -> Campaign:
+    def merge(
+        folders: list[str | PathLike[str]],
+        output: str | PathLike[str],
+        *,
+        overwrite: bool = False,
+    ) -> Campaign:
         """Joins folders of parts into one file, the same bytes as those of a single run."""
-        _native.ask("campaign-merge", {"folders": [os.fspath(f) for f in folders], "output": os.fspath(output), "overwrite": overwrite})
+        _native.ask(
+            "campaign-merge",
+            {
+                "folders": [os.fspath(f) for f in folders],
+                "output": os.fspath(output),
+                "overwrite": overwrite,
+            },
+        )
         return Campaign(output)
 
     def __fspath__(self) -> str:
@@ -75,13 +107,18 @@ class Campaign(_api.CampaignCommands):
         return f"Campaign({self.output!r}, {self.plan!r})"
 
 
-def _on(made: Campaign, executor: Executor, threads: int, shards: int, progress: Progress) -> None:
+def _on(
+    made: Campaign, executor: Executor, threads: int, shards: int, progress: Progress
+) -> None:
     """Computes the shards of a campaign on an executor, and waits for their end."""
     folder = os.path.abspath(made._parts)
     os.makedirs(folder, exist_ok=True)
     stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
     request = {"plan": made.plan, "threads": threads, "output": folder}
-    futures: list[Future[None]] = [executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop) for i in range(1, shards + 1)]
+    futures: list[Future[None]] = [
+        executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop)
+        for i in range(1, shards + 1)
+    ]
 
     hear = heard(progress, "campaign")
     try:
@@ -121,7 +158,15 @@ def _shard(request: dict[str, Any], stop: str) -> None:
             time.sleep(1)
 
 
-def campaign(plan: FileLike, output: str | PathLike[str], *, executor: Executor | None = None, shards: int = 64, threads: int | None = None, progress: Progress = None) -> Campaign:
+def campaign(
+    plan: FileLike,
+    output: str | PathLike[str],
+    *,
+    executor: Executor | None = None,
+    shards: int = 64,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Campaign:
     """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end. The table does not depend on the executor; the same
     call continues one that was cancelled or whose workers died.
 

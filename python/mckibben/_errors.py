@@ -25,7 +25,14 @@ class MckibbenError(Exception):
     """
 
     def __init__(
-        self, message: str = "", *, kind: str = "internal", hint: str = "", field: str | None = None, nearest: dict[str, float | None] | None = None, index: int | None = None
+        self,
+        message: str = "",
+        *,
+        kind: str = "internal",
+        hint: str = "",
+        field: str | None = None,
+        nearest: dict[str, float | None] | None = None,
+        index: int | None = None,
     ) -> None:
         super().__init__(message)
         self.message: str = message
@@ -75,15 +82,23 @@ class InternalError(MckibbenError, RuntimeError):
 
 # Words of JSON whose class is not InputError.
 KINDS: dict[str, type[MckibbenError]] = {
-    "out_of_range": OutOfRangeError, "no_answer": NoAnswerError, "not_converged": NotConvergedError, "cancelled": NotConvergedError,
-    "internal": InternalError, **dict.fromkeys(("file", "damaged", "locked", "output", "incomplete", "other_plan"), FileError),
+    "out_of_range": OutOfRangeError,
+    "no_answer": NoAnswerError,
+    "not_converged": NotConvergedError,
+    "cancelled": NotConvergedError,
+    "internal": InternalError,
+    **dict.fromkeys(
+        ("file", "damaged", "locked", "output", "incomplete", "other_plan"), FileError
+    ),
 }
 
 
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
     kind = KINDS.get(str(values["kind"]), InputError)
-    if kind is FileError and any(words in str(values["message"]) for words in ("(os error 2)", "does not exist")):
+    if kind is FileError and any(
+        words in str(values["message"]) for words in ("(os error 2)", "does not exist")
+    ):
         kind = MissingFileError
     return kind(**values)
 
@@ -91,6 +106,8 @@ def of(values: dict[str, Any]) -> MckibbenError:
 def warned(text: str, kind: type[Warning] = UnitWarning) -> None:
     """Warns at the line outside of the package that called it."""
     level, frame = 2, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("mckibben"):
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(
+        "mckibben"
+    ):
         level, frame = level + 1, frame.f_back
     warnings.warn(text, kind, stacklevel=level)

@@ -22,7 +22,12 @@ if TYPE_CHECKING:
     from ._request import Number, Progress, TableLike
 
 # Units of commands, by what is commanded.
-_COMMANDS = {"pressure": "pressure_mpa", "opening": "opening", "volume": "volume_mm3", "position": "contraction"}
+_COMMANDS = {
+    "pressure": "pressure_mpa",
+    "opening": "opening",
+    "volume": "volume_mm3",
+    "position": "contraction",
+}
 
 
 def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
@@ -31,16 +36,27 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
     for name, value in (given or {}).items():
         unit, words = _native.unit_of(name), name.split("_")
         # The unit is the shortest end of the name that is one by itself.
-        ends = [i for i in range(1, len(words)) if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit]
+        ends = [
+            i
+            for i in range(1, len(words))
+            if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit
+        ]
 
         def said(number: Any) -> Any:
-            return f"{number!r} {unit}" if unit and type(number) in (int, float) else number
+            return (
+                f"{number!r} {unit}"
+                if unit and type(number) in (int, float)
+                else number
+            )
 
         found = plain(name, value)
         if isinstance(value, tuple) and len(value) == 2 and unit:
             found = f"{found[0]!r}..{found[1]!r} {unit}"
         elif isinstance(found, list):
-            found = [[item[0], said(item[1])] if isinstance(item, list) else said(item) for item in found]
+            found = [
+                [item[0], said(item[1])] if isinstance(item, list) else said(item)
+                for item in found
+            ]
         if value is not None:
             out["_".join(words[: ends[-1]] if ends else words)] = said(found)
     return out
@@ -48,7 +64,14 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
 
 def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
-    return {n: value if n == "name" else {"name": value} if isinstance(value, str) else _table(value) for n, value in known(given, kind).items()}
+    return {
+        n: value
+        if n == "name"
+        else {"name": value}
+        if isinstance(value, str)
+        else _table(value)
+        for n, value in known(given, kind).items()
+    }
 
 
 class _File(Fixed):
@@ -70,8 +93,16 @@ class _File(Fixed):
     @classmethod
     def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
         """Tables as the text of a file, which names its schema for editors, and other files."""
-        text = _native.toml_text({name: value for name, value in given.items() if value not in (None, {})})
-        return {cls._kind: {"name": cls._kind, "text": f"#:schema {cls._kind}.schema.json\n\n{text}"}, **others}
+        text = _native.toml_text(
+            {name: value for name, value in given.items() if value not in (None, {})}
+        )
+        return {
+            cls._kind: {
+                "name": cls._kind,
+                "text": f"#:schema {cls._kind}.schema.json\n\n{text}",
+            },
+            **others,
+        }
 
     def _files(self, command: str) -> dict[str, Any]:
         return self._held
@@ -82,7 +113,11 @@ class _File(Fixed):
     def _beside(self) -> dict[str, str]:
         """The texts of the other files by their names."""
         held = [of for name, of in self._held.items() if of and name != self._kind]
-        return {of["name"]: of["text"] for some in held for of in (some if isinstance(some, list) else [some])}
+        return {
+            of["name"]: of["text"]
+            for some in held
+            for of in (some if isinstance(some, list) else [some])
+        }
 
     def to_toml(self) -> str:
         """The text of its file."""
@@ -96,7 +131,17 @@ class _File(Fixed):
         """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
         folder = os.path.dirname(path)
         # A muscle of the library has no text.
-        put({**{os.path.join(folder, name): text for name, text in self._beside().items() if text}, path: self.to_toml()}, overwrite)
+        put(
+            {
+                **{
+                    os.path.join(folder, name): text
+                    for name, text in self._beside().items()
+                    if text
+                },
+                path: self.to_toml(),
+            },
+            overwrite,
+        )
 
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
@@ -143,17 +188,47 @@ class Joint(_api.JointCommands, _File):
     _kind = "joint"
 
     def __init__(
-        self, muscle_1: Muscle, muscle_2: Muscle | None = None, *, joint: Keys, contraction_at_neutral: Number | None = None,
-        geometry_1: Keys | None = None, geometry_2: Keys | None = None, **tables: Unpack[_api.JointTables],
+        self,
+        muscle_1: Muscle,
+        muscle_2: Muscle | None = None,
+        *,
+        joint: Keys,
+        contraction_at_neutral: Number | None = None,
+        geometry_1: Keys | None = None,
+        geometry_2: Keys | None = None,
+        **tables: Unpack[_api.JointTables],
     ) -> None:
-        if without := [key for key in ("radius", "range") if isinstance(joint.get(key), (int, float, tuple, list))]:
-            raise InputError(f"{without[0]} has no unit", kind="quantity", field=without[0], hint='radius_mm=25, or "radius": "25 mm"')
-        made, muscles = {"joint": _table(joint), **_tables(_api.JointTables, tables)}, {}
-        for side, muscle, geometry in ((1, muscle_1, geometry_1), (2, muscle_2, geometry_2)):
+        if without := [
+            key
+            for key in ("radius", "range")
+            if isinstance(joint.get(key), (int, float, tuple, list))
+        ]:
+            raise InputError(
+                f"{without[0]} has no unit",
+                kind="quantity",
+                field=without[0],
+                hint='radius_mm=25, or "radius": "25 mm"',
+            )
+        made, muscles = (
+            {"joint": _table(joint), **_tables(_api.JointTables, tables)},
+            {},
+        )
+        for side, muscle, geometry in (
+            (1, muscle_1, geometry_1),
+            (2, muscle_2, geometry_2),
+        ):
             if muscle is not None:
                 place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
                 muscles[place] = {"name": place, "text": muscle.to_toml()}
-                made[f"muscle_{side}"] = {"file": place, **_table({"contraction_at_neutral": contraction_at_neutral, **(geometry or {})})}
+                made[f"muscle_{side}"] = {
+                    "file": place,
+                    **_table(
+                        {
+                            "contraction_at_neutral": contraction_at_neutral,
+                            **(geometry or {}),
+                        }
+                    ),
+                }
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
         _native.check_joint(self.to_toml())
 
@@ -162,14 +237,28 @@ class Joint(_api.JointCommands, _File):
         """Its muscles by the names of their files."""
         return {held["name"]: muscle_of(held) for held in self._held["muscles"]}
 
-    def replace(self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None) -> Joint:
+    def replace(
+        self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None
+    ) -> Joint:
         """The same with other muscles."""
         tables, texts = self._tables(), self._beside()
         if muscle_2 is not None and "muscle_2" not in tables:
             raise TypeError("the joint has no muscle_2")
-        muscles = {name: of.to_toml() if of else texts[tables[name]["file"]] for name, of in (("muscle_1", muscle_1), ("muscle_2", muscle_2)) if name in tables}
+        muscles = {
+            name: of.to_toml() if of else texts[tables[name]["file"]]
+            for name, of in (("muscle_1", muscle_1), ("muscle_2", muscle_2))
+            if name in tables
+        }
         tables |= {name: {**tables[name], "file": f"{name}.toml"} for name in muscles}
-        return Joint._of(Joint._written(tables, muscles=[{"name": f"{name}.toml", "text": text} for name, text in muscles.items()]))
+        return Joint._of(
+            Joint._written(
+                tables,
+                muscles=[
+                    {"name": f"{name}.toml", "text": text}
+                    for name, text in muscles.items()
+                ],
+            )
+        )
 
 
 class Drive(_api.DriveCommands, _File):
@@ -201,16 +290,34 @@ class Drive(_api.DriveCommands, _File):
     __slots__ = ()
     _kind = "drive"
 
-    def __init__(self, of: Muscle | Joint, *, command: Keys, tables: Mapping[str, TableLike] | None = None, **others: Unpack[_api.DriveTables]) -> None:
-        place, named = f"{of._kind}.toml", [{**table(data), "name": name} for name, data in (tables or {}).items()]
-        made = {of._kind: place, **_tables(_api.DriveTables, others), "command": _table(command)}
+    def __init__(
+        self,
+        of: Muscle | Joint,
+        *,
+        command: Keys,
+        tables: Mapping[str, TableLike] | None = None,
+        **others: Unpack[_api.DriveTables],
+    ) -> None:
+        place, named = (
+            f"{of._kind}.toml",
+            [{**table(data), "name": name} for name, data in (tables or {}).items()],
+        )
+        made = {
+            of._kind: place,
+            **_tables(_api.DriveTables, others),
+            "command": _table(command),
+        }
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
 
     @property
     def of(self) -> Muscle | Joint:
         """The muscle or joint that it moves."""
         held = self._held
-        return Joint._of({name: held[name] for name in ("joint", "muscles")}) if held.get("joint") else muscle_of(held["muscle"])
+        return (
+            Joint._of({name: held[name] for name in ("joint", "muscles")})
+            if held.get("joint")
+            else muscle_of(held["muscle"])
+        )
 
     def replace(self, of: Muscle | Joint) -> Drive:
         """The same drive of another muscle or joint."""
@@ -260,11 +367,28 @@ class Simulation:
 
     __slots__ = ("_commands", "_joint", "_made", "_names", "_native")
 
-    def __init__(self, drive: Drive | str | os.PathLike[str], dt_s: float, *, record: bool = True, **options: Unpack[_api.Options]) -> None:
+    def __init__(
+        self,
+        drive: Drive | str | os.PathLike[str],
+        dt_s: float,
+        *,
+        record: bool = True,
+        **options: Unpack[_api.Options],
+    ) -> None:
         held = drive if isinstance(drive, Drive) else Drive.load(drive)
-        self._hold(fields({**held._files("motion"), **known(options, _api.Options)}), float(dt_s), record)
+        self._hold(
+            fields({**held._files("motion"), **known(options, _api.Options)}),
+            float(dt_s),
+            record,
+        )
 
-    def _hold(self, request: dict[str, Any], dt_s: float, record: bool, native: _native.Simulation | None = None) -> Simulation:
+    def _hold(
+        self,
+        request: dict[str, Any],
+        dt_s: float,
+        record: bool,
+        native: _native.Simulation | None = None,
+    ) -> Simulation:
         self._made = request, dt_s, record
         self._native = native or _native.Simulation(request, dt_s, record)
         commands = self._native.commands
@@ -282,7 +406,13 @@ class Simulation:
         """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, ``volume`` of a syringe in mm³, or ``position`` (contraction ratio, or angle in degrees)."""
         return self._commands[0]
 
-    def step(self, command: Number | Sequence[Number] | NDArray[np.floating[Any]], *, force_n: Number = 0.0, torque_nm: Number = 0.0) -> State:
+    def step(
+        self,
+        command: Number | Sequence[Number] | NDArray[np.floating[Any]],
+        *,
+        force_n: Number = 0.0,
+        torque_nm: Number = 0.0,
+    ) -> State:
         """One step on; where it is at its end. A step that fails leaves the simulation as it was.
 
         Parameters
@@ -304,8 +434,19 @@ class Simulation:
         given: Any = command if several else [command] * count
         if torque_nm and not self._joint or force_n and self._joint:
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
-        outside = number("torque_nm", torque_nm) if torque_nm else number("force_n", force_n) if force_n else 0.0
-        values = [value if type(value) is float and value <= 1.0 else number(_COMMANDS[kind], value) for value in given]
+        outside = (
+            number("torque_nm", torque_nm)
+            if torque_nm
+            else number("force_n", force_n)
+            if force_n
+            else 0.0
+        )
+        values = [
+            value
+            if type(value) is float and value <= 1.0
+            else number(_COMMANDS[kind], value)
+            for value in given
+        ]
         return self._state(self._native.step(values, outside))
 
     def _state(self, values: Sequence[float]) -> State:
@@ -374,7 +515,13 @@ class Simulation:
         return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
 
 
-def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["raise", "nan"] = "raise", progress: Progress = None) -> dict[str, NDArray[np.float64]]:
+def rollout(
+    simulation: Simulation,
+    commands: ArrayLike,
+    *,
+    errors: Literal["raise", "nan"] = "raise",
+    progress: Progress = None,
+) -> dict[str, NDArray[np.float64]]:
     """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there. Arrays of shape (copies, steps + 1),
     the start and the end of each step, by the names of :class:`State`.
 
@@ -409,11 +556,20 @@ def rollout(simulation: Simulation, commands: ArrayLike, *, errors: Literal["rai
     given = np.asarray(commands, dtype=np.float64)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
     if given.ndim != 3 or given.shape[2] != count:
-        raise ValueError(f"commands: an array of shape (copies, steps, {count}), not {given.shape}")
+        raise ValueError(
+            f"commands: an array of shape (copies, steps, {count}), not {given.shape}"
+        )
     if kind == "pressure" and given.size:
         number("pressure_mpa", float(given.max()))
     out = np.empty((given.shape[0], given.shape[1] + 1, len(simulation._names)))
     if given.size:
         rows = np.ascontiguousarray(given).reshape(-1, count)
-        _native.rollout(simulation._native, given.shape[1], rows, out.reshape(-1), is_nan(errors), heard(progress, "rollout"))
+        _native.rollout(
+            simulation._native,
+            given.shape[1],
+            rows,
+            out.reshape(-1),
+            is_nan(errors),
+            heard(progress, "rollout"),
+        )
     return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

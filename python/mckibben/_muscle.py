@@ -22,7 +22,11 @@ if TYPE_CHECKING:
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
 # The names of both numbers of a pair, by what is wanted.
-PAIRS = {"force": ("pressure_mpa", "contraction"), "pressure": ("force_n", "contraction"), "contraction": ("force_n", "pressure_mpa")}
+PAIRS = {
+    "force": ("pressure_mpa", "contraction"),
+    "pressure": ("force_n", "contraction"),
+    "contraction": ("force_n", "pressure_mpa"),
+}
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 
@@ -33,20 +37,48 @@ class Bound:
     __slots__ = ("muscle", "native", "quiet", "said")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
-        self.muscle, self.native = muscle, muscle._held.model(fields(known(given, _api.Options)))
+        self.muscle, self.native = (
+            muscle,
+            muscle._held.model(fields(known(given, _api.Options))),
+        )
         allowed = self.native.allowed_mpa()
         # Up to this pressure in MPa a single number needs no look.
-        self.quiet = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
+        self.quiet = min(
+            _LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed
+        )
         # A pressure, the contractions between which it was looked at, and its warnings.
         self.said: tuple[float, float, float, str] = float("-inf"), 0.0, 0.0, ""
 
-    def look(self, highest: float, low: float, high: float, is_text: bool, is_one: bool = False) -> None:
+    def look(
+        self,
+        highest: float,
+        low: float,
+        high: float,
+        is_text: bool,
+        is_one: bool = False,
+    ) -> None:
         """Warns of a pressure at contractions from one to another; of a single number again what was said of a higher pressure."""
         if not is_text and (unlikely := _native.unlikely("pressure_mpa", highest)):
             warned(unlikely)
-        if highest > self.said[0] or not is_one and (self.said[3] or low < self.said[1] or high > self.said[2]):
-            rows = (self.native.solve([highest], [contraction], True)[0] for contraction in {low, high})
-            self.said = highest, low, high, "; ".join(dict.fromkeys(text for row in rows for text in row.get("warnings", ())))
+        if (
+            highest > self.said[0]
+            or not is_one
+            and (self.said[3] or low < self.said[1] or high > self.said[2])
+        ):
+            rows = (
+                self.native.solve([highest], [contraction], True)[0]
+                for contraction in {low, high}
+            )
+            self.said = (
+                highest,
+                low,
+                high,
+                "; ".join(
+                    dict.fromkeys(
+                        text for row in rows for text in row.get("warnings", ())
+                    )
+                ),
+            )
         if self.said[3]:
             warned(self.said[3], MuscleWarning)
 
@@ -79,8 +111,20 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         if own is None and not isinstance(rubber, (str, type(None))):
             raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
         if own is not None and given.get("rubber_file") is not None:
-            raise InputError("`rubber_file` is given, and so is a whole `rubber`", kind="usage", field="rubber_file", hint="give one of them")
-        return self._of(_native.Muscle(fields({**given, "rubber": rubber if own is None else None, "muscle": base}), own))
+            raise InputError(
+                "`rubber_file` is given, and so is a whole `rubber`",
+                kind="usage",
+                field="rubber_file",
+                hint="give one of them",
+            )
+        return self._of(
+            _native.Muscle(
+                fields(
+                    {**given, "rubber": rubber if own is None else None, "muscle": base}
+                ),
+                own,
+            )
+        )
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
@@ -101,7 +145,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @classmethod
     def from_toml(cls, text: str) -> Muscle:
         """The muscle of a muscle file's text."""
-        return object.__new__(cls)._of(_native.Muscle({"muscle": {"name": "muscle", "text": text}}))
+        return object.__new__(cls)._of(
+            _native.Muscle({"muscle": {"name": "muscle", "text": text}})
+        )
 
     def to_toml(self) -> str:
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
@@ -112,15 +158,31 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         depends on the pressure, strands that carry compression), the text of its muscle file as ``{"toml": …}``.
         """
         held = _native.toml("muscle", self.to_toml())
-        stated = {f"{'terminals' if table == 'model' else table}.{key}" for table, keys in held.items() if isinstance(keys, dict) for key in keys}
-        out = {name: self._field(name) for name, key in _api.KEYS.items() if key in stated}
-        out |= {"rubber": self.rubber} if stated & {"tube.material", "tube.rubber"} else {}
+        stated = {
+            f"{'terminals' if table == 'model' else table}.{key}"
+            for table, keys in held.items()
+            if isinstance(keys, dict)
+            for key in keys
+        }
+        out = {
+            name: self._field(name) for name, key in _api.KEYS.items() if key in stated
+        }
+        out |= (
+            {"rubber": self.rubber} if stated & {"tube.material", "tube.rubber"} else {}
+        )
         out |= {"braid": self._field("braid")} if "braid.name" in stated else {}
         try:
             whole = Muscle(**out) == self
         except (InputError, TypeError):
             whole = False
-        return {name: value.to_dict() if hasattr(value, "to_dict") else value for name, value in out.items()} if whole else {"toml": self.to_toml()}
+        return (
+            {
+                name: value.to_dict() if hasattr(value, "to_dict") else value
+                for name, value in out.items()
+            }
+            if whole
+            else {"toml": self.to_toml()}
+        )
 
     def _bound(self, given: Mapping[str, Any]) -> Bound:
         """The model that is asked, kept for the next question."""
@@ -134,19 +196,44 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             # Options that are maps or lists.
             return Bound(self, given)
 
-    def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any:
+    def _asked(
+        self,
+        wanted: str,
+        a: Any,
+        b: Any,
+        jac: bool | Sequence[str],
+        errors: str,
+        progress: Progress,
+        options: Mapping[str, Any],
+    ) -> Any:
         bound, nan = self._bound(options), is_nan(errors)
-        if jac is False and progress is None and type(a) in (float, int) and type(b) in (float, int):
+        if (
+            jac is False
+            and progress is None
+            and type(a) in (float, int)
+            and type(b) in (float, int)
+        ):
             found = bound.native.one(wanted, a, b, nan)
-            pressure = a if wanted == "force" else b if wanted == "contraction" else found
+            pressure = (
+                a if wanted == "force" else b if wanted == "contraction" else found
+            )
             if pressure > bound.quiet:
                 at = found if wanted == "contraction" else b
                 bound.look(pressure, at, at, wanted == "pressure", True)
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
-    def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> _api.Solution:
-        return _points(self._bound(options), pressure_mpa, contraction, is_nan(errors), progress)
+    def _solved(
+        self,
+        pressure_mpa: Any,
+        contraction: Any,
+        errors: str,
+        progress: Progress,
+        options: Mapping[str, Any],
+    ) -> _api.Solution:
+        return _points(
+            self._bound(options), pressure_mpa, contraction, is_nan(errors), progress
+        )
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -157,25 +244,44 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
         value = self._field(measure)
         if not isinstance(value, float):
-            raise ValueError(f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']")
+            raise ValueError(
+                f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']"
+            )
         step = 1e-4 * abs(value)
-        high, low = (self._changed({measure: value + sign * step}).parameters for sign in (1, -1))
+        high, low = (
+            self._changed({measure: value + sign * step}).parameters for sign in (1, -1)
+        )
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
-        return {name: rate for name, rate in rates.items() if abs(rate) * abs(value) > 1e-10 * abs(high[name])}
+        return {
+            name: rate
+            for name, rate in rates.items()
+            if abs(rate) * abs(value) > 1e-10 * abs(high[name])
+        }
 
-    def _chain(self, names: Sequence[str], held: Collection[str] = ()) -> tuple[list[str], Array]:
+    def _chain(
+        self, names: Sequence[str], held: Collection[str] = ()
+    ) -> tuple[list[str], Array]:
         """The parameters that change with constants and measures, but for those that are held, and by how much: a column for each name."""
         import numpy as np
 
-        rows = [{n: v for n, v in self._follows(name).items() if n not in held} if name in MEASURES else {name: 1.0} for name in names]
+        rows = [
+            {n: v for n, v in self._follows(name).items() if n not in held}
+            if name in MEASURES
+            else {name: 1.0}
+            for name in names
+        ]
         own = list(dict.fromkeys(parameter for row in rows for parameter in row))
-        return own, np.array([[row.get(parameter, 0.0) for row in rows] for parameter in own]).reshape(len(own), len(rows))
+        return own, np.array(
+            [[row.get(parameter, 0.0) for row in rows] for parameter in own]
+        ).reshape(len(own), len(rows))
 
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        return object.__new__(Muscle)._of(self._held.changed({str(n): float(v) for n, v in values.items()}))
+        return object.__new__(Muscle)._of(
+            self._held.changed({str(n): float(v) for n, v in values.items()})
+        )
 
     @property
     def rubber(self) -> str | Rubber:
@@ -183,21 +289,47 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         from ._parts import Rubber
 
         tube = _native.toml("muscle", self.to_toml()).get("tube", {})
-        return Rubber.from_toml(self.to_toml()) if "material" in tube else str(tube.get("rubber", "paper"))
+        return (
+            Rubber.from_toml(self.to_toml())
+            if "material" in tube
+            else str(tube.get("rubber", "paper"))
+        )
 
     @property
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
-        return str(_native.ask("check", {"muscle": {"name": "muscle", "text": self.to_toml()}, "only_data": True})["braid"])
+        return str(
+            _native.ask(
+                "check",
+                {
+                    "muscle": {"name": "muscle", "text": self.to_toml()},
+                    "only_data": True,
+                },
+            )["braid"]
+        )
 
     def report(
-        self, path: str | os.PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa",
-        overwrite: bool = False, progress: Progress = None,
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        pressure_mpa: Number | None = None,
+        contraction: Number | None = None,
+        units: str = "MPa",
+        overwrite: bool = False,
+        progress: Progress = None,
     ) -> str:
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
-        request = fields({"muscle": self, "report": True, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
+        request = fields(
+            {
+                "muscle": self,
+                "report": True,
+                "pressure_mpa": pressure_mpa,
+                "contraction": contraction,
+                "units": units,
+            }
+        )
         page = _native.report_html(request, heard(progress, "build"))
         if path is not None:
             put({path: page}, overwrite)
@@ -212,14 +344,36 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> print(mk.Muscle.prototype().cite("ideal").splitlines()[0])
         @software{mckibben,
         """
-        point = _native.ask("force", {"muscle": {"name": "muscle", "text": self.to_toml()}, "pressure_mpa": 0.0, "model": model or "fe"})
+        point = _native.ask(
+            "force",
+            {
+                "muscle": {"name": "muscle", "text": self.to_toml()},
+                "pressure_mpa": 0.0,
+                "model": model or "fe",
+            },
+        )
         notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
         for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
-            if isinstance(name, str) and name.split(":")[0] not in ("paper", "shore", "s100"):
+            if isinstance(name, str) and name.split(":")[0] not in (
+                "paper",
+                "shore",
+                "s100",
+            ):
                 held: Any = _api.part(name.split(":")[0])
-                notes[kind] = f"{kind.capitalize()} {name}", (held.rubber or held.sleeve).source
+                notes[kind] = (
+                    f"{kind.capitalize()} {name}",
+                    (held.rubber or held.sleeve).source,
+                )
         package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
-        return "\n\n".join([package, *(f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}" for key, (title, source) in notes.items())])
+        return "\n\n".join(
+            [
+                package,
+                *(
+                    f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"
+                    for key, (title, source) in notes.items()
+                ),
+            ]
+        )
 
     _key = to_toml
 
@@ -227,8 +381,12 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = self.to_dict()
         if "toml" in given:
             return f"Muscle.from_toml({given['toml']!r})"
-        given |= {"rubber": self.rubber} if isinstance(given.get("rubber"), dict) else {}
-        return f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
+        given |= (
+            {"rubber": self.rubber} if isinstance(given.get("rubber"), dict) else {}
+        )
+        return (
+            f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
+        )
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -236,48 +394,120 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
 
 
-def _arrays(bound: Bound, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], nan: bool, progress: Progress) -> Any:
+def _arrays(
+    bound: Bound,
+    wanted: str,
+    a: Any,
+    b: Any,
+    jac: bool | Sequence[str],
+    nan: bool,
+    progress: Progress,
+) -> Any:
     """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
     import numpy as np
 
     texts = isinstance(a, str), isinstance(b, str)
     a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
-    mask: Any = np.ma.getmaskarray(a) | np.ma.getmaskarray(b) if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray) else None
+    mask: Any = (
+        np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
+        if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray)
+        else None
+    )
     shape = np.broadcast_shapes(a.shape, b.shape)
     # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
-    first, second = ((values if mask is None else np.where(mask, 0.0, np.ma.getdata(values))) for values in (a, b))
-    first, second = (np.broadcast_to(values, shape).ravel() for values in (first, second))
-    names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+    first, second = (
+        (values if mask is None else np.where(mask, 0.0, np.ma.getdata(values)))
+        for values in (a, b)
+    )
+    first, second = (
+        np.broadcast_to(values, shape).ravel() for values in (first, second)
+    )
+    names = (
+        []
+        if isinstance(jac, (bool, np.bool_))
+        else [jac]
+        if isinstance(jac, str)
+        else list(jac)
+    )
     # All parameters that follow a measure change with it.
-    own, by = bound.muscle._chain(names) if any(name in MEASURES for name in names) else (names, None)
+    own, by = (
+        bound.muscle._chain(names)
+        if any(name in MEASURES for name in names)
+        else (names, None)
+    )
     slopes = bool(names) or bool(jac)
     out = np.empty((*shape, 3 + len(own)) if slopes else shape)
-    bound.native.fill(wanted, first, second, out.reshape(-1), slopes, own, nan, heard(progress, wanted))
+    bound.native.fill(
+        wanted,
+        first,
+        second,
+        out.reshape(-1),
+        slopes,
+        own,
+        nan,
+        heard(progress, wanted),
+    )
     value, rates = (out[..., 0], out[..., 1:]) if slopes else (out, None)
-    p, e = {"force": (first, second), "pressure": (value.ravel(), second), "contraction": (second, value.ravel())}[wanted]
+    p, e = {
+        "force": (first, second),
+        "pressure": (value.ravel(), second),
+        "contraction": (second, value.ravel()),
+    }[wanted]
     if p.size and np.isfinite(highest := float(np.max(p))):
         at = e[p == highest]
-        bound.look(highest, float(at.min()), float(at.max()), texts[wanted == "contraction"])
+        bound.look(
+            highest, float(at.min()), float(at.max()), texts[wanted == "contraction"]
+        )
     if by is not None:
         rates = np.concatenate([out[..., 1:3], out[..., 3:] @ by], axis=-1)
     if mask is not None:
         value = np.ma.array(value, mask=mask)
-        rates = rates if rates is None else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
+        rates = (
+            rates
+            if rates is None
+            else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
+        )
     found = value if shape else float(value)
     return found if rates is None else (found, rates)
 
 
-def _points(bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress) -> _api.Solution:
+def _points(
+    bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress
+) -> _api.Solution:
     """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
     import numpy as np
 
-    p, e = np.broadcast_arrays(array("pressure_mpa", pressure_mpa), array("contraction", contraction))
-    rows = bound.native.solve(p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve"))
-    if texts := list(dict.fromkeys(text for row in rows for text in row.get("warnings", ()))):
+    p, e = np.broadcast_arrays(
+        array("pressure_mpa", pressure_mpa), array("contraction", contraction)
+    )
+    rows = bound.native.solve(
+        p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve")
+    )
+    if texts := list(
+        dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
+    ):
         warned("; ".join(texts), MuscleWarning)
-    names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float)) and name != "slack")
-    columns: dict[str, list[Any]] = {name: [row.get(name) for row in rows] for name in names}
+    names = dict.fromkeys(
+        name
+        for row in rows
+        for name, value in row.items()
+        if isinstance(value, (int, float)) and name != "slack"
+    )
+    columns: dict[str, list[Any]] = {
+        name: [row.get(name) for row in rows] for name in names
+    }
     for name, without in (("slack", False), ("status", "ok"), ("cause", "")):
         columns[name] = [row.get(name, without) for row in rows]
-    columns["warned"] = [sum(1 << texts.index(text) for text in set(row.get("warnings", ()))) for row in rows]
-    return _api.Solution._read({**columns, "pressure_mpa": p, "contraction": e, "model": bound.native.name, "warnings": texts})
+    columns["warned"] = [
+        sum(1 << texts.index(text) for text in set(row.get("warnings", ())))
+        for row in rows
+    ]
+    return _api.Solution._read(
+        {
+            **columns,
+            "pressure_mpa": p,
+            "contraction": e,
+            "model": bound.native.name,
+            "warnings": texts,
+        }
+    )

@@ -56,11 +56,25 @@ class Rubber(Saved):
     _held: _native.Muscle
     _text: str
 
-    def __init__(self, law: str, *, bulk_modulus_mpa: Number | Literal["incompressible"] | None = None, **constants: Plain) -> None:
-        stated = {n: _constant(v) for n, v in {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}.items() if v is not None}
+    def __init__(
+        self,
+        law: str,
+        *,
+        bulk_modulus_mpa: Number | Literal["incompressible"] | None = None,
+        **constants: Plain,
+    ) -> None:
+        stated = {
+            n: _constant(v)
+            for n, v in {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}.items()
+            if v is not None
+        }
         given = {n: v for n, v in stated.items() if v != "incompressible"}
         bulk = given.get("bulk_modulus_mpa")
-        material = {"law": law, **{n: v for n, v in given.items() if n != "bulk_modulus_mpa"}, **({"bulk_modulus": f"{bulk!r} MPa"} if bulk is not None else {})}
+        material = {
+            "law": law,
+            **{n: v for n, v in given.items() if n != "bulk_modulus_mpa"},
+            **({"bulk_modulus": f"{bulk!r} MPa"} if bulk is not None else {}),
+        }
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
         self._hold(_held=_native.Muscle({}, text), _text=text, law=law, constants=given)
@@ -70,8 +84,17 @@ class Rubber(Saved):
         """The rubber of its table, or of a muscle file."""
         held = _native.toml("rubber", text).get("tube", {})
         if "material" not in held:
-            raise InputError(f"the rubber is {held.get('rubber', 'paper')!r} of the library", kind="rubber", field="text")
-        return cls(**{"bulk_modulus_mpa" if name == "bulk_modulus" else name: value for name, value in held["material"].items()})
+            raise InputError(
+                f"the rubber is {held.get('rubber', 'paper')!r} of the library",
+                kind="rubber",
+                field="text",
+            )
+        return cls(
+            **{
+                "bulk_modulus_mpa" if name == "bulk_modulus" else name: value
+                for name, value in held["material"].items()
+            }
+        )
 
     def to_toml(self) -> str:
         """The table as in a muscle file."""
@@ -86,12 +109,16 @@ class Rubber(Saved):
         given: dict[str, Any] = {**self.to_dict(), **constants}
         return Rubber(**given)
 
-    def stress(self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike) -> NDArray[np.float64]:
+    def stress(
+        self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike
+    ) -> NDArray[np.float64]:
         """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
         import numpy as np
 
         stretches = np.asarray(stretch, dtype=np.float64)
-        return np.array(self._held.stress(mode, stretches.ravel().tolist())).reshape(stretches.shape)
+        return np.array(self._held.stress(mode, stretches.ravel().tolist())).reshape(
+            stretches.shape
+        )
 
     _key = to_toml
 
@@ -109,7 +136,9 @@ def _constant(value: Any) -> Any:
             return value
     if isinstance(value, Mapping):
         return {key: _constant(item) for key, item in value.items()}
-    value = bare("ratio" if getattr(value, "dimensionless", False) else "pressure_mpa", value)
+    value = bare(
+        "ratio" if getattr(value, "dimensionless", False) else "pressure_mpa", value
+    )
     if hasattr(value, "__iter__") and getattr(value, "shape", None) != ():
         return [_constant(item) for item in value]
     return value if isinstance(value, bool) else float(value)
@@ -137,20 +166,46 @@ class Formula(Saved):
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        shown = _native.ask("check-formula", {"file": {"name": name or "the formula", "text": text}})
+        shown = _native.ask(
+            "check-formula", {"file": {"name": name or "the formula", "text": text}}
+        )
         self._hold(_text=text, name=name or str(shown["name"]))
 
     @overload
     def __call__(  # type: ignore[overload-overlap]
-        self, pressure_mpa: float, contraction: float, wall_mm: float, outer_diameter_mm: float, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+        self,
+        pressure_mpa: float,
+        contraction: float,
+        wall_mm: float,
+        outer_diameter_mm: float,
+        *,
+        two_sided: bool = ...,
+        extrapolate: bool = ...,
+        errors: Errors = ...,
     ) -> float: ...
     @overload
     def __call__(
-        self, pressure_mpa: Floats, contraction: Floats, wall_mm: Floats, outer_diameter_mm: Floats, *, two_sided: bool = ..., extrapolate: bool = ..., errors: Errors = ...
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats,
+        wall_mm: Floats,
+        outer_diameter_mm: Floats,
+        *,
+        two_sided: bool = ...,
+        extrapolate: bool = ...,
+        errors: Errors = ...,
     ) -> NDArray[np.float64]: ...
 
     def __call__(
-        self, pressure_mpa: Any, contraction: Any, wall_mm: Any, outer_diameter_mm: Any, *, two_sided: bool = False, extrapolate: bool = False, errors: Errors = "raise"
+        self,
+        pressure_mpa: Any,
+        contraction: Any,
+        wall_mm: Any,
+        outer_diameter_mm: Any,
+        *,
+        two_sided: bool = False,
+        extrapolate: bool = False,
+        errors: Errors = "raise",
     ) -> Any:
         """The pull of many muscles at once in N, of the broadcast shape; 0 where a muscle is slack. The rubber, the braid and the length are those for which it was made.
 
@@ -170,10 +225,23 @@ class Formula(Saved):
         """
         import numpy as np
 
-        given = {"pressure_mpa": pressure_mpa, "contraction": contraction, "wall_mm": wall_mm, "outer_diameter_mm": outer_diameter_mm}
-        points = np.broadcast_arrays(*(array(name, value) for name, value in given.items()))
+        given = {
+            "pressure_mpa": pressure_mpa,
+            "contraction": contraction,
+            "wall_mm": wall_mm,
+            "outer_diameter_mm": outer_diameter_mm,
+        }
+        points = np.broadcast_arrays(
+            *(array(name, value) for name, value in given.items())
+        )
         out = np.empty(points[0].size)
-        _compiled(self.name, self._text).fill(np.stack([values.ravel() for values in points]), out, extrapolate, two_sided, is_nan(errors))
+        _compiled(self.name, self._text).fill(
+            np.stack([values.ravel() for values in points]),
+            out,
+            extrapolate,
+            two_sided,
+            is_nan(errors),
+        )
         return out.reshape(points[0].shape) if points[0].shape else float(out[0])
 
     def check(self, *, latex: bool = False) -> _api.FormulaCheck:
@@ -215,14 +283,26 @@ def load(path: str | os.PathLike[str]) -> Any:
     >>> mk.load("lib:dmsp-20-300").length_mm
     300.0
     """
-    held = _native.read(path, "muscle" if str(path).lower().startswith("lib:") else "table")
+    held = _native.read(
+        path, "muscle" if str(path).lower().startswith("lib:") else "table"
+    )
     text = held["text"]
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)
         if "command" in tables or "joint" in tables:
             return (Drive if "command" in tables else Joint).load(path)
         # A rubber that was saved begins with its table, a muscle with a comment.
-        return Rubber.from_toml(text) if text.startswith("[tube.material]") else muscle_of(held)
+        return (
+            Rubber.from_toml(text)
+            if text.startswith("[tube.material]")
+            else muscle_of(held)
+        )
     answer = json.loads(text)
     kind: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-    return Formula(text) if kind is Record else kind._read(answer["data"], tuple(answer["asked"]) if answer["asked"] else None)
+    return (
+        Formula(text)
+        if kind is Record
+        else kind._read(
+            answer["data"], tuple(answer["asked"]) if answer["asked"] else None
+        )
+    )

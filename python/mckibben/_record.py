@@ -27,13 +27,21 @@ if TYPE_CHECKING:
     from ._muscle import Muscle
     from ._parts import Formula, Rubber
 else:
+
     def dataclass_transform(**_: Any) -> Any:
         return lambda kind: kind
+
 
 # Okabe and Ito without the yellow; dashes go with the number, so that lines stay apart in print.
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
 _DASHES = ["-", "--", "-.", ":"]
-_STYLES = {"line": "-", "dashed": "--", "dotted": ":", "dash-dot": "-.", "points": "none"}
+_STYLES = {
+    "line": "-",
+    "dashed": "--",
+    "dotted": ":",
+    "dash-dot": "-.",
+    "points": "none",
+}
 # From dark violet over blue and green to ochre.
 _RAMP = ["#440154", "#3b528b", "#21918c", "#5ea146", "#be8c14"]
 
@@ -47,6 +55,7 @@ class Record(Fixed):
 
     _rows: ClassVar[str | None] = None
     if not TYPE_CHECKING:
+
         def __init__(self, **fields: Any) -> None:
             self.__dict__.update(fields)
 
@@ -54,7 +63,14 @@ class Record(Fixed):
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
         made, kinds = object.__new__(cls), cls._nested()
-        made.__dict__.update({name + "_" if name in ("from", "import") else name: _wrapped(kinds.get(name), value) for name, value in data.items()})
+        made.__dict__.update(
+            {
+                name + "_" if name in ("from", "import") else name: _wrapped(
+                    kinds.get(name), value
+                )
+                for name, value in data.items()
+            }
+        )
         made.__dict__["_asked"] = asked
         return made
 
@@ -62,16 +78,35 @@ class Record(Fixed):
     @cache
     def _nested(cls) -> dict[str, type[Record]]:
         """The records that its fields hold, by the names in their annotations."""
-        found = {name.rstrip("_"): re.search(r"\b[A-Z]\w+", kind) for name, kind in cls.__annotations__.items()}
-        kinds = {name: vars(sys.modules[cls.__module__]).get(word[0]) for name, word in found.items() if word}
-        return {name: kind for name, kind in kinds.items() if isinstance(kind, type) and issubclass(kind, Record)}
+        found = {
+            name.rstrip("_"): re.search(r"\b[A-Z]\w+", kind)
+            for name, kind in cls.__annotations__.items()
+        }
+        kinds = {
+            name: vars(sys.modules[cls.__module__]).get(word[0])
+            for name, word in found.items()
+            if word
+        }
+        return {
+            name: kind
+            for name, kind in kinds.items()
+            if isinstance(kind, type) and issubclass(kind, Record)
+        }
 
     def _fields(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if not name.startswith("_")}
+        return {
+            name: value
+            for name, value in self.__dict__.items()
+            if not name.startswith("_")
+        }
 
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists, as the JSON of the command line."""
-        return {name.rstrip("_"): _unwrapped(value) for name, value in self._fields().items() if name != "figure"}
+        return {
+            name.rstrip("_"): _unwrapped(value)
+            for name, value in self._fields().items()
+            if name != "figure"
+        }
 
     def to_columns(self) -> dict[str, Any]:
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
@@ -82,9 +117,21 @@ class Record(Fixed):
             import csv
 
             rows = csv.DictReader(held.text.splitlines())
-            return of_rows([{n: v if n in ("status", "cause") else float(v or "nan") for n, v in row.items()} for row in rows])
+            return of_rows(
+                [
+                    {
+                        n: v if n in ("status", "cause") else float(v or "nan")
+                        for n, v in row.items()
+                    }
+                    for row in rows
+                ]
+            )
         if isinstance(held, Record):
-            return {name: column(values) for name, values in held._fields().items() if isinstance(values, list)}
+            return {
+                name: column(values)
+                for name, values in held._fields().items()
+                if isinstance(values, list)
+            }
         return of_rows([_unwrapped(row) for row in held])
 
     def __getitem__(self, name: str) -> Any:
@@ -98,11 +145,26 @@ class Record(Fixed):
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes it as JSON, from which :func:`load` reads the same again. Another file that is there is replaced only with ``overwrite``."""
-        put({path: json.dumps({"mckibben": type(self).__name__, **self._state()}, ensure_ascii=False)}, overwrite)
+        put(
+            {
+                path: json.dumps(
+                    {"mckibben": type(self).__name__, **self._state()},
+                    ensure_ascii=False,
+                )
+            },
+            overwrite,
+        )
 
     def _state(self) -> dict[str, Any]:
-        figure = {"figure": self.__dict__["figure"].to_dict()} if self.__dict__.get("figure") else {}
-        return {"data": {**self.to_dict(), **figure}, "asked": self.__dict__.get("_asked")}
+        figure = (
+            {"figure": self.__dict__["figure"].to_dict()}
+            if self.__dict__.get("figure")
+            else {}
+        )
+        return {
+            "data": {**self.to_dict(), **figure},
+            "asked": self.__dict__.get("_asked"),
+        }
 
     @classmethod
     def _load(cls, state: Mapping[str, Any]) -> Self:
@@ -126,9 +188,15 @@ class Record(Fixed):
         from html import escape
         from importlib.util import find_spec
 
-        return f"<pre>{escape(str(self))}</pre>" + (self.to_pandas().to_html(max_rows=20) if self._rows and find_spec("pandas") else "")
+        return f"<pre>{escape(str(self))}</pre>" + (
+            self.to_pandas().to_html(max_rows=20)
+            if self._rows and find_spec("pandas")
+            else ""
+        )
 
-    def plot(self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None) -> Any:
+    def plot(
+        self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None
+    ) -> Any:
         """Draws its figure with matplotlib, the same as ``--plot`` of the command line, and gives its axes.
 
         Parameters
@@ -142,7 +210,14 @@ class Record(Fixed):
         asked: Any = self.__dict__.get("_asked")
         if asked is None and figure is None or not hasattr(type(self), "figure"):
             raise TypeError(f"{type(self).__name__} has no figure")
-        return drawn(figure.to_dict() if figure and units is None else _native.ask(asked[0], {**asked[1], "figure": units or "MPa"})["figure"], ax)
+        return drawn(
+            figure.to_dict()
+            if figure and units is None
+            else _native.ask(asked[0], {**asked[1], "figure": units or "MPa"})[
+                "figure"
+            ],
+            ax,
+        )
 
 
 def _wrapped(kind: type[Record] | None, value: Any) -> Any:
@@ -151,34 +226,68 @@ def _wrapped(kind: type[Record] | None, value: Any) -> Any:
     if isinstance(value, list):
         return [_wrapped(kind, item) for item in value]
     # A map of names to records is no record itself.
-    is_map = value and not {name.rstrip("_") for name in kind.__annotations__} & set(value)
-    return {name: _wrapped(kind, item) for name, item in value.items()} if is_map else kind._read(value)
+    is_map = value and not {name.rstrip("_") for name in kind.__annotations__} & set(
+        value
+    )
+    return (
+        {name: _wrapped(kind, item) for name, item in value.items()}
+        if is_map
+        else kind._read(value)
+    )
 
 
 def _unwrapped(value: Any) -> Any:
     if isinstance(value, dict):
         return {name: _unwrapped(item) for name, item in value.items()}
-    return value.to_dict() if isinstance(value, Record) else [_unwrapped(item) for item in value] if isinstance(value, list) else value
+    return (
+        value.to_dict()
+        if isinstance(value, Record)
+        else [_unwrapped(item) for item in value]
+        if isinstance(value, list)
+        else value
+    )
 
 
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """The columns of rows; values that are lists or maps themselves are left out."""
-    names = dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (list, dict)))
+    names = dict.fromkeys(
+        name
+        for row in rows
+        for name, value in row.items()
+        if not isinstance(value, (list, dict))
+    )
     return {name: column([row.get(name) for row in rows]) for name in names}
 
 
 def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
     """One line, row of points, or band."""
-    colour = "#808080" if series.get("neutral") else ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
+    colour = (
+        "#808080"
+        if series.get("neutral")
+        else ramp(number)
+        if ramp
+        else _COLOURS[number % len(_COLOURS)]
+    )
     # A text that the program writes at the end of a line is in the legend here.
     label = str(series.get("label") or series.get("end_label") or "") or None
-    x, y = ([float("nan") if point[i] is None else point[i] for point in series["points"]] for i in (0, 1))
+    x, y = (
+        [float("nan") if point[i] is None else point[i] for point in series["points"]]
+        for i in (0, 1)
+    )
     style = series.get("style", "auto")
     if style == "band":
         axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
     else:
         line = _STYLES.get(style, "-" if ramp else _DASHES[number % len(_DASHES)])
-        axis.plot(x, y, color=colour, linestyle=line, marker="o" if style == "points" else None, markersize=4, label=label)
+        axis.plot(
+            x,
+            y,
+            color=colour,
+            linestyle=line,
+            marker="o" if style == "points" else None,
+            markersize=4,
+            label=label,
+        )
 
 
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
@@ -191,22 +300,51 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     if ax is None:
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
         rows = -(-len(panels) // columns)
-        made, grid = plt.subplots(rows, columns, squeeze=False, figsize=(6.4 * columns, 4.4 * rows), layout="constrained")
+        made, grid = plt.subplots(
+            rows,
+            columns,
+            squeeze=False,
+            figsize=(6.4 * columns, 4.4 * rows),
+            layout="constrained",
+        )
         axes = list(grid.flat)
-        for spare in axes[len(panels):]:
+        for spare in axes[len(panels) :]:
             spare.remove()
         made.suptitle(figure["title"] if len(panels) > 1 else "")
     if len(axes) < len(panels):
         raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
     for panel, axis in zip(panels, axes):
-        numbers = [s.get("colour") if s.get("colour") is not None else i for i, s in enumerate(panel["series"])]
-        ramp = LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1) if figure.get("palette") == "sequential" else None
+        numbers = [
+            s.get("colour") if s.get("colour") is not None else i
+            for i, s in enumerate(panel["series"])
+        ]
+        ramp = (
+            LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1)
+            if figure.get("palette") == "sequential"
+            else None
+        )
         for series, number in zip(panel["series"], numbers):
             _series(axis, series, number, ramp)
         for mark in panel.get("marks", []):
-            axis.plot([mark["x"]], [mark["y"]], "o", color="black", markerfacecolor="white", zorder=5)
-            axis.annotate(mark["label"], (mark["x"], mark["y"]), textcoords="offset points", xytext=(6, 6))
-        axis.set(xlabel=panel["x"]["label"], ylabel=panel["y"]["label"], title=panel["title"] or (figure["title"] if len(panels) == 1 else ""))
+            axis.plot(
+                [mark["x"]],
+                [mark["y"]],
+                "o",
+                color="black",
+                markerfacecolor="white",
+                zorder=5,
+            )
+            axis.annotate(
+                mark["label"],
+                (mark["x"], mark["y"]),
+                textcoords="offset points",
+                xytext=(6, 6),
+            )
+        axis.set(
+            xlabel=panel["x"]["label"],
+            ylabel=panel["y"]["label"],
+            title=panel["title"] or (figure["title"] if len(panels) == 1 else ""),
+        )
         for name, fit in (("x", axis.set_xlim), ("y", axis.set_ylim)):
             if panel[name].get("range"):
                 fit(*panel[name]["range"])
@@ -233,9 +371,18 @@ class Points(Record):
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         import numpy as np
 
-        kinds: dict[str, Any] = {"slack": np.bool_, "warned": np.int64, "status": np.str_, "cause": object}
+        kinds: dict[str, Any] = {
+            "slack": np.bool_,
+            "warned": np.int64,
+            "status": np.str_,
+            "cause": object,
+        }
         shape = np.shape(data["pressure_mpa"])
-        columns = {name: np.array(values, dtype=kinds.get(name, np.float64)).reshape(shape) for name, values in data.items() if name not in ("model", "warnings")}
+        columns = {
+            name: np.array(values, dtype=kinds.get(name, np.float64)).reshape(shape)
+            for name, values in data.items()
+            if name not in ("model", "warnings")
+        }
         made = object.__new__(cls)
         for name in dict.fromkeys([*cls.__annotations__, *columns]):
             made.__dict__[name] = values = columns.get(name, np.full(shape, np.nan))
@@ -245,8 +392,16 @@ class Points(Record):
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
         """The arrays that hold something."""
-        held = {name: values for name, values in self._fields().items() if name not in ("model", "warnings")}
-        return {name: values for name, values in held.items() if values.dtype.kind != "f" or values.size == 0 or (values == values).any()}
+        held = {
+            name: values
+            for name, values in self._fields().items()
+            if name not in ("model", "warnings")
+        }
+        return {
+            name: values
+            for name, values in held.items()
+            if values.dtype.kind != "f" or values.size == 0 or (values == values).any()
+        }
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -263,12 +418,26 @@ class Points(Record):
 
         none: Any = None
         # Zeros without a sign.
-        arrays = {name: np.where(values == values, values + 0.0, none) if values.dtype.kind == "f" else values for name, values in self._arrays().items()}
-        return {"model": self.model, "warnings": self.warnings, **{name: values.tolist() for name, values in arrays.items()}}
+        arrays = {
+            name: np.where(values == values, values + 0.0, none)
+            if values.dtype.kind == "f"
+            else values
+            for name, values in self._arrays().items()
+        }
+        return {
+            "model": self.model,
+            "warnings": self.warnings,
+            **{name: values.tolist() for name, values in arrays.items()},
+        }
 
     def to_columns(self) -> dict[str, Any]:
         """A row for each point, in the order of the last index."""
-        return {name: values.ravel() if values.dtype.kind in "fib" else values.ravel().tolist() for name, values in self._arrays().items()}
+        return {
+            name: values.ravel()
+            if values.dtype.kind in "fib"
+            else values.ravel().tolist()
+            for name, values in self._arrays().items()
+        }
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
@@ -279,11 +448,27 @@ class Points(Record):
         dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
         coords: dict[str, Any] = {}
         for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
-            axes = [axis for axis in range(p.ndim) if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()]
+            axes = [
+                axis
+                for axis in range(p.ndim)
+                if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()
+            ]
             if len(axes) == 1 and (other == other.take([0], axes[0])).all():
                 dims[axes[0]] = name
-                coords[name] = own[tuple(slice(None) if axis == axes[0] else 0 for axis in range(p.ndim))]
-        out = xr.Dataset({name: (dims, values) for name, values in arrays.items() if name not in coords}, coords, {"model": self.model})
+                coords[name] = own[
+                    tuple(
+                        slice(None) if axis == axes[0] else 0 for axis in range(p.ndim)
+                    )
+                ]
+        out = xr.Dataset(
+            {
+                name: (dims, values)
+                for name, values in arrays.items()
+                if name not in coords
+            },
+            coords,
+            {"model": self.model},
+        )
         for column in out.variables:
             if unit := _native.unit_of(str(column)):
                 out[column].attrs["units"] = unit
@@ -305,21 +490,37 @@ class Curves(Record):
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         rows = data["points"]
         if rows and all(row["status"] != "ok" for row in rows):
-            raise problem({"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""})
+            raise problem(
+                {"kind": rows[0]["status"], "message": rows[0]["cause"], "hint": ""}
+            )
         return super()._read(data, asked)
 
     def to_columns(self) -> dict[str, Any]:
         """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
-        whole = [{"fixed": fixed[i * len(fixed) // len(rows)], **row, "slack": row.get("slack", False)} for i, row in enumerate(rows)]
-        return of_rows([{name: value for name, value in row.items() if name != "model"} for row in whole])
+        whole = [
+            {
+                "fixed": fixed[i * len(fixed) // len(rows)],
+                **row,
+                "slack": row.get("slack", False),
+            }
+            for i, row in enumerate(rows)
+        ]
+        return of_rows(
+            [
+                {name: value for name, value in row.items() if name != "model"}
+                for row in whole
+            ]
+        )
 
     def grid(self, column: str) -> NDArray[np.float64]:
         """A column with one row for each curve."""
         import numpy as np
 
-        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(len(self.__dict__["fixed"]), -1)
+        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(
+            len(self.__dict__["fixed"]), -1
+        )
 
 
 class Fitting(Record):
@@ -330,8 +531,12 @@ class Fitting(Record):
         """The formula, which is a model and a file."""
         from ._parts import Formula
 
-        held = {n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")}
-        return Formula(json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"])
+        held = {
+            n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")
+        }
+        return Formula(
+            json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"]
+        )
 
 
 class Identified(Record):
@@ -343,14 +548,18 @@ class Identified(Record):
         import numpy as np
 
         errors = self["standard_error"]
-        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(len(errors), len(errors)) * np.outer(errors, errors)
+        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(
+            len(errors), len(errors)
+        ) * np.outer(errors, errors)
 
     @property
     def residuals(self) -> NDArray[np.float64]:
         """Model less measurement of each point, in N."""
         import numpy as np
 
-        return np.array([point.residual_n for point in self.__dict__["points"]], dtype=np.float64)
+        return np.array(
+            [point.residual_n for point in self.__dict__["points"]], dtype=np.float64
+        )
 
     @property
     def identified(self) -> Muscle:
@@ -362,10 +571,21 @@ class Identified(Record):
     def summary(self) -> str:
         """What was found, in lines for reading."""
         me: Any = self
-        words = [f"  {p.name} {p.value:.5g}" + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}") + (f" {p.unit}" if p.unit else "") for p in me.parameters]
+        words = [
+            f"  {p.name} {p.value:.5g}"
+            + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}")
+            + (f" {p.unit}" if p.unit else "")
+            for p in me.parameters
+        ]
         head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
-        errors = "± half width of 95 %, " + ("by the stated errors" if me.errors_stated else f"by the residuals, {me.degrees_of_freedom} degrees of freedom")
-        return "\n".join([head, *words, errors, *(f"note: {text}" for text in me.warnings)])
+        errors = "± half width of 95 %, " + (
+            "by the stated errors"
+            if me.errors_stated
+            else f"by the residuals, {me.degrees_of_freedom} degrees of freedom"
+        )
+        return "\n".join(
+            [head, *words, errors, *(f"note: {text}" for text in me.warnings)]
+        )
 
 
 class FittedLaws(Record):
@@ -377,14 +597,21 @@ class FittedLaws(Record):
 
         name = law or self.__dict__["recommended"]
         if name is None:
-            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one")
-        found = next((of for of in self.__dict__["laws"] if name in (of.name, of.law)), None)
+            raise NoAnswerError(
+                "no law is stable in a muscle", kind="no_answer", hint="name one"
+            )
+        found = next(
+            (of for of in self.__dict__["laws"] if name in (of.name, of.law)), None
+        )
         if found is None:
             raise KeyError(name)
         constants: dict[str, Any] = {p.name: p.value for p in found.parameters}
         if found.law == "ogden":
             # Its terms are in lists: mu1, mu2 are mu = […].
-            constants = {name: [p.value for p in found.parameters if p.name.startswith(name)] for name in ("mu", "alpha")}
+            constants = {
+                name: [p.value for p in found.parameters if p.name.startswith(name)]
+                for name in ("mu", "alpha")
+            }
         return Rubber(found.law, **constants)
 
 
@@ -396,13 +623,20 @@ class Designed(Record):
         """The candidates as muscles, best first."""
         from ._muscle import Muscle
 
-        return [Muscle.from_toml(file.text) for file in self.__dict__.get("muscle_files") or []]
+        return [
+            Muscle.from_toml(file.text)
+            for file in self.__dict__.get("muscle_files") or []
+        ]
 
     @property
     def best(self) -> Muscle:
         """The first of them."""
         if not self.muscles:
-            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why")
+            raise NoAnswerError(
+                "no muscle fits",
+                kind="no_answer",
+                hint="`closest` and `rejected` say why",
+            )
         return self.muscles[0]
 
     def __str__(self) -> str:
@@ -418,7 +652,10 @@ class Files(Record):
         from pathlib import Path
 
         place = Path(folder)
-        contents: dict[str | os.PathLike[str], str | bytes] = {place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text) for f in self.__dict__["files"]}
+        contents: dict[str | os.PathLike[str], str | bytes] = {
+            place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text)
+            for f in self.__dict__["files"]
+        }
         place.mkdir(parents=True, exist_ok=True)
         put(contents, overwrite)
         return Path(next(iter(contents)))
@@ -433,7 +670,11 @@ class Shaped(Record):
 
         me: Any = self
         values = np.asarray(me.arrays[name], dtype=np.float64)
-        return values.reshape(me.stations, -1) if values.size == me.stations * me.across else values
+        return (
+            values.reshape(me.stations, -1)
+            if values.size == me.stations * me.across
+            else values
+        )
 
     def to_html(self) -> str:
         """A page with the muscle in space, to rotate with the mouse, for use offline."""

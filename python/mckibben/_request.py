@@ -34,7 +34,14 @@ if TYPE_CHECKING:
     # What a search goes through: one value, a list of values, or all between the two of a tuple or of "30..50 mm".
     Choice = Union[Number, Numbers, Mapping[str, Number]]
     # What a table of a request, and an option, may hold.
-    Plain = Union[None, bool, Number, NDArray[np.floating[Any]], Sequence["Plain"], Mapping[str, "Plain"]]
+    Plain = Union[
+        None,
+        bool,
+        Number,
+        NDArray[np.floating[Any]],
+        Sequence["Plain"],
+        Mapping[str, "Plain"],
+    ]
     # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
     Floats = Union[ArrayLike, Number, Numbers]
     # A path, or the content of the file as {"name": …, "text": …}.
@@ -66,7 +73,11 @@ class Fixed:
         raise NotImplementedError
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and isinstance(other, Fixed) and bool(self._key() == other._key())
+        return (
+            type(self) is type(other)
+            and isinstance(other, Fixed)
+            and bool(self._key() == other._key())
+        )
 
     def __hash__(self) -> int:
         return hash((type(self).__name__, self._key()))
@@ -94,8 +105,13 @@ class Saved(Fixed):
 
 def unit_for_pint(name: str) -> str:
     """The unit of a name as pint writes it."""
-    unit = (_native.unit_of(name) or "dimensionless").replace("²", "2").replace("³", "3")
-    return "".join(f"**{c}" if c in "23" and unit[i - 1].isalpha() else c for i, c in enumerate(unit))
+    unit = (
+        (_native.unit_of(name) or "dimensionless").replace("²", "2").replace("³", "3")
+    )
+    return "".join(
+        f"**{c}" if c in "23" and unit[i - 1].isalpha() else c
+        for i, c in enumerate(unit)
+    )
 
 
 def bare(name: str, value: Any) -> Any:
@@ -105,7 +121,11 @@ def bare(name: str, value: Any) -> Any:
     try:
         return value.to(unit_for_pint(name)).magnitude
     except Exception as error:
-        raise InputError(f"{value} is not in {unit_for_pint(name)}: {error}", kind="quantity", field=name) from None
+        raise InputError(
+            f"{value} is not in {unit_for_pint(name)}: {error}",
+            kind="quantity",
+            field=name,
+        ) from None
 
 
 def plain(name: str, value: Any) -> Any:
@@ -120,8 +140,16 @@ def plain(name: str, value: Any) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
-        return {str(key): plain(str(key) if _native.unit_of(str(key)) else name, item) for key, item in value.items() if item is not None}
-    return [plain(name, item) for item in value] if isinstance(value, (list, tuple, range)) else value
+        return {
+            str(key): plain(str(key) if _native.unit_of(str(key)) else name, item)
+            for key, item in value.items()
+            if item is not None
+        }
+    return (
+        [plain(name, item) for item in value]
+        if isinstance(value, (list, tuple, range))
+        else value
+    )
 
 
 def number(name: str, value: Any) -> float:
@@ -129,8 +157,14 @@ def number(name: str, value: Any) -> float:
     if isinstance(value, str):
         return _native.quantity(name, value)
     found = bare(name, value)
-    if isinstance(found, (bool, bytes)) or getattr(found, "shape", ()) != () or not hasattr(found, "__float__"):
-        raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(found).__name__}")
+    if (
+        isinstance(found, (bool, bytes))
+        or getattr(found, "shape", ()) != ()
+        or not hasattr(found, "__float__")
+    ):
+        raise TypeError(
+            f"{name}: a number, a text with its unit or a quantity of pint, not {type(found).__name__}"
+        )
     out = float(found)
     if found is value and (said := _native.unlikely(name, out)):
         warned(said)
@@ -143,18 +177,33 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
 
     if isinstance(value, str):
         several = ".." in value or "," in value
-        return np.asarray(_native.quantities(name, value) if several else _native.quantity(name, value), dtype=np.float64)
+        return np.asarray(
+            _native.quantities(name, value)
+            if several
+            else _native.quantity(name, value),
+            dtype=np.float64,
+        )
     value = bare(name, value)
-    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
+    if isinstance(value, (list, tuple)) and any(
+        isinstance(v, str) or hasattr(v, "magnitude") for v in value
+    ):
         value = [number(name, item) for item in value]
-    given: Any = np.asanyarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    given: Any = (
+        np.asanyarray(value)
+        if isinstance(value, np.ma.MaskedArray)
+        else np.asarray(value)
+    )
     if given.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}")
+        raise TypeError(
+            f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}"
+        )
     out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
     return out
 
 
-def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
+def ask(
+    command: str, request: Mapping[str, Any] | None = None, *, progress: Progress = None
+) -> dict[str, Any]:
     """The answer to a request in the words of JSON: dicts in, dicts out.
 
     Parameters
@@ -177,33 +226,78 @@ def ask(command: str, request: Mapping[str, Any] | None = None, *, progress: Pro
     >>> round(mk.ask("force", {"pressure_mpa": "2 bar", "contraction": 0.1, "model": "ideal"})["force_n"], 1)
     573.7
     """
-    return _native.ask(command, _native.given(command, request or {}), heard(progress, command))
+    return _native.ask(
+        command, _native.given(command, request or {}), heard(progress, command)
+    )
 
 
-def answered(kind: type[Answer], command: str, given: dict[str, Any], figure: str | bool | None = None) -> Answer:
+def answered(
+    kind: type[Answer],
+    command: str,
+    given: dict[str, Any],
+    figure: str | bool | None = None,
+) -> Answer:
     """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
     progress = heard(given.pop("progress", None), command)
     me = given.pop("self", None)
     own = me._files(command) if me else {}
-    request = _native.given(command, fields({**own, **{name: value for name, value in given.items() if value is not None}}))
-    return kind._read(_native.ask(command, request if figure is None else {**request, "figure": figure}, progress), (command, request))
+    request = _native.given(
+        command,
+        fields(
+            {
+                **own,
+                **{name: value for name, value in given.items() if value is not None},
+            }
+        ),
+    )
+    return kind._read(
+        _native.ask(
+            command,
+            request if figure is None else {**request, "figure": figure},
+            progress,
+        ),
+        (command, request),
+    )
 
 
 def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     """Arguments as the fields of a request; what is not given is left to the program."""
     out: dict[str, Any] = {}
-    for name, value in ((name.rstrip("_"), value) for name, value in given.items() if value is not None):
+    for name, value in (
+        (name.rstrip("_"), value) for name, value in given.items() if value is not None
+    ):
         if name in ("model", "models"):
             models = [value] if name == "model" or isinstance(value, str) else value
-            words = [getattr(model, "name") if isinstance(model, Saved) else plain(name, model) for model in models]
-            files = [plain(name, model) for model in models if isinstance(model, Saved) or str(model).strip().lower().endswith(".json")]
-            out |= {name: words[0] if name == "model" else words, **({"formulas": [*out.get("formulas", []), *files]} if files else {})}
+            words = [
+                getattr(model, "name")
+                if isinstance(model, Saved)
+                else plain(name, model)
+                for model in models
+            ]
+            files = [
+                plain(name, model)
+                for model in models
+                if isinstance(model, Saved)
+                or str(model).strip().lower().endswith(".json")
+            ]
+            out |= {
+                name: words[0] if name == "model" else words,
+                **({"formulas": [*out.get("formulas", []), *files]} if files else {}),
+            }
         elif name == "formulas":
-            out[name] = [*out.get(name, []), *plain(name, value if isinstance(value, (list, tuple)) else [value])]
+            out[name] = [
+                *out.get(name, []),
+                *plain(name, value if isinstance(value, (list, tuple)) else [value]),
+            ]
         elif name in TABLES and not isinstance(value, (bool, int)):
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
-            held = [plain(name, item) if isinstance(item, (str, os.PathLike)) else table(item) for item in items]
+            held = [
+                plain(name, item)
+                if isinstance(item, (str, os.PathLike))
+                else table(item)
+                for item in items
+            ]
             out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
@@ -215,7 +309,9 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
     """Keywords, of which each is one of a class of keywords."""
     if unknown := [name for name in given if name not in kind.__annotations__]:
-        raise TypeError(f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}")
+        raise TypeError(
+            f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}"
+        )
     return given
 
 
@@ -230,18 +326,33 @@ def heard(progress: Progress, what: str) -> Callable[[int, int], object] | None:
     """The function that hears of progress: the caller's own, or one that writes a line on standard error."""
     if progress is not True:
         return progress or None
-    return lambda done, total: print(f"\r{what}: {done} of {total}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+    return lambda done, total: print(
+        f"\r{what}: {done} of {total}",
+        end="\n" if done == total else "",
+        file=sys.stderr,
+        flush=True,
+    )
 
 
-def put(files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False) -> None:
+def put(
+    files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False
+) -> None:
     """Puts files at their places, each whole or not at all, and none where another file would be lost: one that is neither empty nor the same."""
-    contents = {os.fspath(path): content.encode() if isinstance(content, str) else content for path, content in files.items()}
+    contents = {
+        os.fspath(path): content.encode() if isinstance(content, str) else content
+        for path, content in files.items()
+    }
     for path, content in contents.items():
         if not overwrite and os.path.isfile(path) and os.path.getsize(path):
             with open(path, "rb") as there:
                 if os.path.getsize(path) != len(content) or there.read() != content:
                     hint = "name another place, or replace it with overwrite=True"
-                    raise ExistingFileError(f"{path} is another file and would be overwritten", kind="output", field="path", hint=hint)
+                    raise ExistingFileError(
+                        f"{path} is another file and would be overwritten",
+                        kind="output",
+                        field="path",
+                        hint=hint,
+                    )
     for path, content in contents.items():
         _native.write_file(path, content)
 
@@ -250,19 +361,30 @@ def table(value: Any) -> dict[str, str]:
     """A table: a path, its text, a data frame, an answer, or columns by name."""
     if isinstance(value, Mapping) and set(value) == {"name", "text"}:
         return dict(value)
-    return _native.read(value, "table") if isinstance(value, (str, os.PathLike)) else {"name": "data", "text": to_csv(value)}
+    return (
+        _native.read(value, "table")
+        if isinstance(value, (str, os.PathLike))
+        else {"name": "data", "text": to_csv(value)}
+    )
 
 
 def column(values: Any) -> Any:
     """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
     import numpy as np
 
-    values = [v.item() if isinstance(v, np.generic) else v for v in (values.tolist() if hasattr(values, "tolist") else values)]
+    values = [
+        v.item() if isinstance(v, np.generic) else v
+        for v in (values.tolist() if hasattr(values, "tolist") else values)
+    ]
     values = [None if v != v else v for v in values]
     kinds = {type(v) for v in values}
     if kinds <= {float, int, type(None)} and kinds != {int}:
         return np.array(values, dtype=np.float64)
-    return np.array(values, dtype=kinds.pop()) if kinds in ({int}, {bool}) else [None if v is None else str(v) for v in values]
+    return (
+        np.array(values, dtype=kinds.pop())
+        if kinds in ({int}, {bool})
+        else [None if v is None else str(v) for v in values]
+    )
 
 
 def to_csv(data: Any) -> str:
@@ -276,7 +398,9 @@ def to_csv(data: Any) -> str:
         return str(data.write_csv())
     if hasattr(data, "to_csv"):
         # An index with a name is a column.
-        return str(data.to_csv(index=any(name is not None for name in data.index.names)))
+        return str(
+            data.to_csv(index=any(name is not None for name in data.index.names))
+        )
     if names := getattr(getattr(data, "dtype", None), "names", None):
         data = {name: data[name] for name in names}
     elif hasattr(data, "__arrow_c_stream__"):
@@ -284,15 +408,33 @@ def to_csv(data: Any) -> str:
 
         data = pa.table(data).to_pydict()
     if not isinstance(data, Mapping):
-        raise TypeError(f"a table is a path, a data frame or columns by name, not {type(data).__name__}")
+        raise TypeError(
+            f"a table is a path, a data frame or columns by name, not {type(data).__name__}"
+        )
     given = {str(name): plain(str(name), values) for name, values in data.items()}
-    several = {name: len(values) for name, values in given.items() if isinstance(values, list)}
+    several = {
+        name: len(values) for name, values in given.items() if isinstance(values, list)
+    }
     if len(set(several.values())) > 1:
         raise ValueError(f"columns of different length: {several}")
     rows = max(several.values(), default=1)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(given)
-    for row in zip(*(values if name in several else [values] * rows for name, values in given.items())):
-        writer.writerow(["" if v is None or v != v else str(v).lower() if isinstance(v, bool) else v for v in row])
+    for row in zip(
+        *(
+            values if name in several else [values] * rows
+            for name, values in given.items()
+        )
+    ):
+        writer.writerow(
+            [
+                ""
+                if v is None or v != v
+                else str(v).lower()
+                if isinstance(v, bool)
+                else v
+                for v in row
+            ]
+        )
     return out.getvalue()

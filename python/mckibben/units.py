@@ -26,10 +26,18 @@ def quantity(name: str, value: Any, registry: Any = None) -> Any:
     import pint
 
     pints: Any = pint
-    return (registry or pints.get_application_registry()).Quantity(value, unit_for_pint(name))
+    return (registry or pints.get_application_registry()).Quantity(
+        value, unit_for_pint(name)
+    )
 
 
 def quantities(answer: Record | Points, registry: Any = None) -> dict[str, Any]:
     """The numbers and arrays of an answer that have a unit, by name, as quantities."""
-    held = {name: value for name, value in vars(answer).items() if not name.startswith("_")}
-    return {name: quantity(name, value, registry) for name, value in held.items() if unit_of(name) and (isinstance(value, float) or hasattr(value, "dtype"))}
+    held = {
+        name: value for name, value in vars(answer).items() if not name.startswith("_")
+    }
+    return {
+        name: quantity(name, value, registry)
+        for name, value in held.items()
+        if unit_of(name) and (isinstance(value, float) or hasattr(value, "dtype"))
+    }

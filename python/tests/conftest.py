@@ -13,10 +13,12 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 # Tests of a wheel lie elsewhere, so that the sources are not what they import.
 ROOT = Path(os.environ.get("MCKIBBEN_ROOT") or Path(__file__).resolve().parents[2])
 
+
 @pytest.fixture(scope="session")
 def root() -> Path:
     """The repository."""
     return ROOT
+
 
 @pytest.fixture(scope="session")
 def thin() -> mk.Muscle:

@@ -23,7 +23,9 @@ import mckibben as mk
 from mckibben import _errors, answers
 
 THIN = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-PLAN = {"name": "small.toml", "text": """
+PLAN = {
+    "name": "small.toml",
+    "text": """
 name = "small"
 [tube]
 length = "285 mm"
@@ -35,20 +37,50 @@ tube.wall_thickness = "1 mm"
 [test]
 contractions = "0..0.1:0.1"
 pressures = "0.1..0.2:0.1 MPa"
-"""}
-SPEC: dict[str, Any] = {"force_n": 700, "contraction": 0.15, "max_pressure_mpa": 0.25, "model": "universal"}
+""",
+}
+SPEC: dict[str, Any] = {
+    "force_n": 700,
+    "contraction": 0.15,
+    "max_pressure_mpa": 0.25,
+    "model": "universal",
+}
 # A call for every command of the package; `root` is the repository.
 CALLS: dict[str, Callable[[Path], Any]] = {
-    "parts": lambda root: mk.parts("tubes"), "part": lambda root: mk.part("latex-1/4x3/8in"), "measures": lambda root: mk.measures(), "export_targets": lambda root: mk.export_targets(),
-    "build": lambda root: THIN.build(), "export": lambda root: THIN.export("c", model="thick-wall"), "check": lambda root: THIN.check(model="ideal", pressure_mpa=0.2), "study": lambda root: THIN.study(model="universal"),
-    "compare": lambda root: mk.load(root / "examples/tondu2012.toml").compare(models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv"),
-    "curve": lambda root: THIN.curve(model="universal"), "shape": lambda root: THIN.shape(0.2, 0.1), "fill": lambda root: THIN.fill(20_000, load="mass:5kg", model="thick-wall"),
-    "simulate": lambda root: THIN.simulate(pressures_mpa=[0.2], contractions=[0.1]), "design": lambda root: mk.design(**SPEC), "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
-    "fit_report": lambda root: mk.fit_report(), "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(), "plan": lambda root: mk.plan(PLAN),
-    "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"), "fit_rubber": lambda root: mk.fit_rubber(root / "data/treloar/tension.csv"),
-    "joint": lambda root: mk.load(root / "examples/elbow.toml").solve(pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
-    "export of a joint": lambda root: mk.load(root / "examples/elbow.toml").export("c", model="thick-wall"),
-    "motion": lambda root: mk.load(root / "examples/drive.toml").motion(model="universal"), "measured": lambda root: mk.measured(cases=root / "examples/measured/bench"),
+    "parts": lambda root: mk.parts("tubes"),
+    "part": lambda root: mk.part("latex-1/4x3/8in"),
+    "measures": lambda root: mk.measures(),
+    "export_targets": lambda root: mk.export_targets(),
+    "build": lambda root: THIN.build(),
+    "export": lambda root: THIN.export("c", model="thick-wall"),
+    "check": lambda root: THIN.check(model="ideal", pressure_mpa=0.2),
+    "study": lambda root: THIN.study(model="universal"),
+    "compare": lambda root: mk.load(root / "examples/tondu2012.toml").compare(
+        models=["ideal"], data=root / "data/tondu2012/static_force_20deg.csv"
+    ),
+    "curve": lambda root: THIN.curve(model="universal"),
+    "shape": lambda root: THIN.shape(0.2, 0.1),
+    "fill": lambda root: THIN.fill(20_000, load="mass:5kg", model="thick-wall"),
+    "simulate": lambda root: THIN.simulate(pressures_mpa=[0.2], contractions=[0.1]),
+    "design": lambda root: mk.design(**SPEC),
+    "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
+    "fit_report": lambda root: mk.fit_report(),
+    "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
+    "plan": lambda root: mk.plan(PLAN),
+    "identify": lambda root: mk.identify(
+        root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
+    ),
+    "fit_rubber": lambda root: mk.fit_rubber(root / "data/treloar/tension.csv"),
+    "joint": lambda root: mk.load(root / "examples/elbow.toml").solve(
+        pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"
+    ),
+    "export of a joint": lambda root: mk.load(root / "examples/elbow.toml").export(
+        "c", model="thick-wall"
+    ),
+    "motion": lambda root: mk.load(root / "examples/drive.toml").motion(
+        model="universal"
+    ),
+    "measured": lambda root: mk.measured(cases=root / "examples/measured/bench"),
     "validate": lambda root: mk.validate(),
 }
 
@@ -59,13 +91,33 @@ def results(root: Path) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_an_answer_is_saved_pickled_copied_compared_and_hashed(results: dict[str, Any], name: str, tmp_path: Path) -> None:
+def test_an_answer_is_saved_pickled_copied_compared_and_hashed(
+    results: dict[str, Any], name: str, tmp_path: Path
+) -> None:
     thing = results[name]
     thing.save(tmp_path / "answer")
-    for other in (mk.load(tmp_path / "answer"), pickle.loads(pickle.dumps(thing)), copy.deepcopy(thing), copy.copy(thing)):
-        assert type(other) is type(thing) and other == thing and hash(other) == hash(thing) and repr(other) == repr(thing) and other.to_dict() == thing.to_dict()
-    assert thing != thing.to_dict() and thing != next(r for n, r in results.items() if n != name) and len(str(thing)) < 1500 and thing._repr_html_().startswith("<")
-    assert type(thing).__name__ in answers.__all__ and isinstance(thing, getattr(answers, type(thing).__name__))
+    for other in (
+        mk.load(tmp_path / "answer"),
+        pickle.loads(pickle.dumps(thing)),
+        copy.deepcopy(thing),
+        copy.copy(thing),
+    ):
+        assert (
+            type(other) is type(thing)
+            and other == thing
+            and hash(other) == hash(thing)
+            and repr(other) == repr(thing)
+            and other.to_dict() == thing.to_dict()
+        )
+    assert (
+        thing != thing.to_dict()
+        and thing != next(r for n, r in results.items() if n != name)
+        and len(str(thing)) < 1500
+        and thing._repr_html_().startswith("<")
+    )
+    assert type(thing).__name__ in answers.__all__ and isinstance(
+        thing, getattr(answers, type(thing).__name__)
+    )
     if len(repr(thing)) < 20_000 and "nan" not in repr(thing):
         assert eval(repr(thing), vars(answers)) == thing
     with pytest.raises(AttributeError):
@@ -73,7 +125,9 @@ def test_an_answer_is_saved_pickled_copied_compared_and_hashed(results: dict[str
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_a_table_of_an_answer_goes_to_data_frames(results: dict[str, Any], name: str) -> None:
+def test_a_table_of_an_answer_goes_to_data_frames(
+    results: dict[str, Any], name: str
+) -> None:
     thing = results[name]
     if thing._rows is None:
         with pytest.raises(TypeError):
@@ -81,31 +135,71 @@ def test_a_table_of_an_answer_goes_to_data_frames(results: dict[str, Any], name:
         return
     columns = thing.to_columns()
     arrow, polars, pandas = pa.table(columns), pl.DataFrame(columns), thing.to_pandas()
-    assert arrow.num_rows == len(pandas) == len(polars) > 0 and arrow.column_names == list(pandas.columns) == list(columns)
-    assert all(list(thing[n]) == list(columns[n]) or columns[n].dtype.kind == "f" for n in columns)
+    assert arrow.num_rows == len(pandas) == len(
+        polars
+    ) > 0 and arrow.column_names == list(pandas.columns) == list(columns)
+    assert all(
+        list(thing[n]) == list(columns[n]) or columns[n].dtype.kind == "f"
+        for n in columns
+    )
 
 
 def test_an_answer_has_the_words_of_json(results: dict[str, Any]) -> None:
-    text = {"muscle": {"name": "m", "text": THIN.to_toml()}, "test": "isobaric", "model": "universal"}
-    assert results["curve"].to_dict() == json.loads(json.dumps(mk.ask("curve", text))) and results["curve"].muscle.wall_mm == 1 and results["fit"].formula.name
+    text = {
+        "muscle": {"name": "m", "text": THIN.to_toml()},
+        "test": "isobaric",
+        "model": "universal",
+    }
+    assert (
+        results["curve"].to_dict() == json.loads(json.dumps(mk.ask("curve", text)))
+        and results["curve"].muscle.wall_mm == 1
+        and results["fit"].formula.name
+    )
     with pytest.raises(AttributeError):
         results["curve"].pull
 
 
 def test_a_fit_is_that_of_least_squares(root: Path) -> None:
     """Identities: rms² = Σr²/n, the deviation squared is Σr²/(n − p), and the covariance is deviation² (JᵀJ)⁻¹."""
-    found = mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="universal")
+    found = mk.identify(
+        root / "examples/bench.toml", root / "examples/bench.csv", model="universal"
+    )
     r, n, p = found.residuals, len(found.points), len(found["value"])
-    assert np.sqrt((r**2).mean()) == pytest.approx(found.rms_n) and np.sqrt((r**2).sum() / (n - p)) == pytest.approx(found.deviation) and np.allclose(np.sqrt(np.diag(found.cov)), found["standard_error"])
-    pulls, jac = found.identified.force([q.pressure_mpa for q in found.points], [q.contraction for q in found.points], jac=found["name"], model="universal")
-    assert np.allclose(pulls - [q.force_n for q in found.points], r, atol=1e-6) and np.allclose(found.cov, found.deviation**2 * np.linalg.inv(jac[:, 2:].T @ jac[:, 2:]), rtol=1e-3)
+    assert (
+        np.sqrt((r**2).mean()) == pytest.approx(found.rms_n)
+        and np.sqrt((r**2).sum() / (n - p)) == pytest.approx(found.deviation)
+        and np.allclose(np.sqrt(np.diag(found.cov)), found["standard_error"])
+    )
+    pulls, jac = found.identified.force(
+        [q.pressure_mpa for q in found.points],
+        [q.contraction for q in found.points],
+        jac=found["name"],
+        model="universal",
+    )
+    assert np.allclose(
+        pulls - [q.force_n for q in found.points], r, atol=1e-6
+    ) and np.allclose(
+        found.cov,
+        found.deviation**2 * np.linalg.inv(jac[:, 2:].T @ jac[:, 2:]),
+        rtol=1e-3,
+    )
     assert "tube.material.mu 0.41043 ±" in found.summary()
 
 
-def test_a_design_goes_through_values_or_between_bounds(results: dict[str, Any]) -> None:
+def test_a_design_goes_through_values_or_between_bounds(
+    results: dict[str, Any],
+) -> None:
     between = mk.design(**SPEC, outer_diameter_mm=(30, 50))
-    assert between == mk.design(**SPEC, outer_diameter_mm={"low": 30, "high": 50}) == mk.design(**SPEC, outer_diameter_mm="30..50 mm") == mk.design(**SPEC, outer_diameter_mm=("30 mm", "5 cm"))
-    assert {c.outer_diameter_mm for c in mk.design(**SPEC, outer_diameter_mm=[30, 50]).candidates} <= {30.0, 50.0} and 30 < between.best.outer_diameter_mm < 50
+    assert (
+        between
+        == mk.design(**SPEC, outer_diameter_mm={"low": 30, "high": 50})
+        == mk.design(**SPEC, outer_diameter_mm="30..50 mm")
+        == mk.design(**SPEC, outer_diameter_mm=("30 mm", "5 cm"))
+    )
+    assert {
+        c.outer_diameter_mm
+        for c in mk.design(**SPEC, outer_diameter_mm=[30, 50]).candidates
+    } <= {30.0, 50.0} and 30 < between.best.outer_diameter_mm < 50
     assert str(results["design"]).startswith("Take tube ")
     with pytest.raises(mk.NoAnswerError):
         mk.design(force_n=1e9, contraction=0.1, max_pressure_mpa=0.2).best
@@ -119,9 +213,31 @@ def test_bands_are_drawn_as_bands(results: dict[str, Any]) -> None:
     axes = results["curve"].plot()
     assert len(axes.lines) >= 5 and "ε" in axes.get_xlabel()
     _, own = plt.subplots()
-    assert results["curve"].plot(ax=own, units="bar") is own and any("bar" in text.get_text() for text in own.get_legend().get_texts()) and results["design"].plot() is not None
-    line, band = ({"points": [[0, 1], [1, 2]], "style": style} for style in ("line", "band"))
-    axes = drawn({"title": "", "panels": [{"series": [line, {**band, "points": [[0, 0], [1, 1], [1, 3], [0, 2]]}], "x": {"label": "x"}, "y": {"label": "y"}, "title": ""}]}, None)
+    assert (
+        results["curve"].plot(ax=own, units="bar") is own
+        and any("bar" in text.get_text() for text in own.get_legend().get_texts())
+        and results["design"].plot() is not None
+    )
+    line, band = (
+        {"points": [[0, 1], [1, 2]], "style": style} for style in ("line", "band")
+    )
+    axes = drawn(
+        {
+            "title": "",
+            "panels": [
+                {
+                    "series": [
+                        line,
+                        {**band, "points": [[0, 0], [1, 1], [1, 3], [0, 2]]},
+                    ],
+                    "x": {"label": "x"},
+                    "y": {"label": "y"},
+                    "title": "",
+                }
+            ],
+        },
+        None,
+    )
     assert (len(axes.lines), len(axes.patches)) == (1, 1)
     with pytest.raises(TypeError):
         results["shape"].plot()
@@ -130,9 +246,23 @@ def test_bands_are_drawn_as_bands(results: dict[str, Any]) -> None:
 
 def test_another_file_is_not_replaced(root: Path, tmp_path: Path) -> None:
     """What is there stays, unless it is empty, the same, or to be overwritten; and no temporary file is left."""
-    joint = mk.Joint(THIN, joint={"radius_mm": 25, "range_deg": (-30, 30)}, contraction_at_neutral=0.1)
-    drive = mk.Drive(joint, valve="festo-mh2", command={"pressure_1_mpa": 0.2, "until_s": 1})
-    things: list[Any] = [THIN, mk.Rubber("gent", mu=0.2, jm=30), joint, drive, mk.fit(root / "data/campaign/paper.csv").formula, THIN.solve(0.1, 0.1, model="universal"), mk.measures()]
+    joint = mk.Joint(
+        THIN,
+        joint={"radius_mm": 25, "range_deg": (-30, 30)},
+        contraction_at_neutral=0.1,
+    )
+    drive = mk.Drive(
+        joint, valve="festo-mh2", command={"pressure_1_mpa": 0.2, "until_s": 1}
+    )
+    things: list[Any] = [
+        THIN,
+        mk.Rubber("gent", mu=0.2, jm=30),
+        joint,
+        drive,
+        mk.fit(root / "data/campaign/paper.csv").formula,
+        THIN.solve(0.1, 0.1, model="universal"),
+        mk.measures(),
+    ]
     place = tmp_path / "notes"
     for thing in things:
         place.write_text("what I measured")
@@ -142,7 +272,11 @@ def test_another_file_is_not_replaced(root: Path, tmp_path: Path) -> None:
         thing.save(place, overwrite=True)
         thing.save(place)
         assert mk.load(place) == thing
-    assert {path.name for path in tmp_path.iterdir()} == {"notes", "joint.toml", "muscle_1.toml"}
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "notes",
+        "joint.toml",
+        "muscle_1.toml",
+    }
     first = THIN.export("python", model="thick-wall").write(tmp_path / "files")
     first.write_text("mine")
     with pytest.raises(FileExistsError):
@@ -151,13 +285,26 @@ def test_another_file_is_not_replaced(root: Path, tmp_path: Path) -> None:
         THIN.save(tmp_path / "no" / "m.toml")
 
 
-def test_a_muscle_of_the_library_is_named_where_a_file_may_stand(tmp_path: Path) -> None:
+def test_a_muscle_of_the_library_is_named_where_a_file_may_stand(
+    tmp_path: Path,
+) -> None:
     muscle = mk.load("lib:dmsp-20-300")
     shown = mk.part("dmsp-20-300").muscle
     assert shown is not None and muscle == mk.Muscle.from_toml(shown.muscle_file.text)
-    sides = "".join(f'[muscle_{i}]\nfile = "lib:dmsp-20-300"\ncontraction_at_neutral = "8%"\n' for i in (1, 2))
-    (tmp_path / "joint.toml").write_text(f'[joint]\nradius = "20 mm"\nrange = "-45..45 deg"\n{sides}', "utf-8")
-    assert mk.load(tmp_path / "joint.toml").solve(pressures_mpa=[[0.3, 0.2]], angles_deg=[0.0], model="thick-wall").points[0].torque_nm > 0
+    sides = "".join(
+        f'[muscle_{i}]\nfile = "lib:dmsp-20-300"\ncontraction_at_neutral = "8%"\n'
+        for i in (1, 2)
+    )
+    (tmp_path / "joint.toml").write_text(
+        f'[joint]\nradius = "20 mm"\nrange = "-45..45 deg"\n{sides}', "utf-8"
+    )
+    assert (
+        mk.load(tmp_path / "joint.toml")
+        .solve(pressures_mpa=[[0.3, 0.2]], angles_deg=[0.0], model="thick-wall")
+        .points[0]
+        .torque_nm
+        > 0
+    )
     with pytest.raises(mk.MckibbenError, match="did you mean dmsp-20-300"):
         mk.load("lib:dmsp-20-30")
 
@@ -165,14 +312,34 @@ def test_a_muscle_of_the_library_is_named_where_a_file_may_stand(tmp_path: Path)
 def test_a_formula_is_a_model_and_a_function(root: Path, tmp_path: Path) -> None:
     """By the model of each muscle, one after the other, to the last bits; 0 where a muscle is slack."""
     for method in ("paper", "global"):
-        mk.fit(root / "data/campaign/paper.csv", method=method).formula.save(tmp_path / method)
+        mk.fit(root / "data/campaign/paper.csv", method=method).formula.save(
+            tmp_path / method
+        )
         formula = mk.load(tmp_path / method)
         rng = np.random.default_rng(3)
-        p, e, s, d = rng.uniform(0.05, 0.25, 60), rng.uniform(0, 0.2, 60), rng.uniform(1, 3, 60), rng.uniform(30, 50, 60)
+        p, e, s, d = (
+            rng.uniform(0.05, 0.25, 60),
+            rng.uniform(0, 0.2, 60),
+            rng.uniform(1, 3, 60),
+            rng.uniform(30, 50, 60),
+        )
         found = formula(p, e, s, d)
-        own = [mk.Muscle(outer_diameter_mm=d[i], wall_mm=s[i], length_mm=285).force(p[i], e[i], model=formula) for i in range(60)]
-        assert np.allclose(found, own, rtol=1e-12, atol=0) and formula("2 bar", "10%", "1 mm", "5 cm") == formula(0.2, 0.1, 1.0, 50.0) and formula(p[:5, None, None], e[:4, None], 1.5, d[:3]).shape == (5, 4, 3)
-        assert np.isnan(formula(0.2, 0.1, [2.0, 9.0], 40, errors="nan"))[1] and np.isfinite(formula(0.2, 0.1, 9.0, 40, extrapolate=True)) and formula.check().range.wall_mm[0] > 0
+        own = [
+            mk.Muscle(outer_diameter_mm=d[i], wall_mm=s[i], length_mm=285).force(
+                p[i], e[i], model=formula
+            )
+            for i in range(60)
+        ]
+        assert (
+            np.allclose(found, own, rtol=1e-12, atol=0)
+            and formula("2 bar", "10%", "1 mm", "5 cm") == formula(0.2, 0.1, 1.0, 50.0)
+            and formula(p[:5, None, None], e[:4, None], 1.5, d[:3]).shape == (5, 4, 3)
+        )
+        assert (
+            np.isnan(formula(0.2, 0.1, [2.0, 9.0], 40, errors="nan"))[1]
+            and np.isfinite(formula(0.2, 0.1, 9.0, 40, extrapolate=True))
+            and formula.check().range.wall_mm[0] > 0
+        )
         with pytest.raises(mk.OutOfRangeError) as caught:
             formula([0.2, 3.0], 0.1, 2.0, 40)
         assert caught.value.index == 1 and caught.value.field == "pressure_mpa"
@@ -180,7 +347,13 @@ def test_a_formula_is_a_model_and_a_function(root: Path, tmp_path: Path) -> None
 
 def read(path: Path) -> dict[str, Any]:
     """Columns of a file as numbers."""
-    rows = list(csv.DictReader(line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")))
+    rows = list(
+        csv.DictReader(
+            line
+            for line in path.read_text("utf-8").splitlines()
+            if not line.startswith("#")
+        )
+    )
 
     def several(name: str) -> Any:
         try:
@@ -202,8 +375,17 @@ class Stream:
 
 
 FORMS: dict[str, Any] = {
-    "columns": dict, "pandas": pd.DataFrame, "pandas with arrow": lambda c: pd.DataFrame(c).convert_dtypes(dtype_backend="pyarrow"), "polars": pl.DataFrame, "arrow": pa.table, "stream": lambda c: Stream(pa.table(c)),
-    "records": lambda c: pd.DataFrame(c).to_records(index=False), "index": lambda c: pd.DataFrame(c).set_index(next(iter(c))), "series": lambda c: {n: pd.Series(v) for n, v in c.items()},
+    "columns": dict,
+    "pandas": pd.DataFrame,
+    "pandas with arrow": lambda c: pd.DataFrame(c).convert_dtypes(
+        dtype_backend="pyarrow"
+    ),
+    "polars": pl.DataFrame,
+    "arrow": pa.table,
+    "stream": lambda c: Stream(pa.table(c)),
+    "records": lambda c: pd.DataFrame(c).to_records(index=False),
+    "index": lambda c: pd.DataFrame(c).set_index(next(iter(c))),
+    "series": lambda c: {n: pd.Series(v) for n, v in c.items()},
 }
 
 
@@ -212,31 +394,73 @@ def test_a_data_frame_is_its_file(root: Path, form: str) -> None:
     """The same numbers as from the file, to the last bit."""
     bench, tension = root / "examples/bench.csv", root / "data/treloar/tension.csv"
     muscle = root / "examples/bench.toml"
-    assert mk.identify(muscle, FORMS[form](read(bench)), model="thick-wall").parameters == mk.identify(muscle, bench, model="thick-wall").parameters
+    assert (
+        mk.identify(muscle, FORMS[form](read(bench)), model="thick-wall").parameters
+        == mk.identify(muscle, bench, model="thick-wall").parameters
+    )
     assert mk.fit_rubber(FORMS[form](read(tension))).laws == mk.fit_rubber(tension).laws
 
 
 def test_tables_of_people_come_through(root: Path) -> None:
     """Digits, single values, decimal commas, headings by keyword, quantities of pint; a row without its pull is left out and counted."""
-    rows: dict[str, Any] = {"pressure_mpa": [0.2] * 4, "contraction": [0.0, 0.08, 0.15, 0.22], "force_n": [483.0, 242.0, 133.00000000000003, 42.0]}
+    rows: dict[str, Any] = {
+        "pressure_mpa": [0.2] * 4,
+        "contraction": [0.0, 0.08, 0.15, 0.22],
+        "force_n": [483.0, 242.0, 133.00000000000003, 42.0],
+    }
 
     def identified(data: Any, **options: Any) -> Any:
-        return mk.identify(root / "examples/bench.toml", data, model="universal", free=["mu"], **options)
+        return mk.identify(
+            root / "examples/bench.toml",
+            data,
+            model="universal",
+            free=["mu"],
+            **options,
+        )
 
     found = identified(rows)
     assert [p.force_n for p in found.points] == rows["force_n"]
-    gaps = {name: [*values[:2], 0.1, *values[2:]] for name, values in rows.items()} | {"force_n": [483.0, 242.0, np.nan, 133.00000000000003, 42.0]}
+    gaps = {name: [*values[:2], 0.1, *values[2:]] for name, values in rows.items()} | {
+        "force_n": [483.0, 242.0, np.nan, 133.00000000000003, 42.0]
+    }
     pint = pytest.importorskip("pint")
     same: list[Any] = [
-        {**rows, "pressure_mpa": 0.2}, {n: [repr(v).replace(".", ",") for v in values] for n, values in rows.items()}, {**rows, "pressure_mpa": np.array([0.2] * 4) * pint.UnitRegistry().MPa},
-        gaps, pd.DataFrame(gaps), {**gaps, "force_n": np.ma.masked_invalid(gaps["force_n"])},
+        {**rows, "pressure_mpa": 0.2},
+        {n: [repr(v).replace(".", ",") for v in values] for n, values in rows.items()},
+        {**rows, "pressure_mpa": np.array([0.2] * 4) * pint.UnitRegistry().MPa},
+        gaps,
+        pd.DataFrame(gaps),
+        {**gaps, "force_n": np.ma.masked_invalid(gaps["force_n"])},
     ]
     for data in same:
         assert np.array_equal(identified(data)["value"], found["value"])
     assert identified(gaps).understood[0].not_filled == 1
-    other = pd.DataFrame({"P1": [2.0] * 4, "x": [100 * e for e in rows["contraction"]], "F": rows["force_n"]})
-    assert np.allclose(identified(other, columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"})["value"], found["value"], rtol=1e-12) and len(identified([rows, rows]).understood) == 2
-    bads: list[Any] = [3, object(), [1, 2], {"a": [1.0], "b": [1.0, 2.0]}, pd.DataFrame([[1, 2]], columns=["a", "a"]), b"a,b"]
+    other = pd.DataFrame(
+        {
+            "P1": [2.0] * 4,
+            "x": [100 * e for e in rows["contraction"]],
+            "F": rows["force_n"],
+        }
+    )
+    assert (
+        np.allclose(
+            identified(
+                other,
+                columns={"pressure": "P1:bar", "contraction": "x:%", "force": "F:N"},
+            )["value"],
+            found["value"],
+            rtol=1e-12,
+        )
+        and len(identified([rows, rows]).understood) == 2
+    )
+    bads: list[Any] = [
+        3,
+        object(),
+        [1, 2],
+        {"a": [1.0], "b": [1.0, 2.0]},
+        pd.DataFrame([[1, 2]], columns=["a", "a"]),
+        b"a,b",
+    ]
     for bad in bads:
         with pytest.raises((TypeError, ValueError)):
             mk.fit_rubber(bad)
@@ -245,21 +469,51 @@ def test_tables_of_people_come_through(root: Path) -> None:
 @pytest.mark.parametrize(
     "call, kind",
     [
-        (lambda: THIN.force("2.5 furlongs"), mk.InputError), (lambda: THIN.force(0.3, model="paper"), mk.OutOfRangeError), (lambda: THIN.force(0.3, model="papr"), mk.InputError), (lambda: THIN.force(0.3, mesh="a"), mk.InputError),
-        (lambda: mk.load("no/such/file.toml"), mk.FileError), (lambda: mk.Muscle.from_toml("\0"), mk.FileError), (lambda: THIN.pressure(-5), mk.InputError), (lambda: THIN.contraction(1e6, 0.2), mk.NoAnswerError),
-        (lambda: THIN.curve(model="paper", pressures_mpa=[0.3]), mk.OutOfRangeError), (lambda: THIN.curve(pressures_mpa=[]), mk.InputError), (lambda: THIN.curve(pressures_mpa="0..1:1e-9 MPa"), mk.InputError),
-        (lambda: mk.design(), mk.MckibbenError), (lambda: mk.fit({"a": [1.0]}), mk.MckibbenError), (lambda: mk.Formula("{}"), mk.InputError), (lambda: mk.ask("nothing", {}), mk.InputError),
-        (lambda: mk.ask("force", {"presure_mpa": 1}), mk.InputError), (lambda: mk.Campaign("no/such.parquet").summary(), mk.FileError), (lambda: THIN.replace(end_factor="1 mm"), mk.InputError),
+        (lambda: THIN.force("2.5 furlongs"), mk.InputError),
+        (lambda: THIN.force(0.3, model="paper"), mk.OutOfRangeError),
+        (lambda: THIN.force(0.3, model="papr"), mk.InputError),
+        (lambda: THIN.force(0.3, mesh="a"), mk.InputError),
+        (lambda: mk.load("no/such/file.toml"), mk.FileError),
+        (lambda: mk.Muscle.from_toml("\0"), mk.FileError),
+        (lambda: THIN.pressure(-5), mk.InputError),
+        (lambda: THIN.contraction(1e6, 0.2), mk.NoAnswerError),
+        (lambda: THIN.curve(model="paper", pressures_mpa=[0.3]), mk.OutOfRangeError),
+        (lambda: THIN.curve(pressures_mpa=[]), mk.InputError),
+        (lambda: THIN.curve(pressures_mpa="0..1:1e-9 MPa"), mk.InputError),
+        (lambda: mk.design(), mk.MckibbenError),
+        (lambda: mk.fit({"a": [1.0]}), mk.MckibbenError),
+        (lambda: mk.Formula("{}"), mk.InputError),
+        (lambda: mk.ask("nothing", {}), mk.InputError),
+        (lambda: mk.ask("force", {"presure_mpa": 1}), mk.InputError),
+        (lambda: mk.Campaign("no/such.parquet").summary(), mk.FileError),
+        (lambda: THIN.replace(end_factor="1 mm"), mk.InputError),
     ],
 )
 def test_each_family_has_its_exception(call: Any, kind: type[Exception]) -> None:
     with pytest.raises(kind) as caught:
         call()
     error: Any = caught.value
-    assert error.message and isinstance(error, _errors.KINDS.get(error.kind, mk.InputError)) and str(pickle.loads(pickle.dumps(error))) == str(error)
+    assert (
+        error.message
+        and isinstance(error, _errors.KINDS.get(error.kind, mk.InputError))
+        and str(pickle.loads(pickle.dumps(error))) == str(error)
+    )
 
 
-@pytest.mark.parametrize("request_", [{"pressure_mpa": object()}, {1: 2}, {"pressure_mpa": {1, 2}}, {"pressure_mpa": float("inf")}, {"pressure_mpa": [0.1]}, {"model": "\ud800"}, "text", [], 7])
+@pytest.mark.parametrize(
+    "request_",
+    [
+        {"pressure_mpa": object()},
+        {1: 2},
+        {"pressure_mpa": {1, 2}},
+        {"pressure_mpa": float("inf")},
+        {"pressure_mpa": [0.1]},
+        {"model": "\ud800"},
+        "text",
+        [],
+        7,
+    ],
+)
 def test_requests_that_are_none(request_: Any) -> None:
     with pytest.raises((TypeError, ValueError)):
         mk.ask("force", request_)
@@ -272,18 +526,40 @@ def test_what_python_raises_itself_goes_through(tmp_path: Path) -> None:
 
     raising: Any = Raises()
     with pytest.raises(RuntimeError):
-        mk.Simulation(mk.Drive(THIN, load={"mass_kg": 1}, valve="festo-mh2", command={"pressure_mpa": 0.1, "until_s": 1}), 0.01, model="ideal").step(raising)
+        mk.Simulation(
+            mk.Drive(
+                THIN,
+                load={"mass_kg": 1},
+                valve="festo-mh2",
+                command={"pressure_mpa": 0.1, "until_s": 1},
+            ),
+            0.01,
+            model="ideal",
+        ).step(raising)
     with pytest.raises(TypeError):
         mk.validate(progress=lambda: None)  # type: ignore[arg-type, misc]
     (tmp_path / "a.toml").write_bytes(b"\xff\xfe\x00")
-    for path in [tmp_path, tmp_path / "a.toml", "/dev/zero" if sys.platform != "win32" else tmp_path]:
+    for path in [
+        tmp_path,
+        tmp_path / "a.toml",
+        "/dev/zero" if sys.platform != "win32" else tmp_path,
+    ]:
         with pytest.raises(mk.MckibbenError):
             mk.load(path)
 
 
 def test_exceptions_are_those_of_python_too() -> None:
-    for kind, own in {"InputError": ValueError, "OutOfRangeError": ValueError, "FileError": OSError, "NoAnswerError": ValueError, "NotConvergedError": ArithmeticError, "InternalError": RuntimeError}.items():
-        assert issubclass(getattr(mk, kind), mk.MckibbenError) and issubclass(getattr(mk, kind), own)
+    for kind, own in {
+        "InputError": ValueError,
+        "OutOfRangeError": ValueError,
+        "FileError": OSError,
+        "NoAnswerError": ValueError,
+        "NotConvergedError": ArithmeticError,
+        "InternalError": RuntimeError,
+    }.items():
+        assert issubclass(getattr(mk, kind), mk.MckibbenError) and issubclass(
+            getattr(mk, kind), own
+        )
     with pytest.raises(FileNotFoundError) as caught:
         mk.identify("no/such.toml", "no.csv")
     assert isinstance(caught.value, mk.FileError)
@@ -291,14 +567,22 @@ def test_exceptions_are_those_of_python_too() -> None:
 
 def test_the_package_lists_its_names() -> None:
     """Help fits on a screen: what is imported is not printed once more. A star takes the same names."""
-    names = [name for name, thing in vars(mk).items() if not name.startswith("_") and not inspect.ismodule(thing)]
+    names = [
+        name
+        for name, thing in vars(mk).items()
+        if not name.startswith("_") and not inspect.ismodule(thing)
+    ]
     assert 30 <= len(names) <= 36 and len(pydoc.render_doc(mk).splitlines()) <= 45
     star: dict[str, Any] = {}
     exec("from mckibben import *", star)
     assert star.keys() >= set(names)
     for name in names:
         thing = getattr(mk, name)
-        assert pickle.loads(pickle.dumps(thing)) is thing and thing.__doc__ and (f"``{name}``" in (mk.__doc__ or "") or issubclass(thing, Warning))
+        assert (
+            pickle.loads(pickle.dumps(thing)) is thing
+            and thing.__doc__
+            and (f"``{name}``" in (mk.__doc__ or "") or issubclass(thing, Warning))
+        )
 
 
 def test_formulas_of_a_model_and_of_an_argument_are_both_asked(root: Path) -> None:
@@ -307,5 +591,11 @@ def test_formulas_of_a_model_and_of_an_argument_are_both_asked(root: Path) -> No
 
     one = mk.fit(root / "data/campaign/paper.csv").formula
     two = mk.Formula(one.to_json(), "two")
-    for given in ({"model": one, "formulas": [two]}, {"formulas": two, "model": one}, {"formulas": None, "model": one}):
-        assert {file["name"] for file in fields(given)["formulas"]} == {one.name} | ({"two"} if given["formulas"] else set())
+    for given in (
+        {"model": one, "formulas": [two]},
+        {"formulas": two, "model": one},
+        {"formulas": None, "model": one},
+    ):
+        assert {file["name"] for file in fields(given)["formulas"]} == {one.name} | (
+            {"two"} if given["formulas"] else set()
+        )

@@ -23,7 +23,15 @@ PRESSURES, CONTRACTIONS = np.linspace(0.02, 0.6, 150), np.linspace(0, 0.25, 60)
 
 def long_work(progress: Any = None) -> None:
     muscle = mk.Muscle.prototype().replace(wall_mm=4)
-    muscle.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress, mesh="2x24", two_sided=True)
+    muscle.force(
+        PRESSURES[:, None],
+        CONTRACTIONS,
+        jac=["tube.wall_thickness"],
+        errors="nan",
+        progress=progress,
+        mesh="2x24",
+        two_sided=True,
+    )
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
@@ -81,7 +89,13 @@ except KeyboardInterrupt:
 else:
     print("done")
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, cwd=root)
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        cwd=root,
+    )
     word, _, ratio = done.stdout.strip().partition(" ")
     assert word == "ended", (done.stdout, done.stderr)
     assert float(ratio) < 4.0
@@ -102,7 +116,9 @@ def test_progress_is_told_and_may_end_the_work() -> None:
 
 
 def test_a_bar_moves(capsys: pytest.CaptureFixture[str]) -> None:
-    mk.Muscle.prototype().force(np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True)
+    mk.Muscle.prototype().force(
+        np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True
+    )
     assert "2000" in capsys.readouterr().err
 
 
@@ -137,7 +153,12 @@ alone = work(0.2)
 with multiprocessing.get_context("fork").Pool(2) as pool:
     print(pool.map(work, [0.2, 0.2]) == [alone, alone])
 """
-    done = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", code],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
     assert done.stdout.strip() == "True", done.stderr
 
 
@@ -151,9 +172,23 @@ def test_a_number_costs_little_more_than_its_model() -> None:
         pass
 
     def seconds(work: Any) -> float:
-        return min(timeit.repeat(work, timer=time.process_time, number=3000, repeat=7)) / 3000
+        return (
+            min(timeit.repeat(work, timer=time.process_time, number=3000, repeat=7))
+            / 3000
+        )
 
-    own, alone = (seconds(work) for work in (lambda: muscle.force(0.2, 0.1, model="universal"), lambda: native.one("force", 0.2, 0.1, False)))
+    own, alone = (
+        seconds(work)
+        for work in (
+            lambda: muscle.force(0.2, 0.1, model="universal"),
+            lambda: native.one("force", 0.2, 0.1, False),
+        )
+    )
     assert own - alone < 60 * seconds(lambda: empty(0.2, 0.1, model="universal"))
     code = "import sys, mckibben as mk; mk.Muscle.prototype().force(0.2, 0.1); print('numpy' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "False"
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        ).stdout.strip()
+        == "False"
+    )

@@ -1,7 +1,7 @@
 //! What a curve, an answer and a campaign cost, and what it is made of.
 //!
-//! `cargo speed axisymmetric`. Newton iterations and factorisations per point are printed before the times, with a
-//! floor from the flops of one tangent.
+//! `cargo speed axisymmetric`. Newton iterations and factorisations per point are printed before
+//! the times, with a floor from the flops of one tangent.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
@@ -21,8 +21,12 @@ fn pressures() -> Vec<f64> {
 
 /// D0 {30, 40, 45, 50} × s {1 … 5}: the paper's 20 geometries.
 fn campaign() -> Vec<Muscle> {
-    let sections = [30.0, 40.0, 45.0, 50.0].into_iter().flat_map(|d| (1..=5).map(move |s| (d, f64::from(s))));
-    sections.map(|(d, s)| Muscle::prototype().with_section(d, s).unwrap()).collect()
+    let sections = [30.0, 40.0, 45.0, 50.0]
+        .into_iter()
+        .flat_map(|d| (1..=5).map(move |s| (d, f64::from(s))));
+    sections
+        .map(|(d, s)| Muscle::prototype().with_section(d, s).unwrap())
+        .collect()
 }
 
 fn run_campaign(muscles: &[Muscle]) -> f64 {
@@ -45,23 +49,32 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 /// Prints what does not depend on the clock.
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
-        let (model, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
+        let (model, w) = (
+            Axisymmetric::new(&Muscle::prototype()).unwrap(),
+            &mut Workspace::new(),
+        );
         let curve = model.isometric(w, e, &pressures(), Detail::Point);
         let effort = model.known(w).map(|c| c.effort).unwrap_or_default();
         println!(
-            "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations per point; {} without answer",
+            "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations per point; {} \
+             without answer",
             effort.iterations as f64 / 26.0,
             effort.factorisations as f64 / 26.0,
             curve.iter().filter(|p| p.is_err()).count()
         );
     }
-    // Multiplications and additions of one slab's tangent (one element through the wall): 9 points × 9 rows × 12 columns ×
-    // (3 + 2 + 2) products, 3 augmenting ones, and the elimination of 15 of 21 unknowns.
+    // Multiplications and additions of one slab's tangent (one element through the wall): 9 points
+    // × 9 rows × 12 columns × (3 + 2 + 2) products, 3 augmenting ones, and the elimination of 15 of
+    // 21 unknowns.
     let tangent = 9 * 9 * 12 * 7 * 2 + 9 * 12 * 3 * 3 * 2;
     let elimination: usize = (0..15).map(|k| (20 - k) * (21 - k)).sum();
     let flops = 6 * (tangent + elimination);
-    // Four-wide products and sums on two ports at 3 GHz: 24 Gflop/s; everything fits the second-level cache.
-    println!("one tangent of 6 slabs: {flops} flops, at least {:.1} µs at 24 Gflop/s", flops as f64 / 24e3);
+    // Four-wide products and sums on two ports at 3 GHz: 24 Gflop/s; everything fits the
+    // second-level cache.
+    println!(
+        "one tangent of 6 slabs: {flops} flops, at least {:.1} µs at 24 Gflop/s",
+        flops as f64 / 24e3
+    );
     println!("memory of a model: about {} kB", memory(6) / 1024);
 }
 
@@ -87,7 +100,10 @@ fn bench(c: &mut Criterion) {
         });
     }
     for along in [12, 24] {
-        let spec = MeshSpec { along: Some(along), ..MeshSpec::default() };
+        let spec = MeshSpec {
+            along: Some(along),
+            ..MeshSpec::default()
+        };
         group.bench_function(format!("contraction 0.1, {along} elements along"), |b| {
             b.iter(|| cold(&muscle, &spec, black_box(0.1), &pressures));
         });
@@ -106,7 +122,10 @@ fn bench(c: &mut Criterion) {
     });
     group.bench_function("cold", |b| {
         b.iter(|| {
-            Axisymmetric::new(&muscle).unwrap().force_n(&mut Workspace::new(), black_box(0.2), 0.1).unwrap()
+            Axisymmetric::new(&muscle)
+                .unwrap()
+                .force_n(&mut Workspace::new(), black_box(0.2), 0.1)
+                .unwrap()
         });
     });
     group.bench_function("with all results and sensitivities", |b| {
@@ -116,13 +135,18 @@ fn bench(c: &mut Criterion) {
 
     let mut group = c.benchmark_group("share");
     let discretisation = || {
-        Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_muscle(&muscle))
-            .unwrap()
+        Discretisation::new(
+            Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)),
+            Problem::from_muscle(&muscle),
+        )
+        .unwrap()
     };
     let mut path = Continuation::new(Body::new(discretisation()));
     path.walk(0.2, -14.25, 1.0).unwrap();
     let state = path.body.state.clone();
-    group.bench_function("tangent and factorisation", |b| b.iter(|| path.body.linearise().unwrap()));
+    group.bench_function("tangent and factorisation", |b| {
+        b.iter(|| path.body.linearise().unwrap())
+    });
     group.bench_function("residual", |b| b.iter(|| path.body.residual().unwrap()));
     group.bench_function("solve", |b| {
         b.iter(|| {

@@ -13,14 +13,27 @@ fn map(c: &mut Criterion) {
         path: Path::Pulley { radius_mm },
         contraction_at_neutral: 0.12,
     };
-    let link = Link { mass_kg: 1.2, centre_mm: 150.0, inclination_deg: -90.0, ..Link::default() };
-    let Ok(joint) = Joint::new(vec![on(25.0), on(-25.0)], None, link, (-60.0, 60.0)) else { return };
+    let link = Link {
+        mass_kg: 1.2,
+        centre_mm: 150.0,
+        inclination_deg: -90.0,
+        ..Link::default()
+    };
+    let Ok(joint) = Joint::new(vec![on(25.0), on(-25.0)], None, link, (-60.0, 60.0)) else {
+        return;
+    };
     let mut group = c.benchmark_group("joint-map-100");
     group.sample_size(10);
     for kind in [ModelKind::Universal, ModelKind::ThickWall] {
-        let Ok(force) = kind.build(&muscle) else { continue };
-        let Ok(model) = JointModel::new(&joint, vec![&*force, &*force], true) else { continue };
-        group.bench_function(kind.name(), |b| b.iter(|| model.map(0.4, 100, &Silent).is_ok()));
+        let Ok(force) = kind.build(&muscle) else {
+            continue;
+        };
+        let Ok(model) = JointModel::new(&joint, vec![&*force, &*force], true) else {
+            continue;
+        };
+        group.bench_function(kind.name(), |b| {
+            b.iter(|| model.map(0.4, 100, &Silent).is_ok())
+        });
     }
     group.finish();
 }

@@ -1,4 +1,5 @@
-//! A muscle on a valve: one second (goals 5 ms by `universal`, 0.3 s by `fe`), and a step of 1 ms in a control loop (20 µs, 300 µs).
+//! A muscle on a valve: one second (goals 5 ms by `universal`, 0.3 s by `fe`), and a step of 1 ms
+//! in a control loop (20 µs, 300 µs).
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, ModelKind};
@@ -8,14 +9,25 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_motion::*;
 
 fn load(model: &dyn ForceModel) -> SingleMuscle {
-    SingleMuscle { stops_mm: (0.0, 100.0), damping_n_s_per_m: 100.0, ..SingleMuscle::hanging(model, 10.0) }
+    SingleMuscle {
+        stops_mm: (0.0, 100.0),
+        damping_n_s_per_m: 100.0,
+        ..SingleMuscle::hanging(model, 10.0)
+    }
 }
 
-fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, command: Command) -> Option<Drive<'a>> {
+fn drive<'a>(
+    load: &'a SingleMuscle,
+    model: &'a dyn ForceModel,
+    command: Command,
+) -> Option<Drive<'a>> {
     let valve = Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).ok()?));
     let target = Target::Pressure(vec![command]);
     let muscles = vec![Actuated::new(model, valve)];
-    Some(Drive { output_step_s: 1e-3, ..Drive::new(load, muscles, target, 1.0) })
+    Some(Drive {
+        output_step_s: 1e-3,
+        ..Drive::new(load, muscles, target, 1.0)
+    })
 }
 
 fn second(model: &dyn ForceModel) -> Option<Motion> {
@@ -27,13 +39,19 @@ fn second(model: &dyn ForceModel) -> Option<Motion> {
 fn steps(c: &mut Criterion, name: &str, model: &dyn ForceModel) {
     let load = load(model);
     let at = |mpa| drive(&load, model, Command::Constant(mpa));
-    let Some((low, high)) = at(0.05).zip(at(0.3)) else { return };
-    let Ok(mut simulation) = Simulation::new(&low, &Silent) else { return };
+    let Some((low, high)) = at(0.05).zip(at(0.3)) else {
+        return;
+    };
+    let Ok(mut simulation) = Simulation::new(&low, &Silent) else {
+        return;
+    };
     let mut count = 0;
     c.bench_function(&format!("step/{name}"), |b| {
         b.iter(|| {
             count += 1;
-            simulation.step(if count / 100 % 2 == 0 { &high } else { &low }, &Silent).is_ok()
+            simulation
+                .step(if count / 100 % 2 == 0 { &high } else { &low }, &Silent)
+                .is_ok()
         });
     });
 }

@@ -13,8 +13,12 @@ fn points(c: &mut Criterion) {
     let w = &mut Workspace::new();
     let mut group = c.benchmark_group("thick_wall");
     group.bench_function("build", |b| b.iter(|| ThickWall::new(black_box(&muscle))));
-    group.bench_function("force", |b| b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1))));
-    group.bench_function("response", |b| b.iter(|| model.response(w, black_box(0.25), black_box(0.1))));
+    group.bench_function("force", |b| {
+        b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1)))
+    });
+    group.bench_function("response", |b| {
+        b.iter(|| model.response(w, black_box(0.25), black_box(0.1)))
+    });
     group.bench_function("pressure", |b| {
         b.iter(|| model.pressure_at_pull(&mut Workspace::new(), black_box(400.0), black_box(0.1)));
     });
@@ -22,7 +26,8 @@ fn points(c: &mut Criterion) {
 }
 
 fn grids(c: &mut Criterion) {
-    let tenths = |low: i32, high: i32| Values::List((low..=high).map(|i| f64::from(i) / 10.0).collect());
+    let tenths =
+        |low: i32, high: i32| Values::List((low..=high).map(|i| f64::from(i) / 10.0).collect());
     let mut group = c.benchmark_group("design_on_a_tenth_of_a_millimetre");
     group.sample_size(10);
     for (kind, diameters, walls) in [
@@ -30,7 +35,11 @@ fn grids(c: &mut Criterion) {
         (ModelKind::ThickWall, tenths(50, 800), tenths(5, 100)),
     ] {
         let spec = Spec {
-            wanted: vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }].into(),
+            wanted: vec![OperatingPoint {
+                force_n: 700.0,
+                contraction: 0.15,
+            }]
+            .into(),
             count: 1,
             direction: Direction::Mean,
             max_pressure_mpa: 0.25,
@@ -49,7 +58,9 @@ fn grids(c: &mut Criterion) {
             tubes: vec![],
         };
         let build = |m: &Muscle| kind.build(m);
-        group.bench_function(kind.name(), |b| b.iter(|| design(black_box(&spec), &build).is_ok()));
+        group.bench_function(kind.name(), |b| {
+            b.iter(|| design(black_box(&spec), &build).is_ok())
+        });
     }
     group.finish();
 }

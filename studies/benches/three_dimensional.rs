@@ -1,5 +1,6 @@
-//! The three-dimensional muscle on one thread: the mesh, the steps and the muscle on which FElupe 11.3 takes 3.7–4.7 s
-//! (25 steps of pressure at ε 0) and 6.8–8.2 s (45 steps to ε .10), and one Newton iteration of a mesh of 30 000 unknowns.
+//! The three-dimensional muscle on one thread: the mesh, the steps and the muscle on which FElupe
+//! 11.3 takes 3.7–4.7 s (25 steps of pressure at ε 0) and 6.8–8.2 s (45 steps to ε .10), and one
+//! Newton iteration of a mesh of 30 000 unknowns.
 
 #![allow(clippy::unwrap_used)]
 
@@ -11,13 +12,19 @@ use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::trail::Trail;
-use mckibben_fem::three_dimensional::{BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional};
+use mckibben_fem::three_dimensional::{
+    BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional,
+};
 use mckibben_studies::increment;
 use std::hint::black_box;
 
 /// The muscle of the comparison with other programs.
 fn peers() -> Muscle {
-    read_muscle(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/peers.toml")).unwrap()
+    read_muscle(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../examples/peers.toml"
+    ))
+    .unwrap()
 }
 
 fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
@@ -46,13 +53,19 @@ fn all(c: &mut Criterion) {
     group.sample_size(10);
     let mut small = muscle(2, 12);
     let up: Vec<(f64, f64)> = (1..=25).map(|i| (0.0, 0.01 * f64::from(i))).collect();
-    group.bench_function("25 steps of pressure at ε 0, 2x12x39", |b| b.iter(|| walk(&mut small, &up)));
+    group.bench_function("25 steps of pressure at ε 0, 2x12x39", |b| {
+        b.iter(|| walk(&mut small, &up))
+    });
     let mut low: Vec<(f64, f64)> = up[..5].to_vec();
     low.extend((1..=20).map(|i| (0.005 * f64::from(i), 0.05)));
     low.extend((6..=25).map(|i| (0.1, 0.01 * f64::from(i))));
-    group.bench_function("45 steps to ε .10, 2x12x39", |b| b.iter(|| walk(&mut small, &low)));
+    group.bench_function("45 steps to ε .10, 2x12x39", |b| {
+        b.iter(|| walk(&mut small, &low))
+    });
     let mut large = muscle(3, 28).body.bricks;
-    group.bench_function("assembly, 30 000 unknowns", |b| b.iter(|| large.assemble().unwrap()));
+    group.bench_function("assembly, 30 000 unknowns", |b| {
+        b.iter(|| large.assemble().unwrap())
+    });
     group.bench_function("factorisation, 30 000 unknowns", |b| {
         b.iter(|| large.factorise_assembled().unwrap());
     });

@@ -5,8 +5,9 @@ use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::newton::Interrupted;
 use mckibben_fem::solver::trail::{Along, Trail};
 
-/// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment, predicted from those before it (the trail); in
-/// smaller ones where that does not lead to an equilibrium, or where pressures and lengths take turns.
+/// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment,
+/// predicted from those before it (the trail); in smaller ones where that does not lead to an
+/// equilibrium, or where pressures and lengths take turns.
 ///
 /// # Errors
 /// [`Interrupted`]; the body then is back at the last equilibrium.
@@ -17,12 +18,20 @@ pub fn increment<B: Body>(
     terminal: f64,
 ) -> Result<(), Interrupted> {
     let now = c.body.state();
-    let along = if now.terminal == terminal { Along::Pressure } else { Along::Length };
+    let along = if now.terminal == terminal {
+        Along::Pressure
+    } else {
+        Along::Length
+    };
     if trail.last() != Some(now) {
         *trail = Trail::default();
         trail.push(now);
     }
-    let value = if along == Along::Pressure { pressure } else { terminal };
+    let value = if along == Along::Pressure {
+        pressure
+    } else {
+        terminal
+    };
     if trail.predict(along, value, c.body.state_mut()) {
         c.body.state_mut().pressure = pressure;
         if c.solve(Control::Length(terminal)).is_ok() {

@@ -7,7 +7,10 @@ const ENGINE = "live.wasm";
 self.addEventListener("install", (event) => {
   const keep = async () => {
     // What the page is made of, as web/build.sh lists it.
-    const [cache, files] = await Promise.all([caches.open(NAME), fetch("files.json").then((answer) => answer.json())]);
+    const [cache, files] = await Promise.all([
+      caches.open(NAME),
+      fetch("files.json").then((answer) => answer.json()),
+    ]);
     await cache.addAll([...files, "files.json", ENGINE]);
     await self.skipWaiting();
   };
@@ -17,21 +20,28 @@ self.addEventListener("install", (event) => {
 self.addEventListener("activate", (event) => {
   const clean = async () => {
     for (const name of await caches.keys())
-      if (name.startsWith("mckibben-page") && name !== NAME) await caches.delete(name);
+      if (name.startsWith("mckibben-page") && name !== NAME)
+        await caches.delete(name);
   };
   event.waitUntil(clean());
 });
 
 self.addEventListener("fetch", (event) => {
-  const { request } = event, url = new URL(request.url), scope = new URL(self.registration.scope);
+  const { request } = event,
+    url = new URL(request.url),
+    scope = new URL(self.registration.scope);
   // The book is not of the page.
   const path = url.pathname.slice(scope.pathname.length);
   if (
-    request.method !== "GET" || url.origin !== scope.origin || !url.pathname.startsWith(scope.pathname) ||
+    request.method !== "GET" ||
+    url.origin !== scope.origin ||
+    !url.pathname.startsWith(scope.pathname) ||
     path.startsWith("docs/")
-  ) return;
+  )
+    return;
   const answer = async () => {
-    const cache = await caches.open(NAME), file = path || "index.html";
+    const cache = await caches.open(NAME),
+      file = path || "index.html";
     try {
       const fresh = await fetch(request);
       if (fresh.ok) await cache.put(file, fresh.clone()).catch(() => {});

@@ -1,7 +1,8 @@
 //! The workbench as files: the page with its scripts.
 //!
-//! The page asks one engine, by JSON. Which one it is says the module `js/kind.js`: [`KIND_OF_SERVER`] for a page that a server
-//! hands out; the file of that name is for one that brings its own engine as WebAssembly.
+//! The page asks one engine, by JSON. Which one it is says the module `js/kind.js`:
+//! [`KIND_OF_SERVER`] for a page that a server hands out; the file of that name is for one that
+//! brings its own engine as WebAssembly.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
@@ -27,7 +28,9 @@ pub const KIND_OF_SERVER: &str =
 
 /// A file of the page as it is kept, by its path from the page's folder, such as `index.html`.
 pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {
-    Page::get(path).or_else(|| Examples::get(path)).map(|file| file.data)
+    Page::get(path)
+        .or_else(|| Examples::get(path))
+        .map(|file| file.data)
 }
 
 /// Paths of all files that are kept.
@@ -47,5 +50,7 @@ pub fn viewer() -> String {
         include_str!("../page/js/report-viewer.js"),
     );
     let lines = modules.lines().filter(|line| !line.starts_with("import "));
-    lines.flat_map(|line| [line.strip_prefix("export ").unwrap_or(line), "\n"]).collect()
+    lines
+        .flat_map(|line| [line.strip_prefix("export ").unwrap_or(line), "\n"])
+        .collect()
 }

@@ -7,14 +7,23 @@ import { alive, go, pull, soon } from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-const drawn = (/** @type {Page} */ page) => page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
+const drawn = (/** @type {Page} */ page) =>
+  page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
 /** A chart as CSV, in rows. @param {Page} page */
 async function saved(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV", exact: true }).first().click()]);
-  return readFileSync(/** @type {string} */ (await download.path())).toString().trim().split("\n").map((line) => line.split(","));
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "CSV", exact: true }).first().click(),
+  ]);
+  return readFileSync(/** @type {string} */ (await download.path()))
+    .toString()
+    .trim()
+    .split("\n")
+    .map((line) => line.split(","));
 }
 /** The numbers along the lower axis. @param {Page} page */
-const lower = (page) => page.locator(".plot svg.curves > text[text-anchor=middle]").allTextContents();
+const lower = (page) =>
+  page.locator(".plot svg.curves > text[text-anchor=middle]").allTextContents();
 
 inBrowser(({ name, open, blank, url }) => {
   test("the first load is at most 200 kB compressed before its engine, and 650 kB with it", async () => {
@@ -25,16 +34,32 @@ inBrowser(({ name, open, blank, url }) => {
     const bodies = [];
     page.on("response", (answer) => {
       const { pathname } = new URL(answer.url());
-      if (answer.request().method() === "GET" && !pathname.includes("/api/")) bodies.push(answer.body().then((body) => { loaded.set(pathname, gzipSync(body).length); }, () => {}));
+      if (answer.request().method() === "GET" && !pathname.includes("/api/"))
+        bodies.push(
+          answer.body().then(
+            (body) => {
+              loaded.set(pathname, gzipSync(body).length);
+            },
+            () => {},
+          ),
+        );
     });
     await page.goto(url());
     await alive(page);
     await drawn(page);
     await Promise.all(bodies);
     const sum = [...loaded.values()].reduce((a, b) => a + b, 0);
-    const engine = [...loaded].reduce((all, [path, size]) => all + (path.endsWith(".wasm") ? size : 0), 0);
-    assert.ok(loaded.size > 10 && sum - engine <= 200_000 && sum <= 650_000, `${sum} bytes in ${loaded.size} files, ${engine} of the engine`);
-    console.log(`first load, ${name}: ${Math.round(sum / 1000)} kB compressed in ${loaded.size} files`);
+    const engine = [...loaded].reduce(
+      (all, [path, size]) => all + (path.endsWith(".wasm") ? size : 0),
+      0,
+    );
+    assert.ok(
+      loaded.size > 10 && sum - engine <= 200_000 && sum <= 650_000,
+      `${sum} bytes in ${loaded.size} files, ${engine} of the engine`,
+    );
+    console.log(
+      `first load, ${name}: ${Math.round(sum / 1000)} kB compressed in ${loaded.size} files`,
+    );
     await context.close();
   });
 
@@ -44,8 +69,16 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText("2.2 bar", { exact: true }).waitFor();
     const rows = (await saved(page)).filter(([curve]) => curve === "2.2 bar");
     const { force_n: force } = ask("force", "-p", "2.2bar", "-e", "0");
-    assert.ok(Math.abs(Number(rows[0][2]) / force - 1) < 1e-6, `${rows[0]} for ${force}`);
-    await soon(async () => assert.equal(await page.locator(".plot svg.curves svg path[fill-opacity]").count(), 1));
+    assert.ok(
+      Math.abs(Number(rows[0][2]) / force - 1) < 1e-6,
+      `${rows[0]} for ${force}`,
+    );
+    await soon(async () =>
+      assert.equal(
+        await page.locator(".plot svg.curves svg path[fill-opacity]").count(),
+        1,
+      ),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -57,18 +90,39 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText("2.5 bar", { exact: true }).waitFor();
     const plot = page.locator(".plot").first();
     await page.locator(".points + .row").scrollIntoViewIfNeeded();
-    await page.waitForFunction(() => !/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden);
-    const ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
+    await page.waitForFunction(
+      () =>
+        !(/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden),
+    );
+    const ring = /** @type {{ x: number, y: number }} */ (
+      await page.locator(".ring").boundingBox()
+    );
     await page.mouse.move(ring.x + 8, ring.y + 8);
     await page.waitForSelector(".tip:not([hidden])");
-    await soon(async () => assert.match(await page.locator(".tip").innerText(), /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 119 N$/));
-    const all = await lower(page), box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await plot.boundingBox());
+    await soon(async () =>
+      assert.match(
+        await page.locator(".tip").innerText(),
+        /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* ± 119 N$/,
+      ),
+    );
+    const all = await lower(page),
+      box =
+        /** @type {{ x: number, y: number, width: number, height: number }} */ (
+          await plot.boundingBox()
+        );
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
-    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, {
+      steps: 3,
+    });
     await page.mouse.up();
     await soon(async () => assert.notDeepEqual(await lower(page), all));
-    await soon(async () => assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %"));
+    await soon(async () =>
+      assert.equal(
+        await page.getByRole("textbox", { name: "Contraction" }).inputValue(),
+        "15 %",
+      ),
+    );
     await page.getByRole("button", { name: "Show all" }).click();
     await soon(async () => assert.deepEqual(await lower(page), all));
     await plot.focus();
@@ -77,7 +131,12 @@ inBrowser(({ name, open, blank, url }) => {
     await page.keyboard.press("0");
     await soon(async () => assert.deepEqual(await lower(page), all));
     await page.keyboard.press("ArrowRight");
-    await soon(async () => assert.match(await page.locator(".tip").innerText(), /^0.5 bar: 0 %, 189.* N$/));
+    await soon(async () =>
+      assert.match(
+        await page.locator(".tip").innerText(),
+        /^0.5 bar: 0 %, 189.* N$/,
+      ),
+    );
     await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
     await page.keyboard.down("Control");
     await page.mouse.wheel(0, -300);
@@ -89,34 +148,72 @@ inBrowser(({ name, open, blank, url }) => {
   });
 
   test("a curve that bends is read off as the command line has it: a cubic at once, finite elements where the pointer rests", async () => {
-    const file = encodeURIComponent(readFileSync(`${root}examples/thin.toml`, "utf8"));
-    const { page, errors, context } = await open(`#muscle?file=${file}&p=1bar&e=1%25`);
+    const file = encodeURIComponent(
+      readFileSync(`${root}examples/thin.toml`, "utf8"),
+    );
+    const { page, errors, context } = await open(
+      `#muscle?file=${file}&p=1bar&e=1%25`,
+    );
     await alive(page);
     await page.locator(".stage .say b").filter({ hasText: "N" }).waitFor();
-    const said = ask("force", "--muscle", "examples/thin.toml", "-p", "1bar", "-e", "1.8%");
+    const said = ask(
+      "force",
+      "--muscle",
+      "examples/thin.toml",
+      "-p",
+      "1bar",
+      "-e",
+      "1.8%",
+    );
     const shown = `${said.force_n.toFixed(1)} ± ${said.uncertainty_n.toFixed(1)} N`;
     // Between its points: a chord had 15 % too much.
     await soon(async () => {
       const between = await page.evaluate(async () => {
-        const { slopes, valueAt } = await import(/** @type {string} */ ("./js/plot.js"));
-        const x = [0, 1, 2, 4], s = { x, y: x.map((v) => 10 * Math.exp(-v)), smooth: true };
+        const { slopes, valueAt } = await import(
+          /** @type {string} */ ("./js/plot.js")
+        );
+        const x = [0, 1, 2, 4],
+          s = { x, y: x.map((v) => 10 * Math.exp(-v)), smooth: true };
         return [valueAt(s, 0.5), slopes([0, 1, 2], [0, 1, 2])];
       });
-      assert.ok(Math.abs(between[0] / (10 * Math.exp(-0.5)) - 1) < 0.05, String(between[0]));
+      assert.ok(
+        Math.abs(between[0] / (10 * Math.exp(-0.5)) - 1) < 0.05,
+        String(between[0]),
+      );
       assert.deepEqual(between[1], [1, 1, 1]);
     });
     await page.locator(".points + .row").scrollIntoViewIfNeeded();
     await soon(async () => {
       const at = await page.evaluate(() => {
-        const plot = /** @type {HTMLElement} */ (document.querySelector(".chart .plot")), box = plot.getBoundingClientRect();
-        const ticks = [...plot.querySelectorAll("svg.curves > text[text-anchor=middle]")].map((t) => [Number(t.textContent), t.getBoundingClientRect()]).filter(([v]) => Number.isFinite(v));
-        const [[a, p], [b, q]] = /** @type {any} */ ([ticks[0], ticks[ticks.length - 1]]), mid = (/** @type {DOMRect} */ r) => r.left + r.width / 2;
-        const ring = /** @type {HTMLElement} */ (plot.querySelector(".ring")).getBoundingClientRect();
-        return { x: mid(p) + ((1.8 - a) / (b - a)) * (mid(q) - mid(p)), y: ring.top + ring.height / 2 + 30, top: box.top };
+        const plot = /** @type {HTMLElement} */ (
+            document.querySelector(".chart .plot")
+          ),
+          box = plot.getBoundingClientRect();
+        const ticks = [
+          ...plot.querySelectorAll("svg.curves > text[text-anchor=middle]"),
+        ]
+          .map((t) => [Number(t.textContent), t.getBoundingClientRect()])
+          .filter(([v]) => Number.isFinite(v));
+        const [[a, p], [b, q]] = /** @type {any} */ ([
+            ticks[0],
+            ticks[ticks.length - 1],
+          ]),
+          mid = (/** @type {DOMRect} */ r) => r.left + r.width / 2;
+        const ring = /** @type {HTMLElement} */ (
+          plot.querySelector(".ring")
+        ).getBoundingClientRect();
+        return {
+          x: mid(p) + ((1.8 - a) / (b - a)) * (mid(q) - mid(p)),
+          y: ring.top + ring.height / 2 + 30,
+          top: box.top,
+        };
       });
       await page.mouse.move(at.x, at.y);
       await page.waitForTimeout(700);
-      assert.match(await page.locator(".tip").innerText(), new RegExp(`^1 bar: 1\\.(79|8).* %, ${shown.replace("+", "\\+")}$`));
+      assert.match(
+        await page.locator(".tip").innerText(),
+        new RegExp(`^1 bar: 1\\.(79|8).* %, ${shown.replace("+", "\\+")}$`),
+      );
     });
     assert.deepEqual(errors, []);
     await context.close();
@@ -129,13 +226,32 @@ inBrowser(({ name, open, blank, url }) => {
     await half.click();
     const parts = page.getByRole("region", { name: "Parts of the ±" });
     await page.getByText("would reduce the ± to about 55 N").waitFor();
-    const { uncertainty_n: total, uncertainty_parts_n: said } = ask("force", "-p", "2.5bar", "-e", "15%");
+    const { uncertainty_n: total, uncertainty_parts_n: said } = ask(
+      "force",
+      "-p",
+      "2.5bar",
+      "-e",
+      "15%",
+    );
     await soon(async () => {
-      const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) => Number(text.replace(/[^\d.]/g, "")));
-      assert.equal(shown.length, Object.values(said).filter((v) => v !== null).length);
-      assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
+      const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map(
+        (text) => Number(text.replace(/[^\d.]/g, "")),
+      );
+      assert.equal(
+        shown.length,
+        Object.values(said).filter((v) => v !== null).length,
+      );
+      assert.ok(
+        Math.abs(Math.hypot(...shown) / total - 1) < 0.02,
+        `${shown} for ${total}`,
+      );
     });
-    await soon(async () => assert.match(await parts.innerText(), /friction, not measured[\s\S]*both directions/));
+    await soon(async () =>
+      assert.match(
+        await parts.innerText(),
+        /friction, not measured[\s\S]*both directions/,
+      ),
+    );
     await half.click();
     await soon(async () => assert.equal(await parts.isVisible(), false));
     await context.close();
@@ -147,10 +263,19 @@ inBrowser(({ name, open, blank, url }) => {
     await page.getByText("What a small change does").click();
     const bar = page.locator(".tornado > div", { hasText: "Outer diameter" });
     await bar.waitFor({ timeout: 30_000 });
-    const at = (/** @type {string} */ D) => ask("force", "-p", "2.5bar", "-e", "15%", "-D", D).force_n;
+    const at = (/** @type {string} */ D) =>
+      ask("force", "-p", "2.5bar", "-e", "15%", "-D", D).force_n;
     const [less, same, more] = ["29mm", "30mm", "31mm"].map(at);
-    const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${Number(Math.abs(v).toPrecision(2))} N`;
-    await soon(async () => assert.ok((await bar.innerText()).includes(`${signed(less - same)}, ${signed(more - same)}`), await bar.innerText()));
+    const signed = (/** @type {number} */ v) =>
+      `${v < 0 ? "−" : "+"}${Number(Math.abs(v).toPrecision(2))} N`;
+    await soon(async () =>
+      assert.ok(
+        (await bar.innerText()).includes(
+          `${signed(less - same)}, ${signed(more - same)}`,
+        ),
+        await bar.innerText(),
+      ),
+    );
     await context.close();
   });
 
@@ -159,54 +284,121 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     await page.getByText("Solve for a wanted pull").click();
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("450 N");
-    for (const what of ["Outer diameter", "Pressure", "Contraction", "Braid angle"]) {
+    for (const what of [
+      "Outer diameter",
+      "Pressure",
+      "Contraction",
+      "Braid angle",
+    ]) {
       await page.goto(url() + "#muscle?u=");
-      await page.waitForFunction(() => /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""));
-      await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: what });
+      await page.waitForFunction(() =>
+        /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""),
+      );
+      await page
+        .getByRole("combobox", { name: "Solve for" })
+        .selectOption({ label: what });
       await page.getByRole("button", { name: "Solve", exact: true }).click();
-      await page.waitForFunction(() => /^450/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+      await page.waitForFunction(
+        () =>
+          /^450/.test(
+            document.querySelector(".stage .say b")?.textContent ?? "",
+          ),
+        undefined,
+        { timeout: 20_000 },
+      );
     }
     await page.goto(url() + "#muscle?u=");
-    await page.waitForFunction(() => /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""));
-    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
+    await page.waitForFunction(() =>
+      /^326/.test(document.querySelector(".stage .say b")?.textContent ?? ""),
+    );
+    await page
+      .getByRole("combobox", { name: "Solve for" })
+      .selectOption({ label: "Wall" });
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("380 N");
     await page.getByRole("button", { name: "Solve", exact: true }).click();
-    await page.waitForFunction(() => /^380/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+    await page.waitForFunction(
+      () =>
+        /^380/.test(document.querySelector(".stage .say b")?.textContent ?? ""),
+      undefined,
+      { timeout: 20_000 },
+    );
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("90000 N");
-    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
+    await page
+      .getByRole("combobox", { name: "Solve for" })
+      .selectOption({ label: "Wall" });
     await page.getByRole("button", { name: "Solve", exact: true }).click();
-    await page.getByText(/No wall between .* gives this pull/).waitFor({ timeout: 20_000 });
+    await page
+      .getByText(/No wall between .* gives this pull/)
+      .waitFor({ timeout: 20_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });
 
   test("measured points lie on the isobars; a constant moves their residuals, a fit makes them small", async () => {
-    const file = encodeURIComponent(readFileSync(`${root}examples/bench.toml`, "utf8"));
+    const file = encodeURIComponent(
+      readFileSync(`${root}examples/bench.toml`, "utf8"),
+    );
     const { page, errors, context } = await open(`#data?file=${file}`);
     await page.waitForSelector("form");
-    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await page
+      .locator("input[type=file]")
+      .setInputFiles(`${root}examples/bench.csv`);
     await page.getByText("10 points").first().waitFor({ timeout: 30_000 });
     await go(page, "Muscle");
     await alive(page);
-    await page.getByText(/Residuals: [\d.]+ N rms/).waitFor({ timeout: 30_000 });
-    const rms = async () => Number(/Residuals: ([\d.]+) N/.exec(await page.locator(".points").innerText())?.[1]);
+    await page
+      .getByText(/Residuals: [\d.]+ N rms/)
+      .waitFor({ timeout: 30_000 });
+    const rms = async () =>
+      Number(
+        /Residuals: ([\d.]+) N/.exec(
+          await page.locator(".points").innerText(),
+        )?.[1],
+      );
     const before = await rms();
-    const points = async () => (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
+    const points = async () =>
+      (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
     // They come by themselves, before or after their residuals.
-    const rings = () => page.evaluate(() => [...document.querySelectorAll(".plot svg.curves path")]
-      .reduce((sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1, 0));
+    const rings = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll(".plot svg.curves path")].reduce(
+          (sum, path) =>
+            sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1,
+          0,
+        ),
+      );
     await soon(async () => assert.equal(await rings(), 10));
     await soon(async () => assert.equal((await points()).length, 10));
     await page.screenshot({ path: `${shots}/points-${name}.png` });
     const wall = page.getByRole("textbox", { name: "Wall" });
     await wall.fill("2.5");
     await wall.press("Enter");
-    await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) !== was, before);
+    await page.waitForFunction(
+      (was) =>
+        Number(
+          /Residuals: ([\d.]+) N/.exec(
+            document.querySelector(".points")?.textContent ?? "",
+          )?.[1],
+        ) !== was,
+      before,
+    );
     const moved = await rms();
     await page.getByRole("button", { name: "Fit the rubber" }).click();
-    await page.waitForFunction((was) => Number(/Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1]) < 0.9 * was, moved, { timeout: 30_000 });
+    await page.waitForFunction(
+      (was) =>
+        Number(
+          /Residuals: ([\d.]+) N/.exec(
+            document.querySelector(".points")?.textContent ?? "",
+          )?.[1],
+        ) <
+        0.9 * was,
+      moved,
+      { timeout: 30_000 },
+    );
     await page.getByRole("button", { name: "Remove the points" }).click();
-    await soon(async () => assert.equal(await page.locator(".points .row.small").isVisible(), false));
+    await soon(async () =>
+      assert.equal(await page.locator(".points .row.small").isVisible(), false),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -215,25 +407,49 @@ inBrowser(({ name, open, blank, url }) => {
     const { page, context } = await open("#muscle?p=0.5bar&e=5%25");
     await alive(page);
     const legend = () => page.locator(".stage .legend").innerText();
-    await page.waitForFunction(() => /1\.01/.test(document.querySelector(".stage .legend")?.textContent ?? ""));
+    await page.waitForFunction(() =>
+      /1\.01/.test(document.querySelector(".stage .legend")?.textContent ?? ""),
+    );
     const before = await legend();
     const field = page.getByRole("textbox", { name: "Pressure" });
     const was = await pull(page);
     await field.fill("5");
     await field.press("Enter");
-    await page.waitForFunction((was) => document.querySelector(".stage .say b")?.textContent !== was, was);
+    await page.waitForFunction(
+      (was) => document.querySelector(".stage .say b")?.textContent !== was,
+      was,
+    );
     await soon(async () => assert.equal(await legend(), before));
     await context.close();
   });
 
   test("the loop of a muscle whose friction is known has both of the command line's branches", async () => {
-    const file = encodeURIComponent(readFileSync(`${root}examples/tondu2012.toml`, "utf8"));
+    const file = encodeURIComponent(
+      readFileSync(`${root}examples/tondu2012.toml`, "utf8"),
+    );
     const { page, context } = await open(`#muscle?file=${file}&p=3bar&e=10%25`);
     await alive(page);
-    await page.waitForFunction(() => document.querySelectorAll("svg.curves path[stroke-dasharray]").length > 0, undefined, { timeout: 30_000 });
+    await page.waitForFunction(
+      () =>
+        document.querySelectorAll("svg.curves path[stroke-dasharray]").length >
+        0,
+      undefined,
+      { timeout: 30_000 },
+    );
     const rows = await saved(page);
-    const first = (/** @type {string} */ branch) => Number(rows.find(([curve]) => curve === `3 bar while it ${branch}`)?.[2]);
-    const said = (/** @type {string} */ direction) => ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "0", "--branch", direction).force_n;
+    const first = (/** @type {string} */ branch) =>
+      Number(rows.find(([curve]) => curve === `3 bar while it ${branch}`)?.[2]);
+    const said = (/** @type {string} */ direction) =>
+      ask(
+        "force",
+        "examples/tondu2012.toml",
+        "-p",
+        "3bar",
+        "-e",
+        "0",
+        "--branch",
+        direction,
+      ).force_n;
     assert.ok(Math.abs(first("shortens") / said("contraction") - 1) < 1e-6);
     assert.ok(Math.abs(first("lengthens") / said("elongation") - 1) < 1e-6);
     await context.close();
@@ -243,30 +459,75 @@ inBrowser(({ name, open, blank, url }) => {
     const { page, errors, context } = await open("#about");
     await page.waitForSelector("h2");
     const found = await page.evaluate(async () => {
-      const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
-      const [{ engine }, { border }, { read }] = await Promise.all(["js/ask.js", "js/border.js", "js/design-map.js"].map(load));
-      const of = { force_n: 700, contraction: 0.15, max_pressure_mpa: 0.25, length_mm: 285, rubbers: ["dragon-skin-30"], braids: ["flexo-overexpanded-0.75in"], model: "universal", extrapolate: true, top: 1000 };
-      const D = Array.from({ length: 12 }, (_, i) => 20 + i), S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
+      const load = (/** @type {string} */ file) =>
+        import(new URL(file, document.baseURI).href);
+      const [{ engine }, { border }, { read }] = await Promise.all(
+        ["js/ask.js", "js/border.js", "js/design-map.js"].map(load),
+      );
+      const of = {
+        force_n: 700,
+        contraction: 0.15,
+        max_pressure_mpa: 0.25,
+        length_mm: 285,
+        rubbers: ["dragon-skin-30"],
+        braids: ["flexo-overexpanded-0.75in"],
+        model: "universal",
+        extrapolate: true,
+        top: 1000,
+      };
+      const D = Array.from({ length: 12 }, (_, i) => 20 + i),
+        S = Array.from({ length: 15 }, (_, i) =>
+          Number((0.6 + 0.15 * i).toFixed(3)),
+        );
       const request = { ...of, outer_diameter_mm: D, wall_mm: S };
       const { nodes } = read(request, await engine().ask("design", request));
       const segments = border({ x: D, y: S, nodes });
       const out = [];
       for (const d of [22, 23, 24, 25, 26, 27, 28, 29, 30]) {
-        const i = D.indexOf(d), fits = S.map((_, j) => nodes[j][i].fits);
+        const i = D.indexOf(d),
+          fits = S.map((_, j) => nodes[j][i].fits);
         for (let j = 0; j + 1 < S.length; j++) {
           if (fits[j] === fits[j + 1]) continue;
-          const fine = Array.from({ length: 31 }, (_, k) => Number((S[j] + (0.15 * k) / 30).toFixed(4)));
-          const answer = await engine().ask("design", { ...of, outer_diameter_mm: [d], wall_mm: fine });
-          const walls = answer.candidates.map((/** @type {{ wall_mm: number }} */ c) => c.wall_mm), upper = fits[j];
-          const ends = segments.flatMap((/** @type {number[]} */ [a, b, c, e]) => [[a, b], [c, e]]).filter((/** @type {number[]} */ [x, y]) => Math.abs(x - d) < 1e-9 && y >= S[j] && y <= S[j + 1]);
-          out.push({ d, limit: nodes[upper ? j + 1 : j][i].limit, drawn: ends[0]?.[1], exact: upper ? Math.max(...walls) + 0.0025 : Math.min(...walls) - 0.0025 });
+          const fine = Array.from({ length: 31 }, (_, k) =>
+            Number((S[j] + (0.15 * k) / 30).toFixed(4)),
+          );
+          const answer = await engine().ask("design", {
+            ...of,
+            outer_diameter_mm: [d],
+            wall_mm: fine,
+          });
+          const walls = answer.candidates.map(
+              (/** @type {{ wall_mm: number }} */ c) => c.wall_mm,
+            ),
+            upper = fits[j];
+          const ends = segments
+            .flatMap((/** @type {number[]} */ [a, b, c, e]) => [
+              [a, b],
+              [c, e],
+            ])
+            .filter(
+              (/** @type {number[]} */ [x, y]) =>
+                Math.abs(x - d) < 1e-9 && y >= S[j] && y <= S[j + 1],
+            );
+          out.push({
+            d,
+            limit: nodes[upper ? j + 1 : j][i].limit,
+            drawn: ends[0]?.[1],
+            exact: upper
+              ? Math.max(...walls) + 0.0025
+              : Math.min(...walls) - 0.0025,
+          });
         }
       }
       return out;
     });
     assert.equal(found.length, 9, JSON.stringify(found));
-    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["force"]);
-    const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
+    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), [
+      "force",
+    ]);
+    const off = found
+      .map(({ drawn, exact }) => Math.abs(drawn - exact))
+      .sort((a, b) => a - b);
     assert.ok(off[7] < 0.15 / 40 && off[8] < 0.15 / 4, off.join(" "));
     assert.deepEqual(errors, []);
     await context.close();
@@ -275,21 +536,30 @@ inBrowser(({ name, open, blank, url }) => {
   test("a dimension line that is dragged changes the number", async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const handle = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.locator(".dimensions circle").first().boundingBox());
+    const handle =
+      /** @type {{ x: number, y: number, width: number, height: number }} */ (
+        await page.locator(".dimensions circle").first().boundingBox()
+      );
     const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + 2, y - 12, { steps: 4 });
     await page.mouse.up();
     await soon(async () => {
-      const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
+      const D = Number(
+        await page
+          .getByRole("textbox", { name: "Outer diameter" })
+          .inputValue(),
+      );
       assert.ok(D > 32 && D < 50, String(D));
     });
     await page.waitForFunction(() => location.hash.includes("D="));
     const before = await page.locator(".stage .bar").innerText();
     await page.locator(".stage canvas").focus();
     for (let i = 0; i < 5; i++) await page.keyboard.press("+");
-    await soon(async () => assert.notEqual(await page.locator(".stage .bar").innerText(), before));
+    await soon(async () =>
+      assert.notEqual(await page.locator(".stage .bar").innerText(), before),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -297,10 +567,13 @@ inBrowser(({ name, open, blank, url }) => {
   test("wall and strand are dragged on the drawing: the wall by what the scale says, the strand along with the pointer", async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const value = async (/** @type {string} */ name) => Number.parseFloat(await page.getByRole("textbox", { name }).inputValue());
+    const value = async (/** @type {string} */ name) =>
+      Number.parseFloat(await page.getByRole("textbox", { name }).inputValue());
     /** @param {number} which @param {number} by @param {number} down */
     const drag = async (which, by, down) => {
-      const box = /** @type {any} */ (await page.locator(".dimensions circle").nth(which).boundingBox());
+      const box = /** @type {any} */ (
+        await page.locator(".dimensions circle").nth(which).boundingBox()
+      );
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
       await page.mouse.move(x, y);
       await page.mouse.down();
@@ -308,19 +581,41 @@ inBrowser(({ name, open, blank, url }) => {
       await page.mouse.up();
       return [x + by, y + down];
     };
-    const perPixel = await page.evaluate(() => { const bar = /** @type {any} */ (document.querySelector(".stage .bar")); return parseFloat(bar.textContent) / bar.querySelector("span").getBoundingClientRect().width; });
+    const perPixel = await page.evaluate(() => {
+      const bar = /** @type {any} */ (document.querySelector(".stage .bar"));
+      return (
+        parseFloat(bar.textContent) /
+        bar.querySelector("span").getBoundingClientRect().width
+      );
+    });
     const outline = await page.locator(".dimensions .ghost").getAttribute("d");
-    const [[, , bx, by, cx, cy]] = [(outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? []];
+    const [[, , bx, by, cx, cy]] = [
+      (outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? [],
+    ];
     const share = (by - cy) / Math.hypot(bx - cx, by - cy);
     assert.equal(await value("Wall"), 3);
     await drag(2, 0, -3);
-    await soon(async () => assert.ok(Math.abs(await value("Wall") - (3 + 3 * perPixel * Math.abs(share))) < 0.006, `${await value("Wall")}, ${perPixel}, ${share}`));
+    await soon(async () =>
+      assert.ok(
+        Math.abs((await value("Wall")) - (3 + 3 * perPixel * Math.abs(share))) <
+          0.006,
+        `${await value("Wall")}, ${perPixel}, ${share}`,
+      ),
+    );
     const before = await value("Braid angle");
     const [x] = await drag(3, -8, 0);
     await soon(async () => {
-      assert.ok(await value("Braid angle") > before + 1, `${before} ${await value("Braid angle")}`);
-      const box = /** @type {any} */ (await page.locator(".dimensions circle").nth(3).boundingBox());
-      assert.ok(Math.abs(box.x + box.width / 2 - x) < 2, `${box.x + box.width / 2} ${x}`);
+      assert.ok(
+        (await value("Braid angle")) > before + 1,
+        `${before} ${await value("Braid angle")}`,
+      );
+      const box = /** @type {any} */ (
+        await page.locator(".dimensions circle").nth(3).boundingBox()
+      );
+      assert.ok(
+        Math.abs(box.x + box.width / 2 - x) < 2,
+        `${box.x + box.width / 2} ${x}`,
+      );
     });
     assert.deepEqual(errors, []);
     await context.close();
@@ -329,43 +624,115 @@ inBrowser(({ name, open, blank, url }) => {
   test("two fingers zoom the muscle", async () => {
     const { page, context } = await open("#muscle", { hasTouch: true });
     await alive(page);
-    const bar = () => page.evaluate(() => { const box = /** @type {HTMLElement} */ (document.querySelector(".stage .bar")); return Number(box.querySelector("span")?.getBoundingClientRect().width) / parseFloat(box.textContent ?? ""); });
+    const bar = () =>
+      page.evaluate(() => {
+        const box = /** @type {HTMLElement} */ (
+          document.querySelector(".stage .bar")
+        );
+        return (
+          Number(box.querySelector("span")?.getBoundingClientRect().width) /
+          parseFloat(box.textContent ?? "")
+        );
+      });
     const before = await bar();
     await page.evaluate(() => {
-      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(".stage canvas")), { x, y, width, height } = canvas.getBoundingClientRect();
+      const canvas = /** @type {HTMLCanvasElement} */ (
+          document.querySelector(".stage canvas")
+        ),
+        { x, y, width, height } = canvas.getBoundingClientRect();
       canvas.setPointerCapture = () => {};
-      const send = (/** @type {string} */ type, /** @type {number} */ pointerId, /** @type {number} */ dx) => canvas.dispatchEvent(new PointerEvent(type, { pointerId, pointerType: "touch", clientX: x + width / 2 + dx, clientY: y + height / 2, bubbles: true }));
+      const send = (
+        /** @type {string} */ type,
+        /** @type {number} */ pointerId,
+        /** @type {number} */ dx,
+      ) =>
+        canvas.dispatchEvent(
+          new PointerEvent(type, {
+            pointerId,
+            pointerType: "touch",
+            clientX: x + width / 2 + dx,
+            clientY: y + height / 2,
+            bubbles: true,
+          }),
+        );
       send("pointerdown", 1, -50);
       send("pointerdown", 2, 50);
       send("pointermove", 2, 150);
       send("pointerup", 2, 150);
       send("pointerup", 1, -50);
     });
-    await soon(async () => assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`));
+    await soon(async () =>
+      assert.ok(
+        Math.abs((await bar()) / before / 2 - 1) < 0.02,
+        `${(await bar()) / before}`,
+      ),
+    );
     await context.close();
   });
 
   test("on a phone the header is one row, and targets are 44 px", async () => {
-    const { page, context } = await open("#muscle", { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true });
+    const { page, context } = await open("#muscle", {
+      viewport: { width: 400, height: 800 },
+      hasTouch: true,
+      isMobile: true,
+    });
     await alive(page);
-    const header = /** @type {{ height: number }} */ (await page.locator("header").boundingBox());
+    const header = /** @type {{ height: number }} */ (
+      await page.locator("header").boundingBox()
+    );
     assert.ok(header.height <= 64, `${header.height}`);
-    const small = () => page.evaluate(() => [...document.querySelectorAll("main button, main select, main summary, main input[type=range], header a, header button")]
-      .filter((e) => { const b = e.getBoundingClientRect(); return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5)); }).map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`));
+    const small = () =>
+      page.evaluate(() =>
+        [
+          ...document.querySelectorAll(
+            "main button, main select, main summary, main input[type=range], header a, header button",
+          ),
+        ]
+          .filter((e) => {
+            const b = e.getBoundingClientRect();
+            return (
+              b.width > 0 &&
+              (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5))
+            );
+          })
+          .map(
+            (e) =>
+              `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`,
+          ),
+      );
     await soon(async () => assert.deepEqual(await small(), []));
-    await soon(async () => assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)));
+    await soon(async () =>
+      assert.ok(
+        await page.evaluate(
+          () =>
+            document.documentElement.scrollWidth <=
+            document.documentElement.clientWidth,
+        ),
+      ),
+    );
     await context.close();
   });
 
   test("the range of a joint file that is not symmetric is the page's: its limits, its curves, its angle", async () => {
     const file = `[joint]\nradius = "25 mm"\nrange = "-10..110 deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n`;
-    const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
+    const { page, errors, context } = await open(
+      `#joint?joint=${encodeURIComponent(file)}`,
+    );
     await page.waitForSelector(".numbers dl", { timeout: 60_000 });
-    const text = (/** @type {string} */ of) => page.getByRole("textbox", { name: of, exact: true }).inputValue();
-    await soon(async () => assert.deepEqual([await text("Range from"), await text("Range to")], ["-10", "110"]));
+    const text = (/** @type {string} */ of) =>
+      page.getByRole("textbox", { name: of, exact: true }).inputValue();
+    await soon(async () =>
+      assert.deepEqual(
+        [await text("Range from"), await text("Range to")],
+        ["-10", "110"],
+      ),
+    );
     await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
     await soon(async () => {
-      const angles = (await saved(page)).slice(1).filter(([curve]) => / \| /.test(curve)).map(([, x]) => Number(x));
+      const angles = (await saved(page))
+        .slice(1)
+        .filter(([curve]) => / \| /.test(curve))
+        .map(([, x]) => Number(x));
       assert.deepEqual([Math.min(...angles), Math.max(...angles)], [-10, 110]);
     });
     const arm = page.getByRole("slider", { name: "Angle", exact: true });
@@ -374,23 +741,50 @@ inBrowser(({ name, open, blank, url }) => {
     await page.waitForFunction(() => /phi=-10/.test(location.hash));
     // A link of before has one number for both sides.
     await page.goto(url() + "#joint?range=45deg");
-    await page.waitForFunction(() => /** @type {HTMLInputElement[]} */ ([...document.querySelectorAll("input")]).some((f) => f.value === "-45"));
+    await page.waitForFunction(() =>
+      /** @type {HTMLInputElement[]} */ ([
+        ...document.querySelectorAll("input"),
+      ]).some((f) => f.value === "-45"),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
 
   test("the joint is drawn to scale, with its range and what it reaches", async () => {
     const { page, errors, context } = await open("#joint");
-    await page.getByText("mean pressure 0 to 1 bar").waitFor({ timeout: 60_000 });
+    await page
+      .getByText("mean pressure 0 to 1 bar")
+      .waitFor({ timeout: 60_000 });
     await page.waitForSelector(".numbers dl");
     // Pulley of 25 mm and scale of 50 mm in the same units.
-    const scale = () => page.evaluate(() => {
-      const joint = /** @type {SVGElement} */ (document.querySelector("svg.joint"));
-      return { radius: Number(joint.querySelector(".pulley")?.getAttribute("r")), bar: /** @type {SVGPathElement} */ (joint.querySelector(".line")).getBBox().width };
-    });
-    await soon(async () => assert.deepEqual(await scale(), { radius: 25, bar: 50 }));
-    await soon(async () => assert.equal(await page.locator("svg.joint .range").count(), 1));
-    await soon(async () => assert.equal(await page.locator('section[aria-label="joint torque"] svg.curves svg path[fill-opacity]').count(), 1));
+    const scale = () =>
+      page.evaluate(() => {
+        const joint = /** @type {SVGElement} */ (
+          document.querySelector("svg.joint")
+        );
+        return {
+          radius: Number(joint.querySelector(".pulley")?.getAttribute("r")),
+          bar: /** @type {SVGPathElement} */ (
+            joint.querySelector(".line")
+          ).getBBox().width,
+        };
+      });
+    await soon(async () =>
+      assert.deepEqual(await scale(), { radius: 25, bar: 50 }),
+    );
+    await soon(async () =>
+      assert.equal(await page.locator("svg.joint .range").count(), 1),
+    );
+    await soon(async () =>
+      assert.equal(
+        await page
+          .locator(
+            'section[aria-label="joint torque"] svg.curves svg path[fill-opacity]',
+          )
+          .count(),
+        1,
+      ),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });

@@ -10,30 +10,57 @@ import { alive, pull, soon } from "./browser.mjs";
 import { ask, inBrowser, program, root } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-const card = (/** @type {Page} */ page, /** @type {string} */ name) => page.getByRole("region", { name, exact: true });
+const card = (/** @type {Page} */ page, /** @type {string} */ name) =>
+  page.getByRole("region", { name, exact: true });
 /** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
 async function downloaded(page, button) {
-  const [download] = await Promise.all([page.waitForEvent("download"), button.click({ timeout: 120_000 })]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(/** @type {string} */ (await download.path())) };
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    button.click({ timeout: 120_000 }),
+  ]);
+  return {
+    name: download.suggestedFilename(),
+    bytes: readFileSync(/** @type {string} */ (await download.path())),
+  };
 }
 /** Entries of an archive as Python's zipfile reads them, which checks their sums. @param {Buffer} bytes */
 function entries(bytes) {
   const file = join(mkdtempSync(join(tmpdir(), "zip-")), "all.zip");
   writeFileSync(file, bytes);
-  const script = "import sys, zipfile, json; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; "
-    + "print(json.dumps({n: z.read(n).decode('latin1') for n in z.namelist()}))";
-  const said = execFileSync("python3", ["-c", script, file], { encoding: "utf8", maxBuffer: 1e8 });
+  const script =
+    "import sys, zipfile, json; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; " +
+    "print(json.dumps({n: z.read(n).decode('latin1') for n in z.namelist()}))";
+  const said = execFileSync("python3", ["-c", script, file], {
+    encoding: "utf8",
+    maxBuffer: 1e8,
+  });
   return /** @type {Record<string, string>} */ (JSON.parse(said));
 }
 /** Rows of a chart's CSV. @param {Page} page */
 async function saved(page) {
-  const { bytes } = await downloaded(page, page.getByRole("button", { name: "CSV", exact: true }).first());
-  return bytes.toString().trim().split("\n").map((line) => line.split(","));
+  const { bytes } = await downloaded(
+    page,
+    page.getByRole("button", { name: "CSV", exact: true }).first(),
+  );
+  return bytes
+    .toString()
+    .trim()
+    .split("\n")
+    .map((line) => line.split(","));
 }
 
 test("an archive has its files as they were, for a reader that is not ours", async () => {
-  const texts = { "a.txt": "one\n", "folder/b.bin": "\u0000\u00ff\n", "empty": "" };
-  const made = zip(Object.entries(texts).map(([name, text]) => ({ name, bytes: new Uint8Array(Buffer.from(text, "latin1")) })));
+  const texts = {
+    "a.txt": "one\n",
+    "folder/b.bin": "\u0000\u00ff\n",
+    empty: "",
+  };
+  const made = zip(
+    Object.entries(texts).map(([name, text]) => ({
+      name,
+      bytes: new Uint8Array(Buffer.from(text, "latin1")),
+    })),
+  );
   assert.deepEqual(entries(Buffer.from(await made.arrayBuffer())), texts);
 });
 
@@ -46,11 +73,27 @@ inBrowser(({ name, url, open, blank }) => {
     await out.getByRole("combobox", { name: "Target" }).selectOption("c");
     await out.getByRole("button", { name: "Export", exact: true }).click();
     const folder = mkdtempSync(join(tmpdir(), "c-"));
-    const said = ask("export", "-D", "38", "-p", "2.2bar", "--as", "c", "-o", folder);
+    const said = ask(
+      "export",
+      "-D",
+      "38",
+      "-p",
+      "2.2bar",
+      "--as",
+      "c",
+      "-o",
+      folder,
+    );
     const worst = `${Number((100 * said.force_worst_ratio).toPrecision(2))} % at worst`;
     await out.getByText(worst).waitFor({ timeout: 120_000 });
-    const header = await downloaded(page, out.getByRole("button", { name: "muscle.h", exact: true }));
-    const archive = entries((await downloaded(page, out.getByRole("button", { name: /^All files/ }))).bytes);
+    const header = await downloaded(
+      page,
+      out.getByRole("button", { name: "muscle.h", exact: true }),
+    );
+    const archive = entries(
+      (await downloaded(page, out.getByRole("button", { name: /^All files/ })))
+        .bytes,
+    );
     assert.equal(archive["muscle.h"], header.bytes.toString("latin1"));
     assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
     await soon(async () => assert.match(page.url(), /D=38/));
@@ -59,16 +102,41 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the report has its title block, the muscle's pull, and a view that turns, in one file", async () => {
-    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25&name=Calf");
+    const { page, errors, context } = await open(
+      "#files?D=38&p=2.2bar&e=10%25&name=Calf",
+    );
     const report = card(page, "Report");
-    for (const [label, text] of [["Project", "Leg"], ["Number", "M-17"], ["Revision", "B"], ["Date", "2026-11-23"]])
-      await report.getByRole("textbox", { name: label, exact: true }).fill(text);
+    for (const [label, text] of [
+      ["Project", "Leg"],
+      ["Number", "M-17"],
+      ["Revision", "B"],
+      ["Date", "2026-11-23"],
+    ])
+      await report
+        .getByRole("textbox", { name: label, exact: true })
+        .fill(text);
     await report.getByRole("button", { name: "Make the report" }).click();
-    const { name: file, bytes } = await downloaded(page, report.getByRole("button", { name: /^Save / }));
+    const { name: file, bytes } = await downloaded(
+      page,
+      report.getByRole("button", { name: /^Save / }),
+    );
     assert.equal(file, "calf-report.html");
-    const html = bytes.toString(), { force_n: force } = ask("force", "-D", "38", "-p", "2.2bar", "-e", "10%");
-    for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"]) assert.ok(html.includes(text), text);
-    assert.ok(html.includes(String(Math.round(force))), `${force} N stands in the report`);
+    const html = bytes.toString(),
+      { force_n: force } = ask(
+        "force",
+        "-D",
+        "38",
+        "-p",
+        "2.2bar",
+        "-e",
+        "10%",
+      );
+    for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"])
+      assert.ok(html.includes(text), text);
+    assert.ok(
+      html.includes(String(Math.round(force))),
+      `${force} N stands in the report`,
+    );
     // Scripts are the model that turns, and the shape that it draws.
     const still = html.replace(/<script[\s\S]*?<\/script>/g, "").length;
     assert.ok(still < 300_000, `${still} bytes without the model`);
@@ -84,18 +152,33 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the deformed muscle is saved for ParaView, as the command line writes it", async () => {
-    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25");
+    const { page, errors, context } = await open(
+      "#files?D=38&p=2.2bar&e=10%25",
+    );
     const box = card(page, "Finite elements");
     await box.getByRole("button", { name: "Compute", exact: true }).click();
-    const archive = entries((await downloaded(page, box.getByRole("button", { name: /^All files/ }))).bytes);
+    const archive = entries(
+      (await downloaded(page, box.getByRole("button", { name: /^All files/ })))
+        .bytes,
+    );
     const folder = mkdtempSync(join(tmpdir(), "vtu-"));
-    execFileSync(program, ["simulate", "-D", "38", "-p", "2.2bar", "-e", "10%", "--vtu", folder], { stdio: "ignore" });
+    execFileSync(
+      program,
+      ["simulate", "-D", "38", "-p", "2.2bar", "-e", "10%", "--vtu", folder],
+      { stdio: "ignore" },
+    );
     assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
-    const numbers = (/** @type {string} */ text) => (text.match(/-?\d+\.\d+(e-?\d+)?/g) ?? []).map(Number);
+    const numbers = (/** @type {string} */ text) =>
+      (text.match(/-?\d+\.\d+(e-?\d+)?/g) ?? []).map(Number);
     for (const file of readdirSync(folder)) {
-      const [ours, theirs] = [numbers(archive[file]), numbers(readFileSync(join(folder, file), "latin1"))];
+      const [ours, theirs] = [
+        numbers(archive[file]),
+        numbers(readFileSync(join(folder, file), "latin1")),
+      ];
       assert.equal(ours.length, theirs.length);
-      const far = ours.findIndex((v, i) => Math.abs(v - theirs[i]) > 1e-4 * (1 + Math.abs(theirs[i])));
+      const far = ours.findIndex(
+        (v, i) => Math.abs(v - theirs[i]) > 1e-4 * (1 + Math.abs(theirs[i])),
+      );
       assert.equal(far, -1, `${file}: ${ours[far]} for ${theirs[far]}`);
     }
     assert.deepEqual(errors, []);
@@ -111,46 +194,106 @@ inBrowser(({ name, url, open, blank }) => {
     await page.goto(`${url()}#files?D=38&p=2.2bar&e=10%25`);
     const box = card(page, "Finite elements");
     await box.getByRole("button", { name: "Compute", exact: true }).click();
-    const state = await downloaded(page, box.getByRole("button", { name: "muscle.pvd", exact: true }));
+    const state = await downloaded(
+      page,
+      box.getByRole("button", { name: "muscle.pvd", exact: true }),
+    );
     assert.match(state.bytes.toString(), /D0 38 mm/);
     await context.close();
   });
 
   test("the deck of fe3d is the command line's", async () => {
-    const { page, errors, context } = await open("#files?D=38&s=1&L=100&p=2.2bar&e=5%25");
+    const { page, errors, context } = await open(
+      "#files?D=38&s=1&L=100&p=2.2bar&e=5%25",
+    );
     const box = card(page, "Finite elements");
     await box.getByRole("combobox", { name: "Model" }).selectOption("fe3d");
     await box.getByRole("button", { name: "Compute", exact: true }).click();
     const save = box.getByRole("button", { name: "muscle.inp", exact: true });
     await save.waitFor({ timeout: 120_000 });
-    const { bytes } = await downloaded(page, save), deck = join(mkdtempSync(join(tmpdir(), "deck-")), "muscle.inp");
-    execFileSync(program, ["simulate", "-D", "38", "-s", "1", "-L", "100", "--model", "fe3d", "-p", "2.2bar", "-e", "5%", "--export-inp", deck], { stdio: "ignore" });
+    const { bytes } = await downloaded(page, save),
+      deck = join(mkdtempSync(join(tmpdir(), "deck-")), "muscle.inp");
+    execFileSync(
+      program,
+      [
+        "simulate",
+        "-D",
+        "38",
+        "-s",
+        "1",
+        "-L",
+        "100",
+        "--model",
+        "fe3d",
+        "-p",
+        "2.2bar",
+        "-e",
+        "5%",
+        "--export-inp",
+        deck,
+      ],
+      { stdio: "ignore" },
+    );
     // WebAssembly has its own sines, which differ in the last bits.
-    const [ours, theirs] = [bytes.toString(), readFileSync(deck, "utf8")].map((text) => text.split(/[\s,=]+/));
-    const far = ours.findIndex((word, i) => word !== theirs[i] && !(Math.abs(Number(word) - Number(theirs[i])) < 1e-12 * (1 + Math.abs(Number(theirs[i])))));
+    const [ours, theirs] = [bytes.toString(), readFileSync(deck, "utf8")].map(
+      (text) => text.split(/[\s,=]+/),
+    );
+    const far = ours.findIndex(
+      (word, i) =>
+        word !== theirs[i] &&
+        !(
+          Math.abs(Number(word) - Number(theirs[i])) <
+          1e-12 * (1 + Math.abs(Number(theirs[i])))
+        ),
+    );
     assert.equal(far, -1, `${ours[far]} for ${theirs[far]}`);
     assert.equal(ours.length, theirs.length);
-    if (name === "serve") assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
+    if (name === "serve")
+      assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
     assert.deepEqual(errors, []);
     await context.close();
   });
 
   test("a sweep over a measure has the command line's pull and its ±, and keeps its question in the link", async () => {
-    const { page, errors, context } = await open("#sweep?D=38&p=2.2bar&e=10%25");
+    const { page, errors, context } = await open(
+      "#sweep?D=38&p=2.2bar&e=10%25",
+    );
     await page.getByRole("combobox", { name: "Over" }).selectOption("s");
-    for (const [label, text] of [["From", "1 mm"], ["To", "3 mm"], ["Points", "5"]])
+    for (const [label, text] of [
+      ["From", "1 mm"],
+      ["To", "3 mm"],
+      ["Points", "5"],
+    ])
       await page.getByRole("textbox", { name: label, exact: true }).fill(text);
     await page.getByRole("button", { name: "Compute", exact: true }).click();
     await page.waitForFunction(() => /to=3/.test(location.hash));
     await page.getByText("Pull over wall").waitFor();
-    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
-    const rows = await saved(page), at = rows.filter(([, x]) => Number(x) === 2.5);
+    await page.waitForFunction(
+      () => document.querySelector("progress")?.hidden,
+    );
+    const rows = await saved(page),
+      at = rows.filter(([, x]) => Number(x) === 2.5);
     assert.equal(rows.length, 6);
-    const { force_n: force } = ask("force", "-D", "38", "-s", "2.5", "-p", "2.2bar", "-e", "10%");
-    assert.ok(Math.abs(Number(at[0][2]) / force - 1) < 1e-6, `${at[0]} for ${force}`);
+    const { force_n: force } = ask(
+      "force",
+      "-D",
+      "38",
+      "-s",
+      "2.5",
+      "-p",
+      "2.2bar",
+      "-e",
+      "10%",
+    );
+    assert.ok(
+      Math.abs(Number(at[0][2]) / force - 1) < 1e-6,
+      `${at[0]} for ${force}`,
+    );
     await page.reload();
     await page.getByText("Pull over wall").waitFor();
-    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
+    await page.waitForFunction(
+      () => document.querySelector("progress")?.hidden,
+    );
     await soon(async () => assert.equal((await saved(page)).length, 6));
     assert.deepEqual(errors, []);
     await context.close();
@@ -160,18 +303,35 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open("#muscle?D=38");
     await alive(page);
     const before = await pull(page);
-    await page.evaluate((text) => {
-      const data = new DataTransfer();
-      data.items.add(new File([text], "tension.csv"));
-      for (const kind of ["dragover", "drop"])
-        document.querySelector("#bar")?.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
-    }, readFileSync(`${root}data/treloar/tension.csv`, "utf8"));
+    await page.evaluate(
+      (text) => {
+        const data = new DataTransfer();
+        data.items.add(new File([text], "tension.csv"));
+        for (const kind of ["dragover", "drop"])
+          document
+            .querySelector("#bar")
+            ?.dispatchEvent(
+              new DragEvent(kind, {
+                dataTransfer: data,
+                bubbles: true,
+                cancelable: true,
+              }),
+            );
+      },
+      readFileSync(`${root}data/treloar/tension.csv`, "utf8"),
+    );
     const said = ask("rubber", `${root}data/treloar/tension.csv`);
-    await page.getByRole("heading", { name: `Recommended: ${said.recommended}` }).waitFor({ timeout: 120_000 });
+    await page
+      .getByRole("heading", { name: `Recommended: ${said.recommended}` })
+      .waitFor({ timeout: 120_000 });
     const row = page.getByRole("row", { name: said.recommended }).first();
     for (const { name: constant, value } of said.parameters)
-      await row.filter({ hasText: `${constant} ${Number(value.toPrecision(4))}` }).waitFor();
-    await page.getByRole("button", { name: "Put the rubber into the muscle" }).click();
+      await row
+        .filter({ hasText: `${constant} ${Number(value.toPrecision(4))}` })
+        .waitFor();
+    await page
+      .getByRole("button", { name: "Put the rubber into the muscle" })
+      .click();
     await page.locator("main[data-shown=muscle]").waitFor();
     await page.waitForFunction((old) => {
       const text = document.querySelector(".stage .say b")?.textContent ?? "";

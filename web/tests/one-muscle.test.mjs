@@ -15,7 +15,8 @@ const asShown = (said) => {
   const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
   return `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`;
 };
-const bar = (/** @type {number} */ mpa, digits = 3) => `${Number((10 * mpa).toPrecision(digits))} bar`;
+const bar = (/** @type {number} */ mpa, digits = 3) =>
+  `${Number((10 * mpa).toPrecision(digits))} bar`;
 
 /** A muscle that is not the prototype in anything. */
 const MINE = `[tube]
@@ -42,13 +43,37 @@ inBrowser(({ name, url, open, blank }) => {
   /** @typedef {import("playwright-core").Page} Page */
   /** Until a text stands in an element. @param {Page} page @param {string} of @param {string} text */
   const reads = async (page, of, text, timeout = 20_000) => {
-    await page.waitForFunction(([of, text]) => document.querySelector(of)?.textContent?.includes(text), [of, text], { timeout }).catch(async () => assert.fail(`"${text}" does not stand in ${of}: ${await page.locator(of).first().textContent()}`));
+    await page
+      .waitForFunction(
+        ([of, text]) => document.querySelector(of)?.textContent?.includes(text),
+        [of, text],
+        { timeout },
+      )
+      .catch(async () =>
+        assert.fail(
+          `"${text}" does not stand in ${of}: ${await page.locator(of).first().textContent()}`,
+        ),
+      );
   };
   const PULL = ".stage .say b";
-  const field = (/** @type {Page} */ page, /** @type {string} */ label) => page.getByRole("textbox", { name: label, exact: true });
-  const type = async (/** @type {Page} */ page, /** @type {string} */ label, /** @type {string} */ text) => { await field(page, label).fill(text); await field(page, label).press("Enter"); };
-  const saved = async (/** @type {Page} */ page, /** @type {string} */ button) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button, exact: true }).first().click()]);
+  const field = (/** @type {Page} */ page, /** @type {string} */ label) =>
+    page.getByRole("textbox", { name: label, exact: true });
+  const type = async (
+    /** @type {Page} */ page,
+    /** @type {string} */ label,
+    /** @type {string} */ text,
+  ) => {
+    await field(page, label).fill(text);
+    await field(page, label).press("Enter");
+  };
+  const saved = async (
+    /** @type {Page} */ page,
+    /** @type {string} */ button,
+  ) => {
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: button, exact: true }).first().click(),
+    ]);
     return readFileSync(/** @type {string} */ (await download.path()), "utf8");
   };
 
@@ -56,89 +81,217 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
     await openFiles(page, mine);
-    await reads(page, PULL, asShown(ask("force", mine, "-p", "2.5bar", "-e", "15%")));
-    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
+    await reads(
+      page,
+      PULL,
+      asShown(ask("force", mine, "-p", "2.5bar", "-e", "15%")),
+    );
+    await soon(async () =>
+      assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"),
+    );
     await type(page, "Length L0", "9in");
     await type(page, "Contraction ε", "10 %");
-    const said = asShown(ask("force", mine, "-L", "9in", "-p", "2.5bar", "-e", "10%"));
+    const said = asShown(
+      ask("force", mine, "-L", "9in", "-p", "2.5bar", "-e", "10%"),
+    );
     await reads(page, PULL, said);
     await page.screenshot({ path: `${shots}/file-open-${name}.png` });
     // What is saved is the same muscle, on the command line too.
     const copy = join(folder, `saved-${name}.toml`);
     writeFileSync(copy, await saved(page, "Save"));
-    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "10%")), said);
+    assert.equal(
+      asShown(ask("force", copy, "-p", "2.5bar", "-e", "10%")),
+      said,
+    );
     await page.reload();
     await reads(page, PULL, said);
-    await soon(async () => assert.equal(await field(page, "Length L0").inputValue(), "228.6"));
-    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
-    await soon(async () => assert.equal(await field(page, "Braid angle θ0").inputValue(), "24"));
+    await soon(async () =>
+      assert.equal(await field(page, "Length L0").inputValue(), "228.6"),
+    );
+    await soon(async () =>
+      assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"),
+    );
+    await soon(async () =>
+      assert.equal(await field(page, "Braid angle θ0").inputValue(), "24"),
+    );
     // Joint: the torques of its curves, and of the pressures that finite elements find.
-    writeFileSync(join(folder, "joint.toml"), `[joint]\nradius = "25 mm"\nrange = "-60..60 deg"\n[muscle_1]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n`);
-    const asked = ["joint", join(folder, "joint.toml"), "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar"];
-    const pressures = (/** @type {any} */ { points: [q] }) => `Pressure 1${bar(q.pressure_1_mpa)}Pressure 2${bar(q.pressure_2_mpa)}`;
+    writeFileSync(
+      join(folder, "joint.toml"),
+      `[joint]\nradius = "25 mm"\nrange = "-60..60 deg"\n[muscle_1]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "saved-${name}.toml"\ncontraction_at_neutral = "12%"\n`,
+    );
+    const asked = [
+      "joint",
+      join(folder, "joint.toml"),
+      "--angle",
+      "20deg",
+      "--stiffness",
+      "8",
+      "--max-pressure",
+      "5bar",
+    ];
+    const pressures = (/** @type {any} */ { points: [q] }) =>
+      `Pressure 1${bar(q.pressure_1_mpa)}Pressure 2${bar(q.pressure_2_mpa)}`;
     await go(page, "Joint");
-    await reads(page, ".numbers", pressures(ask(...asked, "--model", "universal", "--extrapolate")));
+    await reads(
+      page,
+      ".numbers",
+      pressures(ask(...asked, "--model", "universal", "--extrapolate")),
+    );
     await page.reload();
     await reads(page, ".numbers", "Final: finite elements", 90_000);
     await reads(page, ".numbers", pressures(ask(...asked)));
     // Motion.
     await go(page, "Motion");
     await page.waitForSelector("table", { timeout: 60_000 });
-    await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
+    await page
+      .getByRole("combobox", { name: "Model" })
+      .selectOption("universal");
     await page.getByRole("button", { name: "Run" }).click();
-    const run = ask("motion", "--muscle", copy, "-p", "3bar", "--load", "mass:10kg", "--valve", "0.5 L/(s bar)", "--damping", "200 N s/m", "--model", "universal");
-    await reads(page, ".controls table", `Air from the supply${Number(run.air_normal_litres.toPrecision(3))} normal L`);
+    const run = ask(
+      "motion",
+      "--muscle",
+      copy,
+      "-p",
+      "3bar",
+      "--load",
+      "mass:10kg",
+      "--valve",
+      "0.5 L/(s bar)",
+      "--damping",
+      "200 N s/m",
+      "--model",
+      "universal",
+    );
+    await reads(
+      page,
+      ".controls table",
+      `Air from the supply${Number(run.air_normal_litres.toPrecision(3))} normal L`,
+    );
     // Compare: both sides are this muscle, and B another length of it.
     await go(page, "Compare");
     await reads(page, "section[aria-label=A]", "neo-hookean");
-    await page.locator("section[aria-label=B]").getByLabel("Length").fill("150 mm");
-    await page.locator("section[aria-label=B]").getByLabel("Length").press("Enter");
-    const [a, b] = [ask("force", copy, "-p", "2.5bar", "-e", "10%"), ask("force", copy, "-L", "150", "-p", "2.5bar", "-e", "10%", "--model", "thick-wall", "--extrapolate")];
-    await reads(page, "[aria-label='both in numbers']", `Pull${asShown(a)}${asShown(b)}`);
+    await page
+      .locator("section[aria-label=B]")
+      .getByLabel("Length")
+      .fill("150 mm");
+    await page
+      .locator("section[aria-label=B]")
+      .getByLabel("Length")
+      .press("Enter");
+    const [a, b] = [
+      ask("force", copy, "-p", "2.5bar", "-e", "10%"),
+      ask(
+        "force",
+        copy,
+        "-L",
+        "150",
+        "-p",
+        "2.5bar",
+        "-e",
+        "10%",
+        "--model",
+        "thick-wall",
+        "--extrapolate",
+      ),
+    ];
+    await reads(
+      page,
+      "[aria-label='both in numbers']",
+      `Pull${asShown(a)}${asShown(b)}`,
+    );
     const link = page.url();
     assert.deepEqual(errors, []);
     await context.close();
     const sent = await open(new URL(link).hash);
-    await reads(sent.page, "[aria-label='both in numbers']", `Pull${asShown(a)}${asShown(b)}`);
+    await reads(
+      sent.page,
+      "[aria-label='both in numbers']",
+      `Pull${asShown(a)}${asShown(b)}`,
+    );
     await sent.context.close();
   });
 
   test("every measure of the program has a field, and those that few muscles state belong to the muscle of every page", async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const box = page.locator("details", { hasText: "More measures" }), is = (/** @type {string} */ name, /** @type {string} */ value) => page.waitForFunction(([name, value]) => [...document.querySelectorAll(".quantity")].some((q) => q.querySelector("label")?.textContent === name && q.querySelector("input")?.value === value), [name, value], { timeout: 20_000 });
+    const box = page.locator("details", { hasText: "More measures" }),
+      is = (/** @type {string} */ name, /** @type {string} */ value) =>
+        page.waitForFunction(
+          ([name, value]) =>
+            [...document.querySelectorAll(".quantity")].some(
+              (q) =>
+                q.querySelector("label")?.textContent === name &&
+                q.querySelector("input")?.value === value,
+            ),
+          [name, value],
+          { timeout: 20_000 },
+        );
     await soon(async () => assert.equal(await box.getAttribute("open"), null));
     await page.getByText("Ends", { exact: true }).first().click();
     await page.getByText("More measures", { exact: true }).click();
-    await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
-    const { measures } = await page.evaluate(async () => (await import(new URL("js/ask.js", document.baseURI).href)).engine().ask("measures", {})), labels = () => page.locator(".quantity label").allTextContents();
+    await page.screenshot({
+      path: `${shots}/more-${name}.png`,
+      fullPage: true,
+    });
+    const { measures } = await page.evaluate(async () =>
+        (await import(new URL("js/ask.js", document.baseURI).href))
+          .engine()
+          .ask("measures", {}),
+      ),
+      labels = () => page.locator(".quantity label").allTextContents();
     const of = (/** @type {string} */ key) => {
-      const { label, symbol } = measures.find((/** @type {any} */ m) => m.key === key);
+      const { label, symbol } = measures.find(
+        (/** @type {any} */ m) => m.key === key,
+      );
       return `${label.charAt(0).toUpperCase()}${label.slice(1)}${symbol ? ` ${symbol}` : ""}`;
     };
     await soon(async () => {
       const shown = await labels();
-      for (const { key } of measures) assert.equal(shown.filter((label) => label === of(key)).length, 1, key);
+      for (const { key } of measures)
+        assert.equal(shown.filter((label) => label === of(key)).length, 1, key);
     });
     /** @type {[string, string, string][]} */
     const typed = [
-      ["tube.density", "0.95 g/cm3", "950"], ["tube.prestretch", "1.1", "1.1"], ["braid.strands", "96", "96"], ["braid.strand_modulus", "8.5 GPa", "8500"], ["braid.strand_area", "0.05 mm2", "0.05"],
-      ["braid.strand_strength", "0.04 kN", "40"], ["braid.thickness", "400 um", "0.4"], ["braid.crimp", "0.5", "0.5 %"], ["terminals.insertion", "15 mm", "15"], ["friction.coefficient", "40", "40"],
+      ["tube.density", "0.95 g/cm3", "950"],
+      ["tube.prestretch", "1.1", "1.1"],
+      ["braid.strands", "96", "96"],
+      ["braid.strand_modulus", "8.5 GPa", "8500"],
+      ["braid.strand_area", "0.05 mm2", "0.05"],
+      ["braid.strand_strength", "0.04 kN", "40"],
+      ["braid.thickness", "400 um", "0.4"],
+      ["braid.crimp", "0.5", "0.5 %"],
+      ["terminals.insertion", "15 mm", "15"],
+      ["friction.coefficient", "40", "40"],
     ];
-    for (const [key, text] of typed) await type(page, of(key), key === "braid.crimp" ? `${text} %` : text);
+    for (const [key, text] of typed)
+      await type(page, of(key), key === "braid.crimp" ? `${text} %` : text);
     // What lacks its other half is said at that.
-    await page.waitForFunction((name) => [...document.querySelectorAll(".quantity")].some((q) => q.querySelector("label")?.textContent === name && q.querySelector("[aria-invalid=true]")), of("friction.exponent"));
+    await page.waitForFunction(
+      (name) =>
+        [...document.querySelectorAll(".quantity")].some(
+          (q) =>
+            q.querySelector("label")?.textContent === name &&
+            q.querySelector("[aria-invalid=true]"),
+        ),
+      of("friction.exponent"),
+    );
     await type(page, of("friction.exponent"), "0.8");
     const file = (/** @type {string} */ prestretch) => {
       const path = join(folder, `more-${name}.toml`);
-      writeFileSync(path, `[tube]\ndensity = "0.95 g/cm3"\n${prestretch}[braid]\nstrands = 96\nstrand_modulus = "8.5 GPa"\nstrand_area = "0.05 mm2"\nstrand_strength = "40 N"\nthickness = "0.4 mm"\ncrimp = "0.5 %"\n[terminals]\ninsertion = "15 mm"\n[friction]\ncoefficient = 40\nexponent = 0.8\n`);
+      writeFileSync(
+        path,
+        `[tube]\ndensity = "0.95 g/cm3"\n${prestretch}[braid]\nstrands = 96\nstrand_modulus = "8.5 GPa"\nstrand_area = "0.05 mm2"\nstrand_strength = "40 N"\nthickness = "0.4 mm"\ncrimp = "0.5 %"\n[terminals]\ninsertion = "15 mm"\n[friction]\ncoefficient = 40\nexponent = 0.8\n`,
+      );
       return asShown(ask("force", path, "-p", "2.5bar", "-e", "15%"));
     };
     const said = file("prestretch = 1.1\n");
     await reads(page, PULL, said);
     const copy = join(folder, `more-saved-${name}.toml`);
     writeFileSync(copy, await saved(page, "Save"));
-    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")), said);
+    assert.equal(
+      asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")),
+      said,
+    );
     const link = new URL(page.url()).hash;
     assert.match(link, /strands=96/);
     // Reloaded, and sent to somebody: it is open by itself, with all values.
@@ -157,8 +310,18 @@ inBrowser(({ name, url, open, blank }) => {
     await is(of("tube.prestretch"), "");
     await type(page, of("braid.strands"), "37");
     await page.waitForSelector(".problem");
-    await soon(async () => assert.equal(await field(page, of("braid.strands")).getAttribute("aria-invalid"), "true"));
-    await soon(async () => assert.match(await page.locator(".problem").innerText(), /number of strands is 37; it must be an even whole number/i));
+    await soon(async () =>
+      assert.equal(
+        await field(page, of("braid.strands")).getAttribute("aria-invalid"),
+        "true",
+      ),
+    );
+    await soon(async () =>
+      assert.match(
+        await page.locator(".problem").innerText(),
+        /number of strands is 37; it must be an even whole number/i,
+      ),
+    );
     assert.deepEqual(errors, []);
     await context.close();
     // The measures of a file.
@@ -166,8 +329,22 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(opened.page);
     await openFiles(opened.page, copy);
     await reads(opened.page, PULL, said);
-    await soon(async () => assert.equal(await opened.page.locator("details", { hasText: "More measures" }).getAttribute("open"), ""));
-    for (const [key, , shown] of typed) await soon(async () => assert.equal(await field(opened.page, of(key)).inputValue(), shown, key));
+    await soon(async () =>
+      assert.equal(
+        await opened.page
+          .locator("details", { hasText: "More measures" })
+          .getAttribute("open"),
+        "",
+      ),
+    );
+    for (const [key, , shown] of typed)
+      await soon(async () =>
+        assert.equal(
+          await field(opened.page, of(key)).inputValue(),
+          shown,
+          key,
+        ),
+      );
     await opened.context.close();
   });
 
@@ -175,40 +352,104 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle?p=2bar&e=5%25");
     await alive(page);
     for (const [sleeve, low, high, lacks] of SLEEVES) {
-      const D = Math.round((low + 0.45 * (high - low)) * 100) / 100, s = Math.round(10 * D) / 100, L = Math.ceil(7 * D);
+      const D = Math.round((low + 0.45 * (high - low)) * 100) / 100,
+        s = Math.round(10 * D) / 100,
+        L = Math.ceil(7 * D);
       await page.goto(`${url()}#muscle?D=${D}&s=${s}&L=${L}&p=2bar&e=5%25`);
-      await page.waitForFunction((L) => /** @type {HTMLInputElement} */ (document.querySelectorAll(".quantity input[type=text]")[5])?.value === String(L), L);
+      await page.waitForFunction(
+        (L) =>
+          /** @type {HTMLInputElement} */ (
+            document.querySelectorAll(".quantity input[type=text]")[5]
+          )?.value === String(L),
+        L,
+      );
       await page.getByRole("combobox", { name: "Braid" }).selectOption(sleeve);
-      const fields = { sd: ["Diameter of a strand", "0.2 mm", "--strand-diameter"], sE: ["Young's modulus of a strand E", "3 GPa", "--strand-modulus"] };
+      const fields = {
+        sd: ["Diameter of a strand", "0.2 mm", "--strand-diameter"],
+        sE: ["Young's modulus of a strand E", "3 GPa", "--strand-modulus"],
+      };
       const flags = [];
       for (const key of lacks) {
         const [label, text, flag] = fields[key];
         // An estimate answers until it is measured.
-        await page.waitForFunction((label) => [...document.querySelectorAll(".quantity")].some((q) => q.textContent?.includes(label)), label);
-        if (sleeve === "nfl-19" && key === "sd") await page.screenshot({ path: `${shots}/sleeve-${name}.png` });
+        await page.waitForFunction(
+          (label) =>
+            [...document.querySelectorAll(".quantity")].some((q) =>
+              q.textContent?.includes(label),
+            ),
+          label,
+        );
+        if (sleeve === "nfl-19" && key === "sd")
+          await page.screenshot({ path: `${shots}/sleeve-${name}.png` });
         await type(page, label, text);
         flags.push(flag, text);
       }
-      const said = ask("force", "-D", `${D}`, "-s", `${s}`, "-L", `${L}`, "--braid", sleeve, ...flags, "-p", "2bar", "-e", "5%");
+      const said = ask(
+        "force",
+        "-D",
+        `${D}`,
+        "-s",
+        `${s}`,
+        "-L",
+        `${L}`,
+        "--braid",
+        sleeve,
+        ...flags,
+        "-p",
+        "2bar",
+        "-e",
+        "5%",
+      );
       await reads(page, PULL, said.slack ? "Slack" : asShown(said));
-      await soon(async () => assert.ok(await page.getByRole("slider", { name: "Braid angle" }).isDisabled()));
+      await soon(async () =>
+        assert.ok(
+          await page.getByRole("slider", { name: "Braid angle" }).isDisabled(),
+        ),
+      );
     }
     // Strands that keep their length need neither.
-    await page.getByRole("combobox", { name: "Strands" }).selectOption("inextensible");
-    await page.waitForFunction(() => /k=inextensible/.test(location.hash) && !/sd=|sE=/.test(location.hash));
+    await page
+      .getByRole("combobox", { name: "Strands" })
+      .selectOption("inextensible");
+    await page.waitForFunction(
+      () =>
+        /k=inextensible/.test(location.hash) && !/sd=|sE=/.test(location.hash),
+    );
     await alive(page);
     await context.close();
   });
 
   test("sleeves in a design have the same fields", async () => {
-    const { page, context } = await open("#design?F=300N&e=10%25&pmax=4bar&s=1.5mm&D=10..18mm");
+    const { page, context } = await open(
+      "#design?F=300N&e=10%25&pmax=4bar&s=1.5mm&D=10..18mm",
+    );
     await page.waitForSelector("table", { timeout: 60_000 });
     await page.getByText("Search space").click();
     await page.getByLabel("Sleeves as sold").fill("flexo-overexpanded-0.38in");
     await type(page, "Diameter of a strand", "0.25 mm");
-    const best = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar", "-s", "1.5mm", "-D", "10..18mm", "--braid", "flexo-overexpanded-0.38in", "--strand-diameter", "0.25mm").candidates[0];
+    const best = ask(
+      "design",
+      "-F",
+      "300N",
+      "-e",
+      "10%",
+      "-p",
+      "4bar",
+      "-s",
+      "1.5mm",
+      "-D",
+      "10..18mm",
+      "--braid",
+      "flexo-overexpanded-0.38in",
+      "--strand-diameter",
+      "0.25mm",
+    ).candidates[0];
     assert.ok(best, "it fits");
-    await reads(page, ".middle h2", `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm`);
+    await reads(
+      page,
+      ".middle h2",
+      `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm`,
+    );
     await page.locator("tr.pick").first().click();
     await alive(page);
     await reads(page, PULL, `${(await pull(page)).split(" ")[0]}`);
@@ -224,27 +465,50 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("combobox", { name: "Hold" }).selectOption("F");
     await type(page, "Load F", "300 N");
     const said = ask("contraction", "-F", "300N", "-p", "2.5bar");
-    await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
+    await reads(
+      page,
+      ".stage .say",
+      `and ${Number((100 * said.contraction).toPrecision(3))} %`,
+    );
     await soon(async () => assert.match(page.url(), /F=300/));
     // P′ is that of the contraction that was found.
-    await reads(page, ".numbers", `Threshold pressure${bar(said.start_pressure_mpa)}`);
+    await reads(
+      page,
+      ".numbers",
+      `Threshold pressure${bar(said.start_pressure_mpa)}`,
+    );
     await page.screenshot({ path: `${shots}/load-held-${name}.png` });
     await page.reload();
-    await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
-    await soon(async () => assert.equal(await field(page, "Load F").inputValue(), "300"));
+    await reads(
+      page,
+      ".stage .say",
+      `and ${Number((100 * said.contraction).toPrecision(3))} %`,
+    );
+    await soon(async () =>
+      assert.equal(await field(page, "Load F").inputValue(), "300"),
+    );
     await page.getByRole("combobox", { name: "Hold" }).selectOption("e");
-    await soon(async () => assert.ok(await field(page, "Contraction ε").isVisible()));
+    await soon(async () =>
+      assert.ok(await field(page, "Contraction ε").isVisible()),
+    );
     await context.close();
   });
 
   test("Enter starts a design, and its winner opens as the muscle that was designed", async () => {
-    const { page, context } = await open("#muscle?k=inextensible&p=2.5bar&e=15%25");
+    const { page, context } = await open(
+      "#muscle?k=inextensible&p=2.5bar&e=15%25",
+    );
     await alive(page);
     await go(page, "Design");
     await page.waitForSelector("table", { timeout: 60_000 });
     await type(page, "Pull", "300 N");
-    const best = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates[0];
-    await reads(page, ".middle h2", `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`);
+    const best = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar")
+      .candidates[0];
+    await reads(
+      page,
+      ".middle h2",
+      `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`,
+    );
     await page.locator("tr.pick").first().click();
     await alive(page);
     await soon(async () => {
@@ -259,11 +523,20 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle");
     await alive(page);
     await page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
-    const lines = (await saved(page, "CSV")).trim().split("\n").map((line) => line.split(","));
+    const lines = (await saved(page, "CSV"))
+      .trim()
+      .split("\n")
+      .map((line) => line.split(","));
     for (const p of ["0.5 bar", "1 bar", "2.5 bar"]) {
       const free = ask("contraction", "-F", "0", "-p", p).contraction;
-      const last = lines.filter(([curve, , y]) => curve === p && y !== "").at(-1);
-      assert.equal(Number(Number(last?.[1]).toPrecision(3)), Number((100 * free).toPrecision(3)), p);
+      const last = lines
+        .filter(([curve, , y]) => curve === p && y !== "")
+        .at(-1);
+      assert.equal(
+        Number(Number(last?.[1]).toPrecision(3)),
+        Number((100 * free).toPrecision(3)),
+        p,
+      );
       assert.equal(Number(last?.[2]), 0);
     }
     await context.close();
@@ -272,12 +545,29 @@ inBrowser(({ name, url, open, blank }) => {
   test("0.15 is 15 %, and of 15 without a unit is said what was understood", async () => {
     const { page, context } = await open("#muscle?p=2.5bar&e=5%25");
     await alive(page);
-    for (const [text, note] of [["0.12", "0.12 without a unit was read as 12 %."], ["12", "12 without a unit was read as 12 %."], ["12 %", ""], ["12", "12 without a unit was read as 12 %."]]) {
+    for (const [text, note] of [
+      ["0.12", "0.12 without a unit was read as 12 %."],
+      ["12", "12 without a unit was read as 12 %."],
+      ["12 %", ""],
+      ["12", "12 without a unit was read as 12 %."],
+    ]) {
       await type(page, "Contraction ε", "5 %");
       await type(page, "Contraction ε", text);
-      await reads(page, PULL, asShown(ask("force", "-p", "2.5bar", "-e", "12%")));
-      await soon(async () => assert.equal(await field(page, "Contraction ε").inputValue(), "12 %"));
-      await page.waitForFunction((note) => document.querySelector(".state .note:not([hidden])")?.textContent === note || (!note && !document.querySelector(".state .note:not([hidden])")), note);
+      await reads(
+        page,
+        PULL,
+        asShown(ask("force", "-p", "2.5bar", "-e", "12%")),
+      );
+      await soon(async () =>
+        assert.equal(await field(page, "Contraction ε").inputValue(), "12 %"),
+      );
+      await page.waitForFunction(
+        (note) =>
+          document.querySelector(".state .note:not([hidden])")?.textContent ===
+            note ||
+          (!note && !document.querySelector(".state .note:not([hidden])")),
+        note,
+      );
     }
     await soon(async () => assert.match(page.url(), /e=12%25/));
     // What stands in the field is not read again as something else.
@@ -316,12 +606,22 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle");
     await alive(page);
     /** Pixels of a millimetre by the bar. */
-    const pixels = () => page.evaluate(() => { const box = /** @type {any} */ (document.querySelector(".stage .bar")); return box.querySelector("span").getBoundingClientRect().width / parseFloat(box.textContent); });
+    const pixels = () =>
+      page.evaluate(() => {
+        const box = /** @type {any} */ (document.querySelector(".stage .bar"));
+        return (
+          box.querySelector("span").getBoundingClientRect().width /
+          parseFloat(box.textContent)
+        );
+      });
     const before = await pixels();
     await page.locator(".stage canvas").focus();
     for (let i = 0; i < 4; i++) await page.keyboard.press("+");
     const after = await pixels();
-    assert.ok(Math.abs(after / before / 1.2 ** 4 - 1) < 0.02, `${after / before}`);
+    assert.ok(
+      Math.abs(after / before / 1.2 ** 4 - 1) < 0.02,
+      `${after / before}`,
+    );
     await context.close();
   });
 
@@ -330,27 +630,56 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await type(page, "Wall s", "40");
     await page.waitForSelector(".problem");
-    await soon(async () => assert.ok(await page.locator(".stage.stale").count() && await page.locator(".numbers.stale").count() && await page.locator(".chart.stale").count()));
+    await soon(async () =>
+      assert.ok(
+        (await page.locator(".stage.stale").count()) &&
+          (await page.locator(".numbers.stale").count()) &&
+          (await page.locator(".chart.stale").count()),
+      ),
+    );
     const words = () => page.locator(".problem").innerText();
-    await soon(async () => assert.match(await words(), /wall is 40 mm, but the radius is 15 mm/i));
-    await soon(async () => assert.equal(await field(page, "Wall s").getAttribute("aria-invalid"), "true"));
+    await soon(async () =>
+      assert.match(await words(), /wall is 40 mm, but the radius is 15 mm/i),
+    );
+    await soon(async () =>
+      assert.equal(
+        await field(page, "Wall s").getAttribute("aria-invalid"),
+        "true",
+      ),
+    );
     assert.doesNotMatch(await words(), /tube\.|_mm|MPa/);
     await page.screenshot({ path: `${shots}/error-${name}.png` });
     await type(page, "Wall s", "3");
-    await page.waitForFunction(() => !document.querySelector(".problem") && !document.querySelector(".stale"));
+    await page.waitForFunction(
+      () =>
+        !document.querySelector(".problem") &&
+        !document.querySelector(".stale"),
+    );
     await type(page, "Pressure p", "900");
     await page.waitForSelector(".problem", { timeout: 30_000 });
-    await soon(async () => assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/));
+    await soon(async () =>
+      assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/),
+    );
     await context.close();
   });
 
   test("the chart of measured points ends with them", async () => {
     const { page, context } = await open("#data");
     await page.waitForSelector("form");
-    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await page
+      .locator("input[type=file]")
+      .setInputFiles(`${root}examples/bench.csv`);
     await page.getByText("points.").first().waitFor({ timeout: 30_000 });
     // The numbers below the chart, from left to right.
-    const end = await page.waitForFunction(() => [...document.querySelectorAll("svg.curves text[text-anchor=middle]")].map((t) => Number(t.textContent)).filter((v) => v > 0).at(-1), undefined, { timeout: 30_000 });
+    const end = await page.waitForFunction(
+      () =>
+        [...document.querySelectorAll("svg.curves text[text-anchor=middle]")]
+          .map((t) => Number(t.textContent))
+          .filter((v) => v > 0)
+          .at(-1),
+      undefined,
+      { timeout: 30_000 },
+    );
     assert.ok(Number(await end.jsonValue()) < 50, `ε ${await end.jsonValue()}`);
     await context.close();
   });
@@ -359,12 +688,27 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#about");
     await page.waitForSelector("h2");
     const took = await page.evaluate(async () => {
-      const { Slot } = await import(new URL("js/ask.js", document.baseURI).href);
-      const slot = new Slot(), began = performance.now();
+      const { Slot } = await import(
+        new URL("js/ask.js", document.baseURI).href
+      );
+      const slot = new Slot(),
+        began = performance.now();
       /** @type {string[]} */ const said = [];
       // About half a minute of finite elements.
-      slot.ask("curve", { test: "isometric", mesh: "4x60", contractions: Array.from({ length: 40 }, (_, i) => i / 200), pressures_mpa: Array.from({ length: 40 }, (_, i) => 0.01 * i) }, () => said.push("old"), () => said.push("wrong"));
-      await new Promise((resolve) => { setTimeout(() => slot.ask("units", {}, resolve), 100); });
+      slot.ask(
+        "curve",
+        {
+          test: "isometric",
+          mesh: "4x60",
+          contractions: Array.from({ length: 40 }, (_, i) => i / 200),
+          pressures_mpa: Array.from({ length: 40 }, (_, i) => 0.01 * i),
+        },
+        () => said.push("old"),
+        () => said.push("wrong"),
+      );
+      await new Promise((resolve) => {
+        setTimeout(() => slot.ask("units", {}, resolve), 100);
+      });
       return [performance.now() - began, ...said];
     });
     assert.equal(took.length, 1, String(took));
@@ -375,28 +719,61 @@ inBrowser(({ name, url, open, blank }) => {
   test("the largest speed of a step is that of the motion, whatever its duration", async () => {
     const speeds = [];
     for (const until of ["1 s", "30 s"]) {
-      const { page, context } = await open(`#motion?model=universal&until=${until}`);
+      const { page, context } = await open(
+        `#motion?model=universal&until=${until}`,
+      );
       await page.waitForSelector("table", { timeout: 60_000 });
-      const run = ask("motion", "--muscle", "examples/prototype.toml", "-p", "3bar", "--load", "mass:10kg", "--valve", "0.5 L/(s bar)", "--damping", "200 N s/m", "--model", "universal", "--until", until);
+      const run = ask(
+        "motion",
+        "--muscle",
+        "examples/prototype.toml",
+        "-p",
+        "3bar",
+        "--load",
+        "mass:10kg",
+        "--valve",
+        "0.5 L/(s bar)",
+        "--damping",
+        "200 N s/m",
+        "--model",
+        "universal",
+        "--until",
+        until,
+      );
       const speed = run.largest_velocity_mm_per_s;
-      await reads(page, ".controls table", `Largest speed${Number(speed.toPrecision(3))} mm/s`);
+      await reads(
+        page,
+        ".controls table",
+        `Largest speed${Number(speed.toPrecision(3))} mm/s`,
+      );
       speeds.push(speed);
       await context.close();
     }
     assert.ok(Math.abs(speeds[1] / speeds[0] - 1) < 0.01, String(speeds));
   });
 
-  if (name === "serve") test("a server that goes away in the middle of work is said, and leaves no bar", async () => {
-    const own = await served(program);
-    const { page, context } = await blank();
-    await page.goto(`${own.url}#formula`);
-    const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
-    await plan.fill((await plan.inputValue()).replace("30,40,45,50 mm", "30..50:0.5 mm").replace("1..5:1 mm", "1..5:0.25 mm"));
-    await page.getByRole("button", { name: "Compute the plan" }).click();
-    await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
-    own.kill();
-    await page.getByText("The computation engine stopped: the server cannot be reached").waitFor({ timeout: 20_000 });
-    await soon(async () => assert.equal(await page.getByRole("progressbar").count(), 0));
-    await context.close();
-  });
+  if (name === "serve")
+    test("a server that goes away in the middle of work is said, and leaves no bar", async () => {
+      const own = await served(program);
+      const { page, context } = await blank();
+      await page.goto(`${own.url}#formula`);
+      const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
+      await plan.fill(
+        (await plan.inputValue())
+          .replace("30,40,45,50 mm", "30..50:0.5 mm")
+          .replace("1..5:1 mm", "1..5:0.25 mm"),
+      );
+      await page.getByRole("button", { name: "Compute the plan" }).click();
+      await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
+      own.kill();
+      await page
+        .getByText(
+          "The computation engine stopped: the server cannot be reached",
+        )
+        .waitFor({ timeout: 20_000 });
+      await soon(async () =>
+        assert.equal(await page.getByRole("progressbar").count(), 0),
+      );
+      await context.close();
+    });
 });

@@ -11,10 +11,20 @@ export const dist = process.env.DIST ?? `${root}web/dist`;
 export const shots = process.env.SHOTS ?? `${root}target/workbench`;
 
 /** The command line's answer as JSON. @param {string[]} line */
-export const ask = (...line) => JSON.parse(execFileSync(program, [...line, "--format", "json"], { encoding: "utf8", cwd: root, stdio: ["ignore", "pipe", "ignore"] }));
+export const ask = (...line) =>
+  JSON.parse(
+    execFileSync(program, [...line, "--format", "json"], {
+      encoding: "utf8",
+      cwd: root,
+      stdio: ["ignore", "pipe", "ignore"],
+    }),
+  );
 
 /** Those that were asked for, of what has the engines' names. @template T @param {{ static: T, serve: T }} all @returns {[string, T][]} */
-export const engines = (all) => Object.entries(all).filter(([name]) => ["all", name].includes(process.env.ENGINES ?? "all"));
+export const engines = (all) =>
+  Object.entries(all).filter(([name]) =>
+    ["all", name].includes(process.env.ENGINES ?? "all"),
+  );
 
 /**
  * Tests of the page in a browser, once for each engine.
@@ -29,15 +39,25 @@ export const engines = (all) => Object.entries(all).filter(([name]) => ["all", n
 export function inBrowser(tests) {
   mkdirSync(shots, { recursive: true });
   /** @type {import("playwright-core").Browser} */ let browser;
-  before(async () => { browser = await launch(); });
+  before(async () => {
+    browser = await launch();
+  });
   after(() => browser.close());
-  for (const [name, start] of engines({ static: () => statically(dist), serve: () => served(program) })) {
+  for (const [name, start] of engines({
+    static: () => statically(dist),
+    serve: () => served(program),
+  })) {
     describe(name, { concurrency: false }, () => {
       /** @type {{ url: string, end: () => void }} */ let site;
-      before(async () => { site = await start(); });
+      before(async () => {
+        site = await start();
+      });
       after(() => site.end());
       const blank = () => tab(browser);
-      const open = async (/** @type {string} */ hash, /** @type {any} */ options) => {
+      const open = async (
+        /** @type {string} */ hash,
+        /** @type {any} */ options,
+      ) => {
         const opened = await tab(browser, options);
         await opened.page.goto(site.url + hash);
         return opened;

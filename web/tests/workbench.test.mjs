@@ -14,7 +14,8 @@ import { alive, go, launch, meter, pull, served, soon } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-const example = (/** @type {string} */ name) => readFileSync(`${root}examples/${name}`, "utf8");
+const example = (/** @type {string} */ name) =>
+  readFileSync(`${root}examples/${name}`, "utf8");
 /** A pull as the page writes it. @param {any} said */
 const asShown = (said) => {
   const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
@@ -22,14 +23,29 @@ const asShown = (said) => {
 };
 /** Until a text stands in an element. @param {Page} page @param {string} of @param {string} text */
 const reads = (page, of, text, timeout = 30_000) =>
-  page.waitForFunction(([of, text]) => document.querySelector(of)?.textContent?.includes(text), [of, text], { timeout })
+  page
+    .waitForFunction(
+      ([of, text]) => document.querySelector(of)?.textContent?.includes(text),
+      [of, text],
+      { timeout },
+    )
     .catch(async () =>
-      assert.fail(`"${text}" does not stand in ${of}: ${(await page.locator(of).allTextContents())[0]}`)
+      assert.fail(
+        `"${text}" does not stand in ${of}: ${(await page.locator(of).allTextContents())[0]}`,
+      ),
     );
-const PULL = ".stage .say b", NAME = "Name of the muscle";
+const PULL = ".stage .say b",
+  NAME = "Name of the muscle";
 /** Until a page is there. @param {Page} page @param {string} where */
-const there = (page, where) => page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: 20_000 });
-const type = async (/** @type {Page} */ page, /** @type {string} */ label, /** @type {string} */ text) => {
+const there = (page, where) =>
+  page
+    .locator(`main[data-shown=${where.toLowerCase()}]`)
+    .waitFor({ timeout: 20_000 });
+const type = async (
+  /** @type {Page} */ page,
+  /** @type {string} */ label,
+  /** @type {string} */ text,
+) => {
   const field = page.getByRole("textbox", { name: label, exact: true });
   await field.fill(text);
   await field.press("Enter");
@@ -38,46 +54,79 @@ const type = async (/** @type {Page} */ page, /** @type {string} */ label, /** @
 const drop = (page, dropped) =>
   page.evaluate((all) => {
     const data = new DataTransfer();
-    for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
+    for (const [name, text] of Object.entries(all))
+      data.items.add(new File([text], name));
     for (const kind of ["dragover", "drop"])
-      document.querySelector("main")?.dispatchEvent(
-        new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }),
-      );
+      document
+        .querySelector("main")
+        ?.dispatchEvent(
+          new DragEvent(kind, {
+            dataTransfer: data,
+            bubbles: true,
+            cancelable: true,
+          }),
+        );
   }, dropped);
 /** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
 async function downloaded(page, button) {
-  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
-  return { name: download.suggestedFilename(),
-    text: readFileSync(/** @type {string} */ (await download.path()), "utf8") };
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    button.click(),
+  ]);
+  return {
+    name: download.suggestedFilename(),
+    text: readFileSync(/** @type {string} */ (await download.path()), "utf8"),
+  };
 }
 
 test("the name of a muscle file is found and changed, and nothing else of it", () => {
   const file = '# a remark\n\n[tube]\nname = "no"\n';
   assert.equal(nameIn(file), "");
   assert.equal(nameIn(named(file, 'A "b" \\ c')), 'A "b" \\ c');
-  assert.equal(named(example("tondu2012.toml"), "x"), example("tondu2012.toml").replace('"Tondu 2012, 20 deg"', '"x"'));
+  assert.equal(
+    named(example("tondu2012.toml"), "x"),
+    example("tondu2012.toml").replace('"Tondu 2012, 20 deg"', '"x"'),
+  );
   assert.equal(nameIn("name = 'it is'\n[tube]\n"), "it is");
   assert.equal(named('name = "a" # b\n', "$&"), 'name = "$&"\n');
 });
 
 test("a table of more than 20,000 rows is thinned to at most so many, with its heading", () => {
   const table = (/** @type {number} */ n) =>
-    "# by hand\npressure_bar,contraction,force_n\n" + Array.from({ length: n }, (_, i) => `${i},0.1,-3`).join("\n") +
+    "# by hand\npressure_bar,contraction,force_n\n" +
+    Array.from({ length: n }, (_, i) => `${i},0.1,-3`).join("\n") +
     "\n";
-  assert.deepEqual(thinned(table(20_000)), { text: table(20_000), rows: 20_000, kept: 20_000, step: 1 });
+  assert.deepEqual(thinned(table(20_000)), {
+    text: table(20_000),
+    rows: 20_000,
+    kept: 20_000,
+    step: 1,
+  });
   const { text, rows, kept, step } = thinned(table(50_001));
   assert.deepEqual([rows, kept, step], [50_001, 16_667, 3]);
-  assert.ok(text.startsWith("# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n"));
+  assert.ok(
+    text.startsWith(
+      "# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n",
+    ),
+  );
   assert.equal(text.match(/0\.1/g)?.length, kept);
 });
 
 test("help leads to a page and a place that the book has", () => {
   for (const { name, help } of PAGES) {
-    const [file, anchor] = help.split("#"), text = readFileSync(`${root}docs/${file}.md`, "utf8");
+    const [file, anchor] = help.split("#"),
+      text = readFileSync(`${root}docs/${file}.md`, "utf8");
     const places = [...text.matchAll(/^#+ (.*)$/gm)].map(([, heading]) =>
-      heading.toLowerCase().replace(/[^\w\s-]/g, "").trim().replace(/\s/g, "-")
+      heading
+        .toLowerCase()
+        .replace(/[^\w\s-]/g, "")
+        .trim()
+        .replace(/\s/g, "-"),
     );
-    assert.ok(!anchor || places.includes(anchor), `${name}: ${help} is none of ${places.join(" ")}`);
+    assert.ok(
+      !anchor || places.includes(anchor),
+      `${name}: ${help} is none of ${places.join(" ")}`,
+    );
   }
 });
 
@@ -87,7 +136,9 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const undo = page.getByRole("button", { name: "Undo", exact: true }),
       redo = page.getByRole("button", { name: "Redo", exact: true });
-    await soon(async () => assert.ok(await undo.isDisabled() && await redo.isDisabled()));
+    await soon(async () =>
+      assert.ok((await undo.isDisabled()) && (await redo.isDisabled())),
+    );
     const picture = () => page.locator(".muscle-bar svg").innerHTML();
     const before = await picture();
     await type(page, "Outer diameter D0", "45");
@@ -99,7 +150,12 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".muscle-bar", "L0 285 mm");
     await undo.click();
     await reads(page, ".muscle-bar", "D0 30 mm");
-    await soon(async () => assert.ok(await undo.isDisabled(), "one entry a gesture: all are taken back"));
+    await soon(async () =>
+      assert.ok(
+        await undo.isDisabled(),
+        "one entry a gesture: all are taken back",
+      ),
+    );
     await redo.click();
     await reads(page, ".muscle-bar", "D0 45 mm");
     await redo.click();
@@ -109,12 +165,26 @@ inBrowser(({ name, url, open, blank }) => {
     await field.fill('Left "calf"');
     await field.press("Enter");
     await page.waitForFunction(() => /name=Left/.test(location.hash));
-    for (const where of ["Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About"]) {
+    for (const where of [
+      "Design",
+      "Joint",
+      "Motion",
+      "Data",
+      "Formula",
+      "Compare",
+      "Parts",
+      "About",
+    ]) {
       await go(page, where);
-      await soon(async () => assert.equal(await field.inputValue(), 'Left "calf"', where));
+      await soon(async () =>
+        assert.equal(await field.inputValue(), 'Left "calf"', where),
+      );
       await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
     }
-    const saved = await downloaded(page, page.getByRole("button", { name: "Save", exact: true }));
+    const saved = await downloaded(
+      page,
+      page.getByRole("button", { name: "Save", exact: true }),
+    );
     assert.equal(saved.name, "left-calf.toml");
     assert.equal(nameIn(saved.text), 'Left "calf"');
     const path = join(mkdtempSync(join(tmpdir(), "bar-")), saved.name);
@@ -123,7 +193,9 @@ inBrowser(({ name, url, open, blank }) => {
     // A reload on any page has it again.
     await page.reload();
     await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
-    await soon(async () => assert.equal(await field.inputValue(), 'Left "calf"'));
+    await soon(async () =>
+      assert.equal(await field.inputValue(), 'Left "calf"'),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -133,13 +205,14 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await type(page, "Wall s", "2.5");
     const links = page.locator("#pages a, #views a");
-    for (let i = 0; i < await links.count(); i++) {
+    for (let i = 0; i < (await links.count()); i++) {
       await links.nth(i).focus();
-      const href = String(await links.nth(i).getAttribute("href")), other = await context.newPage();
+      const href = String(await links.nth(i).getAttribute("href")),
+        other = await context.newPage();
       await other.goto(url() + href);
       await other.reload();
-      await reads(other, ".muscle-bar", "D0 45 mm, s 2.5 mm, L0 200 mm").catch((error) =>
-        assert.fail(`${href}: ${error.message}`)
+      await reads(other, ".muscle-bar", "D0 45 mm, s 2.5 mm, L0 200 mm").catch(
+        (error) => assert.fail(`${href}: ${error.message}`),
       );
       await other.close();
     }
@@ -148,19 +221,31 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a long file is compressed in its link, old links open, and a damaged one is said", async () => {
     const file = example("tondu2012.toml"),
-      said = asShown(ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"));
-    const { page, context } = await open(`#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`);
+      said = asShown(
+        ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"),
+      );
+    const { page, context } = await open(
+      `#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`,
+    );
     await reads(page, PULL, said);
     await page.getByRole("slider", { name: "Pressure" }).focus();
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press("ArrowLeft");
     await page.waitForFunction(() => /file=z:/.test(location.hash));
     const { hash } = new URL(page.url());
-    assert.ok(hash.length < 0.6 * encodeURIComponent(file).length, `${hash.length} characters`);
+    assert.ok(
+      hash.length < 0.6 * encodeURIComponent(file).length,
+      `${hash.length} characters`,
+    );
     const other = await context.newPage();
     await other.goto(url() + hash);
     await reads(other, PULL, said);
-    await soon(async () => assert.equal(await other.getByRole("textbox", { name: NAME }).inputValue(), "Tondu 2012, 20 deg"));
+    await soon(async () =>
+      assert.equal(
+        await other.getByRole("textbox", { name: NAME }).inputValue(),
+        "Tondu 2012, 20 deg",
+      ),
+    );
     await other.goto(`${url()}#about`);
     await other.goto(url() + hash.replace(/file=z:.{20}/, "file=z:AAAA"));
     await reads(other, "#notice", "The link is damaged");
@@ -173,18 +258,30 @@ inBrowser(({ name, url, open, blank }) => {
     await go(page, "Design");
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
     await type(page, "Pull", "300 N");
-    const [best] = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates;
-    const heading = `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${
-      Number(best.wall_mm.toPrecision(4))
-    } mm`;
+    const [best] = ask(
+      "design",
+      "-F",
+      "300N",
+      "-e",
+      "15%",
+      "-p",
+      "2.5bar",
+    ).candidates;
+    const heading = `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(
+      best.wall_mm.toPrecision(4),
+    )} mm`;
     await reads(page, ".middle h2", heading);
     await go(page, "Motion");
     await page.waitForSelector(".controls table", { timeout: 60_000 });
-    await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
+    await page
+      .getByRole("combobox", { name: "Model" })
+      .selectOption("universal");
     await type(page, "Until", "1 s");
     await page.waitForFunction(() => /until=1/.test(location.hash));
     await go(page, "Data");
-    await page.locator(".controls input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await page
+      .locator(".controls input[type=file]")
+      .setInputFiles(`${root}examples/bench.csv`);
     await reads(page, ".middle", "bench.csv: 10 points");
     await go(page, "Formula");
     await page.getByRole("textbox", { name: "Plan (TOML)" }).fill("# mine\n");
@@ -195,20 +292,39 @@ inBrowser(({ name, url, open, blank }) => {
       if (/jobs\//.test(request.url())) asked.push(request.url());
     });
     await reads(page, ".middle h2", heading);
-    await soon(async () => assert.equal(await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(), "300 N"));
+    await soon(async () =>
+      assert.equal(
+        await page
+          .getByRole("textbox", { name: "Pull", exact: true })
+          .inputValue(),
+        "300 N",
+      ),
+    );
     assert.deepEqual(asked, []);
     for (const reload of [false, true]) {
       await go(page, "Motion");
       if (reload) await page.reload();
       await page.waitForSelector(".controls table", { timeout: 60_000 });
-      await soon(async () => assert.equal(await page.getByRole("textbox", { name: "Until" }).inputValue(), "1 s"));
-      await soon(async () => assert.equal(await page.getByRole("combobox", { name: "Model" }).inputValue(), "universal"));
+      await soon(async () =>
+        assert.equal(
+          await page.getByRole("textbox", { name: "Until" }).inputValue(),
+          "1 s",
+        ),
+      );
+      await soon(async () =>
+        assert.equal(
+          await page.getByRole("combobox", { name: "Model" }).inputValue(),
+          "universal",
+        ),
+      );
       await go(page, "Data");
       if (reload) await page.reload();
       await reads(page, ".middle", "bench.csv: 10 points");
       await go(page, "Formula");
       if (reload) await page.reload();
-      await page.waitForFunction(() => document.querySelector("textarea")?.value === "# mine\n");
+      await page.waitForFunction(
+        () => document.querySelector("textarea")?.value === "# mine\n",
+      );
       await go(page, "Design");
       if (reload) await page.reload();
       await reads(page, ".middle h2", heading, 60_000);
@@ -226,7 +342,9 @@ inBrowser(({ name, url, open, blank }) => {
       }, `#${where}`);
       await there(page, where);
       await page.waitForLoadState("networkidle");
-      const { length } = await page.evaluate(() => ({ length: history.length }));
+      const { length } = await page.evaluate(() => ({
+        length: history.length,
+      }));
       await page.goBack();
       await there(page, "about");
       assert.ok(length <= 3, `${where}: ${length} entries`);
@@ -246,8 +364,20 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const complete = await meter(page);
     const round = async () => {
-      for (const where of ["Design", "Joint", "Motion", "Sweep", "Data", "Rubber", "Formula", "Compare", "Parts", "Files",
-        "About", "Muscle"]) {
+      for (const where of [
+        "Design",
+        "Joint",
+        "Motion",
+        "Sweep",
+        "Data",
+        "Rubber",
+        "Formula",
+        "Compare",
+        "Parts",
+        "Files",
+        "About",
+        "Muscle",
+      ]) {
         await go(page, where);
         await page.waitForLoadState("networkidle");
       }
@@ -256,8 +386,12 @@ inBrowser(({ name, url, open, blank }) => {
     // What is loaded once, and what a library keeps of the last page that it drew on.
     await round();
     await round();
-    let before = await complete(), after = before;
-    const grown = () => /** @type {const} */ (["nodes", "listeners"]).filter((key) => after[key] > 1.02 * before[key]);
+    let before = await complete(),
+      after = before;
+    const grown = () =>
+      /** @type {const} */ (["nodes", "listeners"]).filter(
+        (key) => after[key] > 1.02 * before[key],
+      );
     // A library may keep its last surface or not, as it was left while it drew; what leaks grows every time.
     for (let tries = 0; tries < 3; tries++) {
       before = after;
@@ -267,7 +401,11 @@ inBrowser(({ name, url, open, blank }) => {
       for (let i = 0; i < 20 && grown().length; i++) after = await complete();
       if (!grown().length) break;
     }
-    assert.deepEqual(grown(), [], `before ${JSON.stringify(before)}, after 48 changes of page ${JSON.stringify(after)}`);
+    assert.deepEqual(
+      grown(),
+      [],
+      `before ${JSON.stringify(before)}, after 48 changes of page ${JSON.stringify(after)}`,
+    );
     await context.close();
   });
 
@@ -279,16 +417,24 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Add this muscle" }).click();
     await page.getByRole("listitem").filter({ hasText: "Calf" }).waitFor();
     await page.getByRole("button", { name: "Close", exact: true }).click();
-    await drop(page, { "tondu2012.toml": example("tondu2012.toml"), "bench.csv": example("bench.csv") });
+    await drop(page, {
+      "tondu2012.toml": example("tondu2012.toml"),
+      "bench.csv": example("bench.csv"),
+    });
     await reads(page, ".middle", "bench.csv: 10 points");
     await go(page, "Joint");
     await page.getByLabel("Radius of the pulley r").first().waitFor();
     await type(page, "Radius of the pulley r", "30");
     await project.click();
-    const saved = await downloaded(page, page.getByRole("button", { name: "Save the project" }));
+    const saved = await downloaded(
+      page,
+      page.getByRole("button", { name: "Save the project" }),
+    );
     assert.equal(saved.name, "tondu-2012-20-deg.mckibben.json");
-    assert.deepEqual(JSON.parse(saved.text).muscles.map((/** @type {any} */ m) => m.name), ["Calf",
-      "Tondu 2012, 20 deg"]);
+    assert.deepEqual(
+      JSON.parse(saved.text).muscles.map((/** @type {any} */ m) => m.name),
+      ["Calf", "Tondu 2012, 20 deg"],
+    );
     await context.close();
     const again = await open("#about");
     await again.page.waitForSelector("h2");
@@ -303,7 +449,9 @@ inBrowser(({ name, url, open, blank }) => {
     await again.page.getByRole("button", { name: "Show Calf" }).click();
     await reads(again.page, ".muscle-bar", "D0 45 mm");
     assert.deepEqual([...errors, ...again.errors], []);
-    await drop(again.page, { "x.json": '{"format":"mckibben-project","version":9,"muscles":[]}' });
+    await drop(again.page, {
+      "x.json": '{"format":"mckibben-project","version":9,"muscles":[]}',
+    });
     await reads(again.page, "#notice", "version 9");
     await again.context.close();
   });
@@ -311,21 +459,50 @@ inBrowser(({ name, url, open, blank }) => {
   test("a file that is dropped anywhere goes where it belongs, with the command line's numbers", async () => {
     const { page, errors, context } = await open("#about");
     await page.waitForSelector("h2");
-    await drop(page, { "elbow.toml": example("elbow.toml"), "biceps.toml": example("biceps.toml") });
+    await drop(page, {
+      "elbow.toml": example("elbow.toml"),
+      "biceps.toml": example("biceps.toml"),
+    });
     await there(page, "joint");
-    const said =
-      ask("joint", "examples/elbow.toml", "--angle", "20deg", "--stiffness", "8", "--max-pressure", "5bar").points[0];
+    const said = ask(
+      "joint",
+      "examples/elbow.toml",
+      "--angle",
+      "20deg",
+      "--stiffness",
+      "8",
+      "--max-pressure",
+      "5bar",
+    ).points[0];
     await reads(page, ".numbers", "Final: finite elements", 90_000);
-    await reads(page, ".numbers", `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
+    await reads(
+      page,
+      ".numbers",
+      `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`,
+    );
     await page.reload();
     await reads(page, ".numbers", "Final: finite elements", 90_000);
-    await reads(page, ".numbers", `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`);
-    await drop(page, { "drive.toml": example("drive.toml"), "prototype.toml": example("prototype.toml") });
+    await reads(
+      page,
+      ".numbers",
+      `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`,
+    );
+    await drop(page, {
+      "drive.toml": example("drive.toml"),
+      "prototype.toml": example("prototype.toml"),
+    });
     await there(page, "motion");
     const run = ask("motion", "examples/drive.toml");
-    await reads(page, ".controls table", `Largest speed${Number(run.largest_velocity_mm_per_s.toPrecision(3))} mm/s`,
-      90_000);
-    await drop(page, { "elbow-drive.toml": example("elbow-drive.toml"), "biceps.toml": example("biceps.toml") });
+    await reads(
+      page,
+      ".controls table",
+      `Largest speed${Number(run.largest_velocity_mm_per_s.toPrecision(3))} mm/s`,
+      90_000,
+    );
+    await drop(page, {
+      "elbow-drive.toml": example("elbow-drive.toml"),
+      "biceps.toml": example("biceps.toml"),
+    });
     const turned = ask("motion", "examples/elbow-drive.toml", "--model", "fe");
     const speed = Number(turned.largest_velocity_deg_per_s.toPrecision(3));
     await reads(page, ".controls table", `Largest speed${speed} °/s`, 90_000);
@@ -336,12 +513,27 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForFunction(() => /r=30/.test(location.hash));
     const wider = mkdtempSync(join(tmpdir(), "joint-"));
     for (const file of ["elbow.toml", "elbow-drive.toml", "biceps.toml"])
-      writeFileSync(join(wider, file), example(file).replace(/^radius = .*/m, 'radius = "30 mm"'));
-    const slower = ask("motion", join(wider, "elbow-drive.toml"), "--model", "fe");
-    assert.notEqual(slower.largest_velocity_deg_per_s, turned.largest_velocity_deg_per_s);
+      writeFileSync(
+        join(wider, file),
+        example(file).replace(/^radius = .*/m, 'radius = "30 mm"'),
+      );
+    const slower = ask(
+      "motion",
+      join(wider, "elbow-drive.toml"),
+      "--model",
+      "fe",
+    );
+    assert.notEqual(
+      slower.largest_velocity_deg_per_s,
+      turned.largest_velocity_deg_per_s,
+    );
     await go(page, "Motion");
-    await reads(page, ".controls table", `Largest speed${Number(slower.largest_velocity_deg_per_s.toPrecision(3))} °/s`,
-      90_000);
+    await reads(
+      page,
+      ".controls table",
+      `Largest speed${Number(slower.largest_velocity_deg_per_s.toPrecision(3))} °/s`,
+      90_000,
+    );
     await drop(page, { "festo-dmsp-20.toml": example("festo-dmsp-20.toml") });
     await reads(page, ".muscle-bar", "D0 23 mm");
     await drop(page, { "bench.csv": example("bench.csv") });
@@ -361,7 +553,10 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const cards = page.locator("#welcome .gallery .card");
     await soon(async () => assert.equal(await cards.count(), 8));
-    await page.waitForFunction(() => document.querySelectorAll("#welcome .gallery .card svg g").length >= 8);
+    await page.waitForFunction(
+      () =>
+        document.querySelectorAll("#welcome .gallery .card svg g").length >= 8,
+    );
     await page.screenshot({ path: `${shots}/welcome-${name}.png` });
     const titles = await cards.locator("b").allTextContents();
     for (const [i, title] of titles.entries()) {
@@ -369,14 +564,27 @@ inBrowser(({ name, url, open, blank }) => {
       await page.goto(`${url()}#muscle`);
       await cards.nth(i).click();
       await page.waitForFunction(() => /file=/.test(location.hash));
-      const where = /bench/i.test(title) ? "data" : /elbow/i.test(title) ? "joint" : "muscle";
+      const where = /bench/i.test(title)
+        ? "data"
+        : /elbow/i.test(title)
+          ? "joint"
+          : "muscle";
       await there(page, where);
       await page.waitForSelector(
-        /bench/i.test(title) ? ".middle table" : /elbow/i.test(title) ? ".numbers dl" : ".stage .say b",
+        /bench/i.test(title)
+          ? ".middle table"
+          : /elbow/i.test(title)
+            ? ".numbers dl"
+            : ".stage .say b",
         { timeout: 30_000 },
       );
-      await soon(async () => assert.equal(await page.locator(".problem").count(), 0, title));
-      if (where === "data") await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
+      await soon(async () =>
+        assert.equal(await page.locator(".problem").count(), 0, title),
+      );
+      if (where === "data")
+        await page
+          .getByRole("heading", { name: "Identified" })
+          .waitFor({ timeout: 60_000 });
     }
     await page.goto(`${url()}#about`);
     await page.goto(`${url()}#muscle`);
@@ -384,7 +592,9 @@ inBrowser(({ name, url, open, blank }) => {
     // They have been seen: the next visit begins with the muscle.
     await page.reload();
     await alive(page);
-    await soon(async () => assert.ok(await page.locator("#welcome").isHidden()));
+    await soon(async () =>
+      assert.ok(await page.locator("#welcome").isHidden()),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -394,27 +604,62 @@ inBrowser(({ name, url, open, blank }) => {
     await page.goto(url());
     const cards = page.locator("#welcome .candidates button");
     // A page that brings its engine loads that of the search with the first question.
-    await page.locator("#welcome").getByLabel("It pulls", { exact: true }).focus();
+    await page
+      .locator("#welcome")
+      .getByLabel("It pulls", { exact: true })
+      .focus();
     await soon(async () => assert.equal(await cards.count(), 3), 30_000);
     const began = Date.now();
     await type(page, "It pulls", "500 N");
-    const { candidates: [best], decision } = ask("design", "-F", "500N", "-e", "15%", "-p", "2.5bar");
-    const [wide, set] = [best.bulged_diameter_mm, 10 * best.pressure_mpa].map((v) => Number(v.toPrecision(3)));
+    const {
+      candidates: [best],
+      decision,
+    } = ask("design", "-F", "500N", "-e", "15%", "-p", "2.5bar");
+    const [wide, set] = [best.bulged_diameter_mm, 10 * best.pressure_mpa].map(
+      (v) => Number(v.toPrecision(3)),
+    );
     const narrowest = page.locator("#welcome .candidates > :first-child");
-    await narrowest.filter({ hasText: `${wide} mm wide at ${set} bar` }).waitFor();
+    await narrowest
+      .filter({ hasText: `${wide} mm wide at ${set} bar` })
+      .waitFor();
     console.log(`candidates: ${Date.now() - began} ms with the command line's`);
-    await narrowest.filter({ hasText: `500 ± ${Math.round(best.uncertainty_n)} N` }).waitFor();
+    await narrowest
+      .filter({ hasText: `500 ± ${Math.round(best.uncertainty_n)} N` })
+      .waitFor();
     await reads(page, "#welcome .decision", decision[0].split(",")[0]);
-    await soon(async () => assert.equal(await page.locator("#welcome .candidates svg clipPath").count(), 3));
+    await soon(async () =>
+      assert.equal(
+        await page.locator("#welcome .candidates svg clipPath").count(),
+        3,
+      ),
+    );
     await page.screenshot({ path: `${shots}/start-${name}.png` });
     await type(page, "or by a stroke of", "30 mm");
-    const stroke = ask("design", "-F", "500N", "--stroke", "30mm", "-p", "2.5bar").candidates[0];
-    await narrowest.filter({ hasText: `${Number(stroke.bulged_diameter_mm.toPrecision(3))} mm wide` }).waitFor();
+    const stroke = ask(
+      "design",
+      "-F",
+      "500N",
+      "--stroke",
+      "30mm",
+      "-p",
+      "2.5bar",
+    ).candidates[0];
+    await narrowest
+      .filter({
+        hasText: `${Number(stroke.bulged_diameter_mm.toPrecision(3))} mm wide`,
+      })
+      .waitFor();
     await narrowest.click();
     await there(page, "muscle");
     await alive(page);
-    await soon(async () => assert.ok(await page.locator("#welcome").isHidden()));
-    await reads(page, ".muscle-bar", `D0 ${Number(stroke.outer_diameter_mm.toPrecision(4))} mm`);
+    await soon(async () =>
+      assert.ok(await page.locator("#welcome").isHidden()),
+    );
+    await reads(
+      page,
+      ".muscle-bar",
+      `D0 ${Number(stroke.outer_diameter_mm.toPrecision(4))} mm`,
+    );
     // What moves: it is filled, shortens and lets go, and is as it was.
     const before = await pull(page);
     await page.getByRole("button", { name: "Pump" }).click();
@@ -434,17 +679,39 @@ inBrowser(({ name, url, open, blank }) => {
     };
     await card("A thin muscle");
     await reads(page, ".muscle-bar", "D0 2 mm");
-    await page.waitForFunction(() => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash));
-    const slider = page.getByRole("slider", { name: "Outer diameter", exact: true });
-    await soon(async () => assert.ok(Math.abs(Number(await slider.inputValue()) - 500) < 100, await slider.inputValue()));
+    await page.waitForFunction(
+      () => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash),
+    );
+    const slider = page.getByRole("slider", {
+      name: "Outer diameter",
+      exact: true,
+    });
+    await soon(async () =>
+      assert.ok(
+        Math.abs(Number(await slider.inputValue()) - 500) < 100,
+        await slider.inputValue(),
+      ),
+    );
     await slider.focus();
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => /D=2\.1(&|$)/.test(location.hash));
-    await soon(async () => assert.equal(await page.locator(".stage .problem").count(), 0));
+    await soon(async () =>
+      assert.equal(await page.locator(".stage .problem").count(), 0),
+    );
     await card("Festo DMSP-10");
-    await soon(async () => assert.match(await page.getByRole("textbox", { name: NAME }).inputValue(), /^Festo DMSP-10/));
+    await soon(async () =>
+      assert.match(
+        await page.getByRole("textbox", { name: NAME }).inputValue(),
+        /^Festo DMSP-10/,
+      ),
+    );
     const rubber = page.getByRole("combobox", { name: "Rubber" });
-    await soon(async () => assert.match(await rubber.locator("option:checked").innerText(), /neo-hookean/));
+    await soon(async () =>
+      assert.match(
+        await rubber.locator("option:checked").innerText(),
+        /neo-hookean/,
+      ),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -466,39 +733,84 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Dark", exact: true }).click();
     await page.reload();
     await alive(page);
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    assert.equal(
+      await page.evaluate(() => document.documentElement.dataset.theme),
+      "dark",
+    );
     await page.locator("main svg.curves").first().waitFor();
     await page.setViewportSize({ width: 794, height: 1123 });
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     await page.locator(".sheet img").waitFor();
     const paper = await page.evaluate(() => {
-      const curves = /** @type {SVGElement} */ (document.querySelector("main svg.curves")), box = curves.getBoundingClientRect();
-      return { ink: curves.getAttribute("fill"), wide: box.right - document.documentElement.clientWidth, ground: getComputedStyle(document.body).backgroundColor };
+      const curves = /** @type {SVGElement} */ (
+          document.querySelector("main svg.curves")
+        ),
+        box = curves.getBoundingClientRect();
+      return {
+        ink: curves.getAttribute("fill"),
+        wide: box.right - document.documentElement.clientWidth,
+        ground: getComputedStyle(document.body).backgroundColor,
+      };
     });
-    assert.ok(paper.wide <= 0 && /#000|#1d2126/.test(paper.ink ?? "") && paper.ground === "rgb(255, 255, 255)", JSON.stringify(paper));
+    assert.ok(
+      paper.wide <= 0 &&
+        /#000|#1d2126/.test(paper.ink ?? "") &&
+        paper.ground === "rgb(255, 255, 255)",
+      JSON.stringify(paper),
+    );
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    assert.equal(
+      await page.evaluate(() => document.documentElement.dataset.theme),
+      "dark",
+    );
     await context.close();
   });
 
   test("fields have a drawing of their symbol, on focus and under the pointer, and Escape hides it", async () => {
-    for (const [where, waits] of [["muscle", ".numbers dl"], ["joint", ".numbers dl"], ["design", "tr.pick"]]) {
+    for (const [where, waits] of [
+      ["muscle", ".numbers dl"],
+      ["joint", ".numbers dl"],
+      ["design", "tr.pick"],
+    ]) {
       const { page, context } = await open(`#${where}`);
       await page.waitForSelector(waits, { timeout: 60_000 });
-      const fields = page.locator(".controls [data-sketch] input[type=text]:visible");
-      await soon(async () => assert.ok(await fields.count() >= 5, where));
+      const fields = page.locator(
+        ".controls [data-sketch] input[type=text]:visible",
+      );
+      await soon(async () => assert.ok((await fields.count()) >= 5, where));
       if (where === "muscle") {
-        for (const label of ["Pressure", "Contraction", "Outer diameter", "Wall", "Length", "Braid angle"])
-          await soon(async () => assert.equal(await page.locator(".quantity[data-sketch]", { hasText: label }).count() > 0, true, label));
+        for (const label of [
+          "Pressure",
+          "Contraction",
+          "Outer diameter",
+          "Wall",
+          "Length",
+          "Braid angle",
+        ])
+          await soon(async () =>
+            assert.equal(
+              (await page
+                .locator(".quantity[data-sketch]", { hasText: label })
+                .count()) > 0,
+              true,
+              label,
+            ),
+          );
       }
       await fields.first().focus();
-      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
+      await page
+        .locator(".sketch svg path")
+        .first()
+        .waitFor({ state: "visible" });
       await page.screenshot({ path: `${shots}/sketch-${where}-${name}.png` });
       await page.keyboard.press("Escape");
       await page.locator(".sketch").waitFor({ state: "hidden" });
       await page.locator(".controls [data-sketch]:visible").nth(3).hover();
-      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
+      await page
+        .locator(".sketch svg path")
+        .first()
+        .waitFor({ state: "visible" });
       await context.close();
     }
   });
@@ -508,7 +820,17 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await page.evaluate(axe.source);
     const sentences = new Set();
-    for (const where of ["Muscle", "Design", "Joint", "Motion", "Data", "Formula", "Compare", "Parts", "About"]) {
+    for (const where of [
+      "Muscle",
+      "Design",
+      "Joint",
+      "Motion",
+      "Data",
+      "Formula",
+      "Compare",
+      "Parts",
+      "About",
+    ]) {
       await go(page, where);
       sentences.add(await page.locator("#claim").innerText());
     }
@@ -519,17 +841,33 @@ inBrowser(({ name, url, open, blank }) => {
         await page.getByRole("button", { name: button, exact: true }).click();
         await page.locator("dialog[open]").waitFor();
         if (button === "Open") {
-          await page.waitForFunction(() => document.querySelectorAll("dialog .card svg g").length >= 8);
+          await page.waitForFunction(
+            () => document.querySelectorAll("dialog .card svg g").length >= 8,
+          );
           await page.getByRole("button", { name: /lib:dmsp-20-300/ }).waitFor();
         }
         const { violations } = await page.evaluate(() =>
           /** @type {any} */ (window).axe.run(document, {
-            runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
-          })
+            runOnly: [
+              "wcag2a",
+              "wcag2aa",
+              "wcag21a",
+              "wcag21aa",
+              "wcag22aa",
+              "best-practice",
+            ],
+          }),
         );
-        assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`), [],
-          `${button}, ${colorScheme}`);
-        await page.screenshot({ path: `${shots}/window-${button}-${colorScheme}-${name}.png` });
+        assert.deepEqual(
+          violations.map(
+            (/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`,
+          ),
+          [],
+          `${button}, ${colorScheme}`,
+        );
+        await page.screenshot({
+          path: `${shots}/window-${button}-${colorScheme}-${name}.png`,
+        });
         await page.keyboard.press("Escape");
         await page.locator("dialog").waitFor({ state: "detached" });
       }
@@ -543,7 +881,11 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Open", exact: true }).click();
     await page.getByRole("button", { name: /lib:dmsp-20-300/ }).click();
     await reads(page, ".muscle-bar", "D0 23 mm");
-    await reads(page, PULL, asShown(ask("force", "lib:dmsp-20-300", "-p", "2.5bar", "-e", "15%")));
+    await reads(
+      page,
+      PULL,
+      asShown(ask("force", "lib:dmsp-20-300", "-p", "2.5bar", "-e", "15%")),
+    );
     await context.close();
   });
 
@@ -552,19 +894,45 @@ inBrowser(({ name, url, open, blank }) => {
     const { tubes } = ask("parts", "list", "tubes");
     await reads(page, "main", `${tubes.length} of ${tubes.length} tubes`);
     await page.getByRole("textbox", { name: "Filter" }).fill("latex 9.525");
-    await page.waitForFunction(() => document.querySelectorAll("tbody tr").length < 6);
-    await page.getByRole("button", { name: "Put into the muscle: latex-1/4x3/8in" }).click();
+    await page.waitForFunction(
+      () => document.querySelectorAll("tbody tr").length < 6,
+    );
+    await page
+      .getByRole("button", { name: "Put into the muscle: latex-1/4x3/8in" })
+      .click();
     await reads(page, ".muscle-bar", "D0 9.525 mm");
     await page.getByRole("combobox", { name: "Show" }).selectOption("sleeves");
     await page.getByRole("textbox", { name: "Filter" }).fill("");
     await page.getByText("fits the muscle's diameter").click();
-    await soon(async () => assert.ok(await page.locator(".estimated").count() > 0, "estimates are marked"));
+    await soon(async () =>
+      assert.ok(
+        (await page.locator(".estimated").count()) > 0,
+        "estimates are marked",
+      ),
+    );
     await page.screenshot({ path: `${shots}/parts-${name}.png` });
-    await page.getByRole("button", { name: "Put into the muscle: flexo-overexpanded-0.38in" }).click();
+    await page
+      .getByRole("button", {
+        name: "Put into the muscle: flexo-overexpanded-0.38in",
+      })
+      .click();
     await page.getByRole("link", { name: "See it move" }).click();
     await alive(page);
-    const said = ask("force", "-D", "9.525", "-s", "1.5875", "--rubber", "latex", "--braid",
-      "flexo-overexpanded-0.38in", "-p", "2.5bar", "-e", "15%");
+    const said = ask(
+      "force",
+      "-D",
+      "9.525",
+      "-s",
+      "1.5875",
+      "--rubber",
+      "latex",
+      "--braid",
+      "flexo-overexpanded-0.38in",
+      "-p",
+      "2.5bar",
+      "-e",
+      "15%",
+    );
     await reads(page, PULL, said.slack ? "Slack" : asShown(said));
     assert.deepEqual(errors, []);
     await context.close();
@@ -573,35 +941,75 @@ inBrowser(({ name, url, open, blank }) => {
   test("the table of a design shows ±, whether one can be sure, mass and price, and is saved as CSV", async () => {
     const { page, context } = await open("#design");
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
-    const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"), [best] = said.candidates;
-    const table = page.getByRole("region", { name: "Muscles that fit, best first" });
+    const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"),
+      [best] = said.candidates;
+    const table = page.getByRole("region", {
+      name: "Muscles that fit, best first",
+    });
     for (const head of ["± of the pull", "guaranteed at", "mass", "price"])
-      await soon(async () => assert.equal(await table.getByRole("columnheader", { name: head, exact: true }).count(), 1, head));
-    await table.locator("tbody tr").first().filter({ hasText: `± ${Math.round(best.uncertainty_n)}`.slice(0, 4) }).waitFor();
-    const { name: file, text } = await downloaded(page, page.getByRole("button", { name: "CSV of the table" }));
+      await soon(async () =>
+        assert.equal(
+          await table
+            .getByRole("columnheader", { name: head, exact: true })
+            .count(),
+          1,
+          head,
+        ),
+      );
+    await table
+      .locator("tbody tr")
+      .first()
+      .filter({ hasText: `± ${Math.round(best.uncertainty_n)}`.slice(0, 4) })
+      .waitFor();
+    const { name: file, text } = await downloaded(
+      page,
+      page.getByRole("button", { name: "CSV of the table" }),
+    );
     assert.equal(file, "design.csv");
     const [head, first] = text.split("\n").map((line) => line.split(","));
-    for (
-      const [column, value]
-        of /** @type {[string, number]} */ ([["D0 [mm]", best.outer_diameter_mm], ["mass [g]", best.mass_g], [
-          "± of the pull [N]",
-          best.uncertainty_n,
-        ], ["set [bar]", 10 * best.pressure_mpa]])
-    ) {
-      assert.ok(Math.abs(Number(first[head.indexOf(column)]) / value - 1) < 1e-6,
-        `${column}: ${first[head.indexOf(column)]}`);
+    for (const [column, value] of /** @type {[string, number]} */ ([
+      ["D0 [mm]", best.outer_diameter_mm],
+      ["mass [g]", best.mass_g],
+      ["± of the pull [N]", best.uncertainty_n],
+      ["set [bar]", 10 * best.pressure_mpa],
+    ])) {
+      assert.ok(
+        Math.abs(Number(first[head.indexOf(column)]) / value - 1) < 1e-6,
+        `${column}: ${first[head.indexOf(column)]}`,
+      );
     }
     // The command line says which muscle is sure; a number alone is in the unit of the page.
-    const { to_be_sure: surest, candidates: all } = ask("design", "-F", "300N", "-e", "10%", "-p", "4bar");
-    const sure = all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? surest;
-    for (const [label, text] of [["Pull", "300"], ["at a contraction of", "10 %"], ["Pressure of the supply", "4"]])
+    const { to_be_sure: surest, candidates: all } = ask(
+      "design",
+      "-F",
+      "300N",
+      "-e",
+      "10%",
+      "-p",
+      "4bar",
+    );
+    const sure =
+      all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? surest;
+    for (const [label, text] of [
+      ["Pull", "300"],
+      ["at a contraction of", "10 %"],
+      ["Pressure of the supply", "4"],
+    ])
       await page.getByRole("textbox", { name: label, exact: true }).fill(text);
-    await page.getByRole("textbox", { name: "Pull", exact: true }).press("Enter");
+    await page
+      .getByRole("textbox", { name: "Pull", exact: true })
+      .press("Enter");
     await page.getByText("4 without a unit was read as 4 bar.").waitFor();
     await reads(page, ".decision", sure.tube);
-    await page.getByRole("button", { name: "Design for a guaranteed pull (95 %)" }).click();
-    await page.waitForFunction(() =>
-      /sure=95/.test(location.hash) && /Sure to 95 %: the lower end/.test(document.querySelector(".decision")?.textContent ?? "")
+    await page
+      .getByRole("button", { name: "Design for a guaranteed pull (95 %)" })
+      .click();
+    await page.waitForFunction(
+      () =>
+        /sure=95/.test(location.hash) &&
+        /Sure to 95 %: the lower end/.test(
+          document.querySelector(".decision")?.textContent ?? "",
+        ),
     );
     await context.close();
   });
@@ -609,8 +1017,16 @@ inBrowser(({ name, url, open, blank }) => {
   test("an error, a tooltip and a warning have the units of the page", async () => {
     const { page, context } = await open("#muscle?u=psi,in,lbf&D=30");
     await alive(page);
-    await soon(async () => assert.match(String(await page.getByRole("textbox", { name: "Pressure p" }).getAttribute("title")),
-      /a number alone is in psi/));
+    await soon(async () =>
+      assert.match(
+        String(
+          await page
+            .getByRole("textbox", { name: "Pressure p" })
+            .getAttribute("title"),
+        ),
+        /a number alone is in psi/,
+      ),
+    );
     await type(page, "Wall s", "2");
     const words = () => page.locator(".problem").innerText();
     await soon(async () => assert.match(await words(), /wall is 2 in/i));
@@ -618,9 +1034,16 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
     const design = await open("#design?u=psi");
     await design.page.waitForSelector("form");
-    const supply = design.page.getByRole("textbox", { name: "Pressure of the supply" });
+    const supply = design.page.getByRole("textbox", {
+      name: "Pressure of the supply",
+    });
     await supply.focus();
-    await soon(async () => assert.doesNotMatch(String(await supply.getAttribute("title")), /bare number is MPa/));
+    await soon(async () =>
+      assert.doesNotMatch(
+        String(await supply.getAttribute("title")),
+        /bare number is MPa/,
+      ),
+    );
     await design.context.close();
   });
 
@@ -629,11 +1052,30 @@ inBrowser(({ name, url, open, blank }) => {
       "#muscle?D=9.525&s=1.5875&L=200&rubber=latex&braid=flexo-overexpanded-0.38in&p=5bar&e=10%25",
     );
     await alive(page);
-    const list = ["force", "-D", "9.525", "-s", "1.5875", "-L", "200", "--rubber", "latex", "--braid",
-      "flexo-overexpanded-0.38in", "-p", "5bar", "-e", "10%"];
+    const list = [
+      "force",
+      "-D",
+      "9.525",
+      "-s",
+      "1.5875",
+      "-L",
+      "200",
+      "--rubber",
+      "latex",
+      "--braid",
+      "flexo-overexpanded-0.38in",
+      "-p",
+      "5bar",
+      "-e",
+      "10%",
+    ];
     const { warnings } = ask(...list),
       plain = (/** @type {string} */ text) =>
-        text.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").slice(0, 24).trim().toLowerCase();
+        text
+          .replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "")
+          .slice(0, 24)
+          .trim()
+          .toLowerCase();
     assert.ok(warnings.length > 0);
     for (const where of ["Muscle", "Compare"]) {
       await go(page, where);
@@ -641,7 +1083,10 @@ inBrowser(({ name, url, open, blank }) => {
         await page.waitForFunction(
           (text) =>
             [...document.querySelectorAll("main .warnings li")].some((li) =>
-              li.textContent?.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "").toLowerCase().startsWith(text)
+              li.textContent
+                ?.replace(/[\d.]+ \w+|`[^`]*`|[^a-z ]/gi, "")
+                .toLowerCase()
+                .startsWith(text),
             ),
           plain(warning),
           { timeout: 30_000 },
@@ -653,17 +1098,28 @@ inBrowser(({ name, url, open, blank }) => {
   test("a field that is selected as a whole is typed over, also where the page writes into it meanwhile", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    const row = page.locator(".controls .quantity").filter({ has: page.getByRole("textbox", { name: "Pressure" }) }).first();
-    const field = row.locator("input[type=text]"), unit = row.locator("button.bare");
+    const row = page
+      .locator(".controls .quantity")
+      .filter({ has: page.getByRole("textbox", { name: "Pressure" }) })
+      .first();
+    const field = row.locator("input[type=text]"),
+      unit = row.locator("button.bare");
     await field.selectText();
-    const [before, written] = [await unit.innerText(), await field.inputValue()];
+    const [before, written] = [
+      await unit.innerText(),
+      await field.inputValue(),
+    ];
     // A click by a script leaves the focus; the value stands in another unit then.
-    await unit.evaluate((button) => /** @type {HTMLElement} */ (button).click());
+    await unit.evaluate((button) =>
+      /** @type {HTMLElement} */ (button).click(),
+    );
     await soon(async () => assert.notEqual(await field.inputValue(), written));
     await page.keyboard.insertText("1 bar");
     await soon(async () => assert.equal(await field.inputValue(), "1 bar"));
     await field.press("Enter");
-    await page.waitForFunction(() => /p=1bar|p=0\.1MPa|p=100kPa|p=14\.5/.test(location.hash));
+    await page.waitForFunction(() =>
+      /p=1bar|p=0\.1MPa|p=100kPa|p=14\.5/.test(location.hash),
+    );
     await soon(async () => assert.notEqual(before, await unit.innerText()));
     await context.close();
   });
@@ -671,19 +1127,31 @@ inBrowser(({ name, url, open, blank }) => {
   test("all units switch by a click, and a click changes no value", async () => {
     const { page, context } = await open("#muscle?k=467");
     await alive(page);
-    const before = await pull(page), units = page.locator(".controls .quantity > button.bare:visible");
-    for (let i = 0; i < await units.count(); i++) {
-      const unit = units.nth(i), first = await unit.innerText();
+    const before = await pull(page),
+      units = page.locator(".controls .quantity > button.bare:visible");
+    for (let i = 0; i < (await units.count()); i++) {
+      const unit = units.nth(i),
+        first = await unit.innerText();
       const field = unit.locator("xpath=..").locator("input[type=text]");
       do {
         await unit.click();
         await field.focus();
         await field.press("Enter");
-      } while (await unit.innerText() !== first);
+      } while ((await unit.innerText()) !== first);
     }
-    await soon(async () => assert.ok(await units.count() >= 6));
-    await page.waitForFunction((text) => document.querySelector(".stage .say b")?.textContent === text, before);
-    await soon(async () => assert.equal(await page.getByRole("textbox", { name: "Outer diameter D0" }).inputValue(), "30"));
+    await soon(async () => assert.ok((await units.count()) >= 6));
+    await page.waitForFunction(
+      (text) => document.querySelector(".stage .say b")?.textContent === text,
+      before,
+    );
+    await soon(async () =>
+      assert.equal(
+        await page
+          .getByRole("textbox", { name: "Outer diameter D0" })
+          .inputValue(),
+        "30",
+      ),
+    );
     await soon(async () => assert.doesNotMatch(page.url(), /D=|29\.99/));
     await context.close();
   });
@@ -706,11 +1174,24 @@ inBrowser(({ name, url, open, blank }) => {
   test("data above 20,000 points are thinned, and the page says so", async () => {
     const { page, errors, context } = await open("#data?models=universal");
     await page.waitForSelector("form");
-    const rows = Array.from({ length: 30_000 },
-      (_, i) => `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`);
-    await page.locator(".controls input[type=file]").setInputFiles({ name: "long.csv", mimeType: "text/csv",
-      buffer: Buffer.from(`pressure_bar,contraction,force_n\n${rows.join("\n")}\n`) });
-    await page.getByText("The table has 30,000 rows, more than 20,000: every second one is used, 15,000 points.")
+    const rows = Array.from(
+      { length: 30_000 },
+      (_, i) =>
+        `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`,
+    );
+    await page
+      .locator(".controls input[type=file]")
+      .setInputFiles({
+        name: "long.csv",
+        mimeType: "text/csv",
+        buffer: Buffer.from(
+          `pressure_bar,contraction,force_n\n${rows.join("\n")}\n`,
+        ),
+      });
+    await page
+      .getByText(
+        "The table has 30,000 rows, more than 20,000: every second one is used, 15,000 points.",
+      )
       .waitFor({ timeout: 60_000 });
     await reads(page, ".middle", "15000 points");
     assert.deepEqual(errors, []);
@@ -720,11 +1201,17 @@ inBrowser(({ name, url, open, blank }) => {
   test("beside an error the old answer is dimmed, on every page that computes", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    for (
-      const [where, waits, label, wrong] of [["Motion", ".controls table", "Valve", "nonsense"], ["Joint",
-        ".numbers dl", "Radius of the pulley r", "900"], ["Compare", "[aria-label='both in numbers'] td:nth-child(2)",
-        "Wall", "40"], ["Design", "tr.pick", "Sleeves as sold", "no-such-sleeve"]]
-    ) {
+    for (const [where, waits, label, wrong] of [
+      ["Motion", ".controls table", "Valve", "nonsense"],
+      ["Joint", ".numbers dl", "Radius of the pulley r", "900"],
+      [
+        "Compare",
+        "[aria-label='both in numbers'] td:nth-child(2)",
+        "Wall",
+        "40",
+      ],
+      ["Design", "tr.pick", "Sleeves as sold", "no-such-sleeve"],
+    ]) {
       await go(page, where);
       await page.waitForSelector(waits, { timeout: 60_000, state: "attached" });
       if (where === "Design") await page.getByText("Search space").click();
@@ -732,7 +1219,12 @@ inBrowser(({ name, url, open, blank }) => {
       await field.fill(wrong);
       await field.press("Enter");
       await page.waitForSelector("main .stale", { timeout: 30_000 });
-      await soon(async () => assert.ok(await page.locator(".problem, .wrong:visible").count() > 0, where));
+      await soon(async () =>
+        assert.ok(
+          (await page.locator(".problem, .wrong:visible").count()) > 0,
+          where,
+        ),
+      );
       await field.fill("");
     }
     await context.close();
@@ -742,19 +1234,38 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle", { forcedColors: "active" });
     await alive(page);
     const border = (/** @type {string} */ of) =>
-      page.locator(of).first().evaluate((a) => getComputedStyle(a).borderBottomColor);
-    await soon(async () => assert.notEqual(await border("nav [aria-current]"), await border("nav a:not([aria-current])")));
+      page
+        .locator(of)
+        .first()
+        .evaluate((a) => getComputedStyle(a).borderBottomColor);
+    await soon(async () =>
+      assert.notEqual(
+        await border("nav [aria-current]"),
+        await border("nav a:not([aria-current])"),
+      ),
+    );
     await context.close();
   });
 
   test("printing makes one sheet of paper with muscle, inputs and numbers", async () => {
     const { page, context } = await open("#muscle?D=38&name=Calf");
     await alive(page);
-    await page.waitForFunction(() => /Threshold pressure\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    await page.waitForFunction(() =>
+      /Threshold pressure\s*[\d.]/.test(
+        document.querySelector(".numbers")?.textContent ?? "",
+      ),
+    );
     const shown = await pull(page);
     await page.emulateMedia({ media: "print" });
-    const pdf = await page.pdf({ format: "A4", path: `${shots}/sheet-${name}.pdf` });
-    assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one page");
+    const pdf = await page.pdf({
+      format: "A4",
+      path: `${shots}/sheet-${name}.pdf`,
+    });
+    assert.equal(
+      pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length,
+      1,
+      "one page",
+    );
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     const sheet = await page.locator("#sheet").innerText();
@@ -763,61 +1274,103 @@ inBrowser(({ name, url, open, blank }) => {
     await page.setViewportSize({ width: 794, height: 1123 });
     await page.screenshot({ path: `${shots}/sheet-${name}.png` });
     assert.ok(
-      await page.locator("#sheet").isVisible() && !await page.locator(".controls").isVisible() &&
-        !await page.locator("#bar").isVisible(),
+      (await page.locator("#sheet").isVisible()) &&
+        !(await page.locator(".controls").isVisible()) &&
+        !(await page.locator("#bar").isVisible()),
     );
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    await soon(async () => assert.equal(await page.locator("#sheet").innerText(), ""));
+    await soon(async () =>
+      assert.equal(await page.locator("#sheet").innerText(), ""),
+    );
     await context.close();
   });
 
-  if (name === "static") test("the page is an app that is installed, and opens without a network", async () => {
-    const { page, context } = await open("#muscle?D=38", { serviceWorkers: "allow" });
-    await alive(page);
-    /** @type {string[]} */ const fetched = [];
-    context.on("request", (request) => fetched.push(new URL(request.url()).pathname.split("/").pop() ?? ""));
-    const session = await context.newCDPSession(page);
-    const { errors: faults } = await session.send("Page.getAppManifest");
-    assert.deepEqual(faults, []);
-    await page.evaluate(async () => {
-      await navigator.serviceWorker.ready;
+  if (name === "static")
+    test("the page is an app that is installed, and opens without a network", async () => {
+      const { page, context } = await open("#muscle?D=38", {
+        serviceWorkers: "allow",
+      });
+      await alive(page);
+      /** @type {string[]} */ const fetched = [];
+      context.on("request", (request) =>
+        fetched.push(new URL(request.url()).pathname.split("/").pop() ?? ""),
+      );
+      const session = await context.newCDPSession(page);
+      const { errors: faults } = await session.send("Page.getAppManifest");
+      assert.deepEqual(faults, []);
+      await page.evaluate(async () => {
+        await navigator.serviceWorker.ready;
+      });
+      await page.waitForFunction(
+        async () => {
+          const cache = await caches.open((await caches.keys())[0] ?? "");
+          return (
+            (await cache.keys()).length > 40 && (await cache.match("live.wasm"))
+          );
+        },
+        undefined,
+        { timeout: 60_000 },
+      );
+      const { installabilityErrors } = await session.send(
+        "Page.getInstallabilityErrors",
+      );
+      assert.deepEqual(
+        installabilityErrors.filter(
+          (/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId),
+        ),
+        [],
+      );
+      // The first visit does not pay for what it does not use; a button fetches it.
+      assert.deepEqual(
+        fetched.filter((file) => /whole/.test(file)),
+        [],
+      );
+      await go(page, "About");
+      await page
+        .getByRole("button", { name: "Make all places available offline" })
+        .click();
+      await page.getByText("Every place works.").waitFor();
+      assert.ok(fetched.some((file) => /whole/.test(file)));
+      await go(page, "Muscle");
+      await alive(page);
+      await context.setOffline(true);
+      await page.reload();
+      await alive(page);
+      await go(page, "Design");
+      await page.waitForSelector("tr.pick", { timeout: 90_000 });
+      await soon(async () => assert.match(page.url(), /D(=|%3D)38/));
+      await context.close();
     });
-    await page.waitForFunction(async () => {
-      const cache = await caches.open((await caches.keys())[0] ?? "");
-      return (await cache.keys()).length > 40 && await cache.match("live.wasm");
-    }, undefined, { timeout: 60_000 });
-    const { installabilityErrors } = await session.send("Page.getInstallabilityErrors");
-    assert.deepEqual(installabilityErrors.filter((/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId)),
-      []);
-    // The first visit does not pay for what it does not use; a button fetches it.
-    assert.deepEqual(fetched.filter((file) => /whole/.test(file)), []);
-    await go(page, "About");
-    await page.getByRole("button", { name: "Make all places available offline" }).click();
-    await page.getByText("Every place works.").waitFor();
-    assert.ok(fetched.some((file) => /whole/.test(file)));
-    await go(page, "Muscle");
-    await alive(page);
-    await context.setOffline(true);
-    await page.reload();
-    await alive(page);
-    await go(page, "Design");
-    await page.waitForSelector("tr.pick", { timeout: 90_000 });
-    await soon(async () => assert.match(page.url(), /D(=|%3D)38/));
-    await context.close();
-  });
 
   test("400 px: the frame fits, and the bar is reached by the keyboard", async () => {
     const { page, context } = await blank();
     await page.setViewportSize({ width: 400, height: 800 });
     await page.goto(url());
     await alive(page);
-    await soon(async () => assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)));
+    await soon(async () =>
+      assert.ok(
+        await page.evaluate(
+          () =>
+            document.documentElement.scrollWidth <=
+            document.documentElement.clientWidth,
+        ),
+      ),
+    );
     await page.screenshot({ path: `${shots}/welcome-400-${name}.png` });
     await page.getByRole("textbox", { name: NAME }).focus();
     for (const button of ["Open", "Save", "Share", "Print"]) {
       await page.keyboard.press("Tab");
-      if (await page.evaluate(() => document.activeElement?.textContent) !== button) await page.keyboard.press("Tab");
-      await soon(async () => assert.equal(await page.evaluate(() => document.activeElement?.textContent), button));
+      if (
+        (await page.evaluate(() => document.activeElement?.textContent)) !==
+        button
+      )
+        await page.keyboard.press("Tab");
+      await soon(async () =>
+        assert.equal(
+          await page.evaluate(() => document.activeElement?.textContent),
+          button,
+        ),
+      );
     }
     await context.close();
   });

@@ -1,7 +1,8 @@
 //! Maintenance of the repository in one place: `cargo xtask` lists the tasks.
 //!
-//! What a task makes it makes in `target/xtask` first. It then replaces what is kept in the repository, or with
-//! `--check` compares the two and fails where they differ. `MCKIBBEN=PROGRAM` takes another build of the program.
+//! What a task makes it makes in `target/xtask` first. It then replaces what is kept in the
+//! repository, or with `--check` compares the two and fails where they differ. `MCKIBBEN=PROGRAM`
+//! takes another build of the program.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -13,20 +14,45 @@ type Done = Result<(), String>;
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
 const TASKS: [Task; 8] = [
-    ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
-    ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
-    ("golds", "tables and formulas that the program computes itself; --check compares", golds),
-    ("schemas", "words of requests and answers in docs/contract.txt; --check compares", schemas),
-    ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
+    (
+        "figures",
+        "figures of README and docs, drawn by the program; --check compares",
+        figures,
+    ),
+    (
+        "study-figures",
+        "figures that scripts of studies/ draw; --check compares",
+        study_figures,
+    ),
+    (
+        "golds",
+        "tables and formulas that the program computes itself; --check compares",
+        golds,
+    ),
+    (
+        "schemas",
+        "words of requests and answers in docs/contract.txt; --check compares",
+        schemas,
+    ),
+    (
+        "checks",
+        "outputs read by other programs (python3, ccx, chromium)",
+        checks,
+    ),
     (
         "release",
         "what a release would publish, and of it what can be made here (python3, a release build)",
         release,
     ),
-    ("benches", "speed of the closed forms and of the finite elements", benches),
+    (
+        "benches",
+        "speed of the closed forms and of the finite elements",
+        benches,
+    ),
     (
         "peers",
-        "finite elements side by side with FElupe and CalculiX (python3, ccx); --check: one contraction, once",
+        "finite elements side by side with FElupe and CalculiX (python3, ccx); --check: one \
+         contraction, once",
         peers,
     ),
 ];
@@ -37,14 +63,24 @@ const DRAWN: [&str; 2] = ["docs/gallery.md", "docs/paper.md"];
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
     let check = args.iter().any(|a| a == "--check");
-    let task = args.first().and_then(|name| TASKS.iter().find(|(known, ..)| known == name));
+    let task = args
+        .first()
+        .and_then(|name| TASKS.iter().find(|(known, ..)| known == name));
     let Some((_, _, run)) = task else {
         println!("cargo xtask TASK\n");
-        TASKS.iter().for_each(|(name, about, _)| println!("  {name:<12} {about}"));
-        return if args.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };
+        TASKS
+            .iter()
+            .for_each(|(name, about, _)| println!("  {name:<12} {about}"));
+        return if args.is_empty() {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::from(2)
+        };
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let done = env::set_current_dir(root).map_err(|e| e.to_string()).and_then(|()| run(check));
+    let done = env::set_current_dir(root)
+        .map_err(|e| e.to_string())
+        .and_then(|()| run(check));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
@@ -58,11 +94,26 @@ fn figures(check: bool) -> Done {
     let (program, made) = (program()?, made("figures")?);
     for page in DRAWN {
         let text = fs::read_to_string(page).map_err(|e| format!("{page}: {e}"))?;
-        for line in text.lines().filter(|line| line.starts_with("mckibben ") && writes(line)) {
-            quiet(Command::new(&program).args(into_folder(line, &made)).arg("--overwrite"))?;
+        for line in text
+            .lines()
+            .filter(|line| line.starts_with("mckibben ") && writes(line))
+        {
+            quiet(
+                Command::new(&program)
+                    .args(into_folder(line, &made))
+                    .arg("--overwrite"),
+            )?;
         }
-        for figure in text.split("](figures/").skip(1).filter_map(|rest| rest.split(')').next()) {
-            keep(&made.join(figure), &Path::new("docs/figures").join(figure), check)?;
+        for figure in text
+            .split("](figures/")
+            .skip(1)
+            .filter_map(|rest| rest.split(')').next())
+        {
+            keep(
+                &made.join(figure),
+                &Path::new("docs/figures").join(figure),
+                check,
+            )?;
         }
     }
     Ok(())
@@ -81,7 +132,11 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
     let before = std::iter::once("").chain(words.iter().copied());
     let placed = |(before, word): (&str, &&str)| {
         let there = WRITTEN.contains(&before) || folder.join(word).is_file();
-        if there { folder.join(word) } else { PathBuf::from(word) }
+        if there {
+            folder.join(word)
+        } else {
+            PathBuf::from(word)
+        }
     };
     before.zip(&words).map(placed).collect()
 }
@@ -89,11 +144,18 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
 /// Figures of the documentation that a study draws: minutes of finite elements.
 fn study_figures(check: bool) -> Done {
     let (made, kept) = (made("studies")?, Path::new("docs/figures"));
-    for (file, study, more) in
-        [("peers.svg", "peers_figure", None), ("universal.svg", "universal_figure", Some("150"))]
-    {
+    for (file, study, more) in [
+        ("peers.svg", "peers_figure", None),
+        ("universal.svg", "universal_figure", Some("150")),
+    ] {
         let path = made.join(file);
-        quiet(cargo().args(["study", study]).arg("--").arg(&path).args(more))?;
+        quiet(
+            cargo()
+                .args(["study", study])
+                .arg("--")
+                .arg(&path)
+                .args(more),
+        )?;
         keep(&path, &kept.join(file), check)?;
     }
     Ok(())
@@ -102,16 +164,30 @@ fn study_figures(check: bool) -> Done {
 fn golds(check: bool) -> Done {
     let (program, made) = (program()?, made("golds")?);
     let campaign = made.join("universal.parquet");
-    quiet(Command::new(&program).args(["campaign", "plans/universal.toml", "-o"]).arg(&campaign))?;
+    quiet(
+        Command::new(&program)
+            .args(["campaign", "plans/universal.toml", "-o"])
+            .arg(&campaign),
+    )?;
     for form in ["universal", "universal-small"] {
         let file = format!("{form}.json");
         let path = made.join(&file);
-        quiet(Command::new(&program).arg("fit").arg(&campaign).args(["--method", form, "-o"]).arg(&path))?;
+        quiet(
+            Command::new(&program)
+                .arg("fit")
+                .arg(&campaign)
+                .args(["--method", form, "-o"])
+                .arg(&path),
+        )?;
         keep(&path, &Path::new("crates/mckibben/data").join(file), check)?;
     }
     let path = made.join("rubber-laws.json");
     save(&mut example("rubber_laws")?, &path)?;
-    keep(&path, Path::new("crates/mckibben/data/rubber-laws.json"), check)?;
+    keep(
+        &path,
+        Path::new("crates/mckibben/data/rubber-laws.json"),
+        check,
+    )?;
     let path = made.join("paper.csv");
     save(&mut example("paper_campaign_csv")?, &path)?;
     keep(&path, Path::new("data/campaign/paper.csv"), check)
@@ -119,8 +195,19 @@ fn golds(check: bool) -> Done {
 
 fn schemas(check: bool) -> Done {
     let mut test = cargo();
-    test.args(["test", "--workspace", "--test", "layer", "--", "the_words_of_requests_and_answers"]);
-    run(if check { &mut test } else { test.env("MCKIBBEN_WRITE", "yes") })
+    test.args([
+        "test",
+        "--workspace",
+        "--test",
+        "layer",
+        "--",
+        "the_words_of_requests_and_answers",
+    ]);
+    run(if check {
+        &mut test
+    } else {
+        test.env("MCKIBBEN_WRITE", "yes")
+    })
 }
 
 fn checks(_: bool) -> Done {
@@ -138,11 +225,22 @@ fn checks(_: bool) -> Done {
     run(script("checks/motion.py").arg(&answer))?;
     for (name, line) in [
         ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),
-        ("checks/vtu3d.py", "--model fe3d -e 10% -p 0.05,0.25 --whole"),
+        (
+            "checks/vtu3d.py",
+            "--model fe3d -e 10% -p 0.05,0.25 --whole",
+        ),
     ] {
         let (folder, answer) = (made.join("vtu"), made.join("answer.json"));
         let mut simulate = Command::new(&program);
-        simulate.args(["simulate", "examples/prototype.toml", "--format", "json", "--vtu"]).arg(&folder);
+        simulate
+            .args([
+                "simulate",
+                "examples/prototype.toml",
+                "--format",
+                "json",
+                "--vtu",
+            ])
+            .arg(&folder);
         save(simulate.args(line.split_whitespace()), &answer)?;
         run(script(name).arg(&folder).arg(&answer))?;
         fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
@@ -155,7 +253,10 @@ fn release(_: bool) -> Done {
     run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
     let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
     let program = fs::canonicalize(target().join(name)).map_err(|e| e.to_string())?;
-    run(Command::new("python3").arg("checks/release.py").arg("--binary").arg(program))
+    run(Command::new("python3")
+        .arg("checks/release.py")
+        .arg("--binary")
+        .arg(program))
 }
 
 fn benches(_: bool) -> Done {
@@ -171,21 +272,37 @@ fn benches(_: bool) -> Done {
 
 fn peers(check: bool) -> Done {
     let quick = check.then_some("--quick");
-    run(Command::new(python("numpy felupe pypardiso scipy")?).arg("benches/peers/compare.py").args(quick))
+    run(Command::new(python("numpy felupe pypardiso scipy")?)
+        .arg("benches/peers/compare.py")
+        .args(quick))
 }
 
 fn cargo() -> Command {
     Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-/// What `cargo test --workspace` builds as well: the same features and profile, so that nothing is compiled twice.
+/// What `cargo test --workspace` builds as well: the same features and profile, so that nothing is
+/// compiled twice.
 fn build(what: &[&str]) -> Done {
-    run(cargo().args(["build", "--quiet", "--locked", "--workspace", "--profile", "test"]).args(what))
+    run(cargo()
+        .args([
+            "build",
+            "--quiet",
+            "--locked",
+            "--workspace",
+            "--profile",
+            "test",
+        ])
+        .args(what))
 }
 
 fn example(name: &str) -> Result<Command, String> {
     build(&["--example", name])?;
-    Ok(Command::new(target().join("debug/examples").join(format!("{name}{}", env::consts::EXE_SUFFIX))))
+    Ok(Command::new(
+        target()
+            .join("debug/examples")
+            .join(format!("{name}{}", env::consts::EXE_SUFFIX)),
+    ))
 }
 
 fn target() -> PathBuf {
@@ -208,7 +325,9 @@ fn python(packages: &str) -> Result<PathBuf, String> {
     let folder = target().join("venv");
     run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
     let python = folder.join("bin/python");
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))?;
+    run(Command::new(&python)
+        .args(["-m", "pip", "install", "--quiet"])
+        .args(packages.split(' ')))?;
     Ok(python)
 }
 
@@ -226,7 +345,13 @@ fn keep(made: &Path, kept: &Path, check: bool) -> Done {
     let new = read(made)?;
     if check {
         let same = read(kept)? == new;
-        let message = || format!("{} is not what the program makes ({})", kept.display(), made.display());
+        let message = || {
+            format!(
+                "{} is not what the program makes ({})",
+                kept.display(),
+                made.display()
+            )
+        };
         return same.then_some(()).ok_or_else(message);
     }
     if let Some(folder) = kept.parent() {
@@ -237,7 +362,10 @@ fn keep(made: &Path, kept: &Path, check: bool) -> Done {
 
 fn run(command: &mut Command) -> Done {
     let status = command.status().map_err(|e| format!("{command:?}: {e}"))?;
-    status.success().then_some(()).ok_or_else(|| format!("{command:?}: {status}"))
+    status
+        .success()
+        .then_some(())
+        .ok_or_else(|| format!("{command:?}: {status}"))
 }
 
 /// Runs a command without its output.

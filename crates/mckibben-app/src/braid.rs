@@ -23,7 +23,8 @@ pub struct BraidSummary {
     pub least_angle_deg: f64,
     /// Strands of both families, where they are known.
     pub strands: Option<u32>,
-    /// What its source does not state and its stiffness needs, with spaces between; estimates replace it.
+    /// What its source does not state and its stiffness needs, with spaces between; estimates
+    /// replace it.
     pub missing: String,
     /// Factor within which its stiffness is known; 1 where all of its strands are stated.
     pub stiffness_factor: f64,
@@ -81,7 +82,11 @@ pub struct BraidPoint {
 
 /// What gives the stiffness and is not stated, or an estimate.
 fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
-    let estimated = sleeve.estimated.iter().copied().filter(|key| *key != "strand_strength");
+    let estimated = sleeve
+        .estimated
+        .iter()
+        .copied()
+        .filter(|key| *key != "strand_strength");
     sleeve.missing().into_iter().chain(estimated).collect()
 }
 
@@ -107,7 +112,9 @@ pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Pro
 
 /// A sleeve; `None` where there is none of that name.
 pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
-    let Ok(entry) = library::entry(name) else { return Ok(None) };
+    let Ok(entry) = library::entry(name) else {
+        return Ok(None);
+    };
     let sleeve = &entry.sleeve;
     let diameters = round_diameters(sleeve.shape.tubes_mm());
     let (least_diameter_mm, largest_diameter_mm) = sleeve.diameters();
@@ -127,8 +134,14 @@ pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem
         }),
         missing: sleeve.missing().into_iter().map(str::to_string).collect(),
         stiffness_factor: sleeve.stiffness_factor(),
-        estimate: entry.modulus_of.filter(|_| !sleeve.estimated.is_empty()).and_then(|m| m.estimate.clone()),
-        points: diameters.iter().map(|d| point(sleeve, *d)).collect::<Result<_, Problem>>()?,
+        estimate: entry
+            .modulus_of
+            .filter(|_| !sleeve.estimated.is_empty())
+            .and_then(|m| m.estimate.clone()),
+        points: diameters
+            .iter()
+            .map(|d| point(sleeve, *d))
+            .collect::<Result<_, Problem>>()?,
     }))
 }
 
@@ -145,11 +158,16 @@ fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint, Problem>
 fn round_diameters((least, largest): (f64, f64)) -> Vec<f64> {
     let decade = 10f64.powf((largest - least).log10().floor() - 1.0);
     let steps = [1.0, 2.0, 5.0, 10.0, 20.0].map(|s| s * decade);
-    let step = steps.into_iter().find(|s| (largest - least) / s <= 12.0).unwrap_or(largest - least);
+    let step = steps
+        .into_iter()
+        .find(|s| (largest - least) / s <= 12.0)
+        .unwrap_or(largest - least);
     let first = (least / step * (1.0 + 1e-9)).floor() + 1.0;
     let count = ((largest - least) / step).ceil();
     // Multiples of a power of ten, without the last binary digits.
     let round = |v: f64| (v * 1e6).round() / 1e6;
     let inside = (0..=count as u32).map(|i| round((first + f64::from(i)) * step));
-    std::iter::once(least).chain(inside.filter(|d| *d < largest)).collect()
+    std::iter::once(least)
+        .chain(inside.filter(|d| *d < largest))
+        .collect()
 }

@@ -1,9 +1,10 @@
-//! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test sheet.
+//! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test
+//! sheet.
 
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report, said_of,
-    usual_mpa,
+    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report,
+    said_of, usual_mpa,
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -11,7 +12,9 @@ use mckibben::analysis::{Burst, Evaluation};
 use mckibben::answer::Options;
 use mckibben::progress::Progress;
 use mckibben::{cancel, model::Workspace};
-use mckibben_build::{BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa};
+use mckibben_build::{
+    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
+};
 use mckibben_report::Document;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,14 +28,17 @@ pub struct BuildRequest {
     pub muscle: MuscleFields,
     /// Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
     pub pressure_mpa: Option<f64>,
-    /// Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
+    /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
+    /// pressure.
     pub overpressure: bool,
-    /// Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is screwed, or `barb:4` for a hose with a bore of 4 mm;
-    /// default m5 up to a tube of 15 mm, then g1/8.
+    /// Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is
+    /// screwed, or `barb:4` for a hose with a bore of 4 mm; default m5 up to a tube of 15 mm, then
+    /// g1/8.
     pub fitting: Option<String>,
     /// Bolt of the eye, mm; default by the load of the end.
     pub bolt_mm: Option<f64>,
-    /// Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where it is known.
+    /// Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where
+    /// it is known.
     pub sleeve_diameter_mm: Option<f64>,
     /// Add the report to the files.
     pub report: bool,
@@ -112,12 +118,24 @@ pub struct BuiltFile {
 }
 
 impl From<File> for BuiltFile {
-    fn from(File { name, about, content }: File) -> Self {
+    fn from(
+        File {
+            name,
+            about,
+            content,
+        }: File,
+    ) -> Self {
         let (text, base64, content) = match content {
             Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
             Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
         };
-        Self { name, about: about.into(), text, base64, content }
+        Self {
+            name,
+            about: about.into(),
+            text,
+            base64,
+            content,
+        }
     }
 }
 
@@ -132,12 +150,22 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     }
     let (plan, burst) = planned(request)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
-    let files = mckibben_build::files(&plan)
-        .map_err(|e| Problem::new(ProblemKind::Internal, format!("the drawing cannot be drawn: {e}"), ""))?;
+    let files = mckibben_build::files(&plan).map_err(|e| {
+        Problem::new(
+            ProblemKind::Internal,
+            format!("the drawing cannot be drawn: {e}"),
+            "",
+        )
+    })?;
     let mut files: Vec<BuiltFile> = files.into_iter().map(BuiltFile::from).collect();
-    let document = request.report.then(|| report(request, (&plan, &burst), progress)).transpose()?;
+    let document = request
+        .report
+        .then(|| report(request, (&plan, &burst), progress))
+        .transpose()?;
     if let Some(document) = &document {
-        let html = document.to_html("").map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
+        let html = document
+            .to_html("")
+            .map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
         let about = "all that is known of the muscle, for reading and printing";
         files.push(File::text(REPORT, about, html).into());
     }
@@ -156,7 +184,10 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         safety: plan.safety,
         mass_g: plan.mass_g(),
         limits: (&burst).into(),
-        warnings: warnings.chain(plan.muscle.warnings()).chain(plan.warnings()).collect(),
+        warnings: warnings
+            .chain(plan.muscle.warnings())
+            .chain(plan.warnings())
+            .collect(),
         files,
         document,
         cut: plan.cut,
@@ -174,7 +205,9 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
         Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
     })?;
     let above_zero = |field: &str, value: Option<f64>| {
-        value.map(|value| above_zero(ProblemKind::OutOfRange, field, value)).transpose()
+        value
+            .map(|value| above_zero(ProblemKind::OutOfRange, field, value))
+            .transpose()
     };
     let wishes = Wishes {
         fitting,
@@ -226,11 +259,16 @@ fn operating(
     let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
     let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
     let response = &shape.point.response;
-    let volume_mm3 = response.volume_mm3.unwrap_or_else(|| muscle.rest_volume_mm3());
+    let volume_mm3 = response
+        .volume_mm3
+        .unwrap_or_else(|| muscle.rest_volume_mm3());
     let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
-    // A muscle whose free state at the proof pressure is not found stores at least what its cavity at the working pressure does.
+    // A muscle whose free state at the proof pressure is not found stores at least what its cavity
+    // at the working pressure does.
     let at_proof = evaluation.free_contraction(proof_mpa);
-    let at_proof = at_proof.and_then(|free| evaluation.cavity_mm3(proof_mpa, free)).ok();
+    let at_proof = at_proof
+        .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
+        .ok();
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,

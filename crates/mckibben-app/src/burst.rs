@@ -1,4 +1,5 @@
-//! The burst pressure in answers: one value for each muscle and model, and the sentence that comes before all others.
+//! The burst pressure in answers: one value for each muscle and model, and the sentence that comes
+//! before all others.
 
 use crate::{Model, Problem, ProblemKind};
 use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
@@ -10,19 +11,25 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::Mutex;
 
-/// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is not known: that of a usual supply. Whoever
-/// builds (`design`, `check`, `joint`, `motion`, `build`) reads of it at any pressure.
+/// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is
+/// not known: that of a usual supply. Whoever builds (`design`, `check`, `joint`, `motion`,
+/// `build`) reads of it at any pressure.
 pub(crate) const QUIET_MPA: f64 = 0.6;
 /// Muscles whose burst pressure is kept.
 const KEPT: usize = 32;
 
-/// Burst pressures that were solved for, the last one last. They follow from model and muscle alone.
+/// Burst pressures that were solved for, the last one last. They follow from model and muscle
+/// alone.
 static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 
 /// The burst pressure of a muscle by the model that answers.
 pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem> {
     // Whoever panicked with the list left it whole.
-    let list = || KNOWN.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let list = || {
+        KNOWN
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    };
     let of = |known: &&(Model, Muscle, Burst)| known.0 == *choice && known.1 == *model.muscle();
     if let Some(known) = list().iter().find(of) {
         return Ok(known.2);
@@ -44,14 +51,24 @@ pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, 
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
 
-/// The working pressure in MPa where none is given: that of the paper, or the allowed one where that is lower.
+/// The working pressure in MPa where none is given: that of the paper, or the allowed one where
+/// that is lower.
 pub(crate) fn usual_mpa(found: &Burst) -> f64 {
     // Down to a hundredth, which a regulator shows.
-    let lower = |p: f64| if p >= 0.01 { (100.0 * p).floor() / 100.0 } else { p };
-    found.allowed().map_or(USUAL_MPA, |(allowed_mpa, _)| lower(allowed_mpa).min(USUAL_MPA))
+    let lower = |p: f64| {
+        if p >= 0.01 {
+            (100.0 * p).floor() / 100.0
+        } else {
+            p
+        }
+    };
+    found.allowed().map_or(USUAL_MPA, |(allowed_mpa, _)| {
+        lower(allowed_mpa).min(USUAL_MPA)
+    })
 }
 
-/// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed one, with `overpressure` up to that of a proof test.
+/// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed
+/// one, with `overpressure` up to that of a proof test.
 pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
     let most_mpa = match (overpressure, found.first(), found.allowed()) {
         (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
@@ -63,12 +80,13 @@ pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Res
     }
     let said = said_of(found, pressure_mpa, f64::INFINITY);
     let said = said.first().map_or_else(String::new, ToString::to_string);
-    let hint =
-        "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the burst pressure";
+    let hint = "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the \
+        burst pressure";
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
 }
 
-/// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not known only above `quiet_mpa`.
+/// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not
+/// known only above `quiet_mpa`.
 pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
     let above = match (found.first(), found.allowed()) {
         (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
@@ -79,7 +97,10 @@ pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Wa
         }
         _ => None,
     };
-    let unknown = found.not_checked().filter(|_| highest_mpa > quiet_mpa).map(Warning::burst_not_checked);
+    let unknown = found
+        .not_checked()
+        .filter(|_| highest_mpa > quiet_mpa)
+        .map(Warning::burst_not_checked);
     above.into_iter().chain(unknown).collect()
 }
 
@@ -95,12 +116,14 @@ pub(crate) fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Ite
 /// The pressures that a muscle bears.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 pub struct PressureLimits {
-    /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+    /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that
+    /// of the weakest; none where no number for it is stated.
     pub burst_pressure_mpa: Option<f64>,
     /// How it fails there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_by: Option<FailureMode>,
-    /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the fittings are rated.
+    /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at
+    /// which the tube does, and at most that for which the fittings are rated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed_pressure_mpa: Option<f64>,
     /// The failure that it keeps its distance from; none where the fittings are rated for it.
@@ -124,10 +147,13 @@ impl PressureLimits {
     /// Those of the weakest of several muscles; none where that of one of them is not known.
     pub(crate) fn of_all(all: &[Burst]) -> Self {
         let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();
-        let weakest = known
-            .into_iter()
-            .flatten()
-            .reduce(|a, b| if b.pressure_mpa() < a.pressure_mpa() { b } else { a });
+        let weakest = known.into_iter().flatten().reduce(|a, b| {
+            if b.pressure_mpa() < a.pressure_mpa() {
+                b
+            } else {
+                a
+            }
+        });
         weakest.map_or_else(Self::default, Self::from)
     }
 }

@@ -1,8 +1,11 @@
-//! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests from a plan, on disk.
+//! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
+//! from a plan, on disk.
 
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
-use mckibben_campaign::campaign::{self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary};
+use mckibben_campaign::campaign::{
+    self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -13,7 +16,8 @@ use std::path::{Path, PathBuf};
 pub struct CampaignRequest {
     /// The plan (TOML).
     pub plan: Option<TextFile>,
-    /// Output table: one file that ends in .parquet, or a folder of parts. The same request continues an interrupted run.
+    /// Output table: one file that ends in .parquet, or a folder of parts. The same request
+    /// continues an interrupted run.
     pub output: Option<PathBuf>,
     /// Compute only share i of n of the plan, as i/n, as parts in a folder.
     pub shard: Option<String>,
@@ -23,15 +27,31 @@ pub struct CampaignRequest {
     pub overwrite: bool,
 }
 
-/// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
+/// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not
+/// complete.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
-    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let file = request
+        .plan
+        .as_ref()
+        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
     let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
-    let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
+    let out = request
+        .output
+        .as_ref()
+        .ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
     let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
-    let shard = request.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)?;
-    let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
+    let shard = request
+        .shard
+        .as_deref()
+        .map(str::parse::<Shard>)
+        .transpose()
+        .map_err(wrong)?;
+    let options = RunOptions {
+        shard,
+        threads: request.threads,
+        overwrite: request.overwrite,
+    };
     Ok(campaign::run(&plan, out, &options, progress)?)
 }
 
@@ -62,7 +82,11 @@ pub struct CampaignMergeRequest {
 
 /// Joins folders of parts into one file, the same bytes as those of a single run.
 pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
-    Ok(campaign::merge(&request.folders, &request.output, request.overwrite)?)
+    Ok(campaign::merge(
+        &request.folders,
+        &request.output,
+        request.overwrite,
+    )?)
 }
 
 /// A campaign whose shards are looked at.

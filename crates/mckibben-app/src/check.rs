@@ -1,10 +1,11 @@
-//! `check`: the data of a muscle and what follows from them, what it does at its working pressure, whether it is plausible, what of it is
-//! not known, how far it is from measured muscles, and what to measure first.
+//! `check`: the data of a muscle and what follows from them, what it does at its working pressure,
+//! whether it is plausible, what of it is not known, how far it is from measured muscles, and what
+//! to measure first.
 
 use crate::{
-    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question, QuestionFields,
-    Result, UncertaintyWords, Units, finite, muscle_fields::stated, muscle_fields::stated_schema, number,
-    rows::said, said_of, usual_mpa,
+    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
+    QuestionFields, Result, UncertaintyWords, Units, finite, muscle_fields::stated,
+    muscle_fields::stated_schema, number, rows::said, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{Bulk, Muscle, MuscleKind};
@@ -61,7 +62,8 @@ pub struct CheckAnswer {
     /// Its values at the working pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
-    /// Findings beyond the warnings, the gravest kind first; what to measure in the order of its effect.
+    /// Findings beyond the warnings, the gravest kind first; what to measure in the order of its
+    /// effect.
     pub findings: Vec<MuscleFinding>,
     /// The equivalent muscle file (TOML), if requested: file and fields of the request in one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -86,7 +88,8 @@ pub struct Derived {
     pub strand_length_per_turn_mm: f64,
     /// Contraction at which the ideal muscle no longer pulls.
     pub max_ideal_contraction: f64,
-    /// Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its law.
+    /// Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its
+    /// law.
     pub reach: f64,
     /// Cavity at rest, mm³.
     pub volume_mm3: f64,
@@ -135,7 +138,11 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
             ("direction", !asking.direction.is_mean()),
         ];
         Problem::refuse_unused(&fields, "`only_data` evaluates no model")?;
-        (request.question.muscle.resolve()?, None, AtPressure::default())
+        (
+            request.question.muscle.resolve()?,
+            None,
+            AtPressure::default(),
+        )
     } else {
         let mut question = request.question.ask()?;
         let at_pressure = match at_pressure(&mut question, request.pressure_mpa) {
@@ -146,25 +153,36 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
             at_pressure => at_pressure?,
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
-        let rest_volume_mm3 = question
-            .muscle
-            .terminals()
-            .plug_diameter_mm
-            .and_then(|_| question.evaluation().point(0.0, 0.0).ok()?.response.volume_mm3);
+        let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
+            question
+                .evaluation()
+                .point(0.0, 0.0)
+                .ok()?
+                .response
+                .volume_mm3
+        });
         (question.muscle, rest_volume_mm3, at_pressure)
     };
     let rubber = &muscle.tube().rubber;
     let (law, reach) = (&rubber.law, muscle.reach());
-    let beyond = rubber.fitted_to_stretch.filter(|limit| reach > *limit).map(|limit| {
-        format!(
-            "free to contract, this muscle stretches its rubber to {reach:.2} at the bore; the constants of {} were fitted up to {limit:.2}",
-            rubber.name.as_deref().unwrap_or("this rubber")
-        )
-    });
+    let beyond = rubber
+        .fitted_to_stretch
+        .filter(|limit| reach > *limit)
+        .map(|limit| {
+            format!(
+                "free to contract, this muscle stretches its rubber to {reach:.2} at the bore; the \
+             constants of {} were fitted up to {limit:.2}",
+                rubber.name.as_deref().unwrap_or("this rubber")
+            )
+        });
     Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
-        constants_mpa: law.constants().into_iter().map(|c| (c.name, c.value)).collect(),
+        constants_mpa: law
+            .constants()
+            .into_iter()
+            .map(|c| (c.name, c.value))
+            .collect(),
         shear_modulus_mpa: law.shear_modulus_mpa(),
         fitted_to_stretch: rubber.fitted_to_stretch,
         bulk_modulus_mpa: match muscle.tube().rubber.bulk {
@@ -198,7 +216,10 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
 
 fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtPressure> {
     let burst = question.burst()?;
-    let pressure_mpa = finite("pressure_mpa", pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)))?;
+    let pressure_mpa = finite(
+        "pressure_mpa",
+        pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)),
+    )?;
     let mut model = question.evaluation();
     let point = model.point(pressure_mpa, 0.0)?;
     let free = model.free_contraction(pressure_mpa).ok();
@@ -208,7 +229,11 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         pressure_mpa,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
-        uncertainty_words: UncertaintyWords::at(point.uncertainty_parts_n, &mut model, pressure_mpa),
+        uncertainty_words: UncertaintyWords::at(
+            point.uncertainty_parts_n,
+            &mut model,
+            pressure_mpa,
+        ),
         free_contraction: free,
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
@@ -217,7 +242,11 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
     };
     let findings = findings_of(&question.muscle, &burst, &values, point.uncertainty_parts_n)?;
     let said = said_of(&burst, pressure_mpa, 0.0);
-    Ok((Some(values), said.iter().map(ToString::to_string).collect(), findings))
+    Ok((
+        Some(values),
+        said.iter().map(ToString::to_string).collect(),
+        findings,
+    ))
 }
 
 /// A finding.
@@ -227,7 +256,8 @@ pub struct MuscleFinding {
     pub kind: FindingKind,
     /// In a sentence.
     pub text: String,
-    /// 95 % half-width of the blocked force that a measurement leaves at least, N: the ± without the part that it replaces.
+    /// 95 % half-width of the blocked force that a measurement leaves at least, N: the ± without
+    /// the part that it replaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_n: Option<f64>,
 }
@@ -263,19 +293,30 @@ fn findings_of(
     parts: Option<UncertaintyParts>,
 ) -> Result<Vec<MuscleFinding>> {
     let of = |kind, texts: Vec<String>| {
-        texts.into_iter().map(move |text| MuscleFinding { kind, text, left_n: None })
+        texts.into_iter().map(move |text| MuscleFinding {
+            kind,
+            text,
+            left_n: None,
+        })
     };
     let findings = of(FindingKind::Implausible, implausible(muscle, values))
         .chain(of(FindingKind::Unknown, unknown(burst)))
-        .chain(of(FindingKind::Outside, outside(muscle, values.pressure_mpa)?));
-    Ok(findings.chain(parts.iter().flat_map(|parts| measure(parts, values))).collect())
+        .chain(of(
+            FindingKind::Outside,
+            outside(muscle, values.pressure_mpa)?,
+        ));
+    Ok(findings
+        .chain(parts.iter().flat_map(|parts| measure(parts, values)))
+        .collect())
 }
 
 fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
     let (pull, ideal) = (values.blocked_force_n, muscle.max_ideal_contraction());
     let slender = muscle.length_mm() / muscle.tube().outer_diameter_mm;
     let wall = muscle.wall_mm() / muscle.inner_diameter_mm();
-    let share = values.blocked_force_uncertainty_n.map_or(0.0, |half| half / pull);
+    let share = values
+        .blocked_force_uncertainty_n
+        .map_or(0.0, |half| half / pull);
     let row = json!({
         "angle": muscle.braid().angle_deg, "ideal": ideal, "slender": slender, "wall": wall,
         "low": WALLS.0, "high": WALLS.1, "short": SHORT, "share": (100.0 * share).round() / 100.0,
@@ -283,7 +324,8 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
     let oddities = [
         (
             pull <= 0.0,
-            "the muscle does not pull at this pressure and its rest length: the pressure is too low for its wall, or its angle is above 54.7°",
+            "the muscle does not pull at this pressure and its rest length: the pressure is too \
+             low for its wall, or its angle is above 54.7°",
         ),
         (
             ideal < LITTLE,
@@ -291,7 +333,8 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
         ),
         (
             slender < SHORT,
-            "the length is {slender:3} outer diameters; below {short} the ends take a large part of stroke and pull",
+            "the length is {slender:3} outer diameters; below {short} the ends take a large part \
+             of stroke and pull",
         ),
         (
             wall < WALLS.0 || wall > WALLS.1,
@@ -303,7 +346,9 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
         ),
     ];
     let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
-    oddities.map(|(_, sentence)| said(&row, sentence, &Units::default())).collect()
+    oddities
+        .map(|(_, sentence)| said(&row, sentence, &Units::default()))
+        .collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.
@@ -312,15 +357,22 @@ fn unknown(burst: &Burst) -> Vec<String> {
         FailurePressure::Unknown(why) => Some(format!("the pressure at which {mode}: {why}")),
         _ => None,
     };
-    let rated = "the pressure for which plugs and fittings are rated; give `rated_pressure` in [terminals] of the muscle file";
+    let rated = "the pressure for which plugs and fittings are rated; give `rated_pressure` in \
+        [terminals] of the muscle file";
     let rated = burst.rated_mpa.is_none().then(|| rated.to_owned());
-    burst.modes().into_iter().filter_map(of_mode).chain(rated).collect()
+    burst
+        .modes()
+        .into_iter()
+        .filter_map(of_mode)
+        .chain(rated)
+        .collect()
 }
 
 /// The same as one warning, of a muscle that is chosen or built.
 pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>> {
     let outside = outside(muscle, pressure_mpa)?.join("; ");
-    let said = format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
+    let said =
+        format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
     Ok((!outside.is_empty()).then(|| Warning::from(said)))
 }
 
@@ -341,30 +393,46 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     let cases = muscles().map_err(Problem::from)?;
     let sizes = |m: &Muscle| {
         let outer_mm = m.tube().outer_diameter_mm;
-        [outer_mm, m.wall_mm() / outer_mm, m.length_mm() / outer_mm, m.braid().angle_deg]
+        [
+            outer_mm,
+            m.wall_mm() / outer_mm,
+            m.length_mm() / outer_mm,
+            m.braid().angle_deg,
+        ]
     };
     // Of its first fit, with what each point says of the muscle.
     let built = cases.iter().flat_map(|case| {
         let fit = case.fits.first();
-        case.points.iter().filter_map(move |point| point.section.apply(&fit?.muscle).ok())
+        case.points
+            .iter()
+            .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
     });
     let measured: Vec<[f64; 4]> = built.map(|m| sizes(&m)).collect();
-    let highest_mpa =
-        cases.iter().flat_map(|case| &case.points).map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let highest_mpa = cases
+        .iter()
+        .flat_map(|case| &case.points)
+        .map(|p| p.at.pressure_mpa)
+        .fold(0.0, f64::max);
     let mut outside = vec![];
     for (i, (name, unit)) in SIZES.into_iter().enumerate() {
         let among = measured.iter().map(|sizes| sizes[i]);
-        let (low, high) = among.fold((f64::INFINITY, 0.0), |(low, high), v| (low.min(v), f64::max(high, v)));
+        let (low, high) = among.fold((f64::INFINITY, 0.0), |(low, high), v| {
+            (low.min(v), f64::max(high, v))
+        });
         let size = sizes(muscle)[i];
         // A last digit is no difference.
         if size < low * (1.0 - 1e-9) || size > high * (1.0 + 1e-9) {
             let [size, low, high] = [size, low, high].map(|v| number(v, 3));
-            outside.push(format!("{name} is {size}{unit} (measured: {low} to {high}{unit})"));
+            outside.push(format!(
+                "{name} is {size}{unit} (measured: {low} to {high}{unit})"
+            ));
         }
     }
     if pressure_mpa > highest_mpa {
         let (pressure, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
-        outside.push(format!("the pressure is {pressure}\u{a0}MPa (measured: up to {most}\u{a0}MPa)"));
+        outside.push(format!(
+            "the pressure is {pressure}\u{a0}MPa (measured: up to {most}\u{a0}MPa)"
+        ));
     }
     Ok(outside)
 }
@@ -373,20 +441,35 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
 const MEASURABLE: [(&str, &str); 6] = [
     (
         "friction unknown",
-        "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, and the rubber beside it)",
+        "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, \
+         and the rubber beside it)",
     ),
-    ("rubber", "a tension test of the rubber (`rubber`), or pulls at several pressures (`identify`)"),
+    (
+        "rubber",
+        "a tension test of the rubber (`rubber`), or pulls at several pressures (`identify`)",
+    ),
     (
         "stiffness of the braid",
-        "number, diameter and modulus of the strands, or the blocked force at a high pressure (`identify`)",
+        "number, diameter and modulus of the strands, or the blocked force at a high pressure \
+         (`identify`)",
     ),
-    ("data sheets", "the pull of your own muscle at some pressures (`identify`)"),
-    ("another specimen", "the pull of your own muscle at some pressures (`identify`)"),
+    (
+        "data sheets",
+        "the pull of your own muscle at some pressures (`identify`)",
+    ),
+    (
+        "another specimen",
+        "the pull of your own muscle at some pressures (`identify`)",
+    ),
     ("formula", "nothing: the model `fe` does without this part"),
 ];
 
 fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFinding> {
-    let finding = |text, left| MuscleFinding { kind: FindingKind::Measure, text, left_n: Some(left) };
+    let finding = |text, left| MuscleFinding {
+        kind: FindingKind::Measure,
+        text,
+        left_n: Some(left),
+    };
     let total = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
     named.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -397,15 +480,21 @@ fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFind
         (left < 0.98 * total).then(|| finding(format!("{name}: {how}"), left))
     });
     let words = &values.uncertainty_words;
-    let whole = words.bench_uncertainty_n.map(|left| finding(words.bench.clone().unwrap_or_default(), left));
+    let whole = words
+        .bench_uncertainty_n
+        .map(|left| finding(words.bench.clone().unwrap_or_default(), left));
     whole.into_iter().chain(each).collect()
 }
 
 impl CheckAnswer {
-    /// The findings of a kind, in sentences with units; warnings are of the implausible, but for those of the burst pressure.
+    /// The findings of a kind, in sentences with units; warnings are of the implausible, but for
+    /// those of the burst pressure.
     pub fn said(&self, kind: FindingKind, u: &Units) -> Vec<String> {
         let words = self.characteristics.as_ref().map(|c| &c.uncertainty_words);
-        let warnings = self.warnings.iter().filter(|w| kind == FindingKind::Implausible && !is_of_burst(w));
+        let warnings = self
+            .warnings
+            .iter()
+            .filter(|w| kind == FindingKind::Implausible && !is_of_burst(w));
         let of_kind = self.findings.iter().filter(|finding| finding.kind == kind);
         let sentences = of_kind.map(|finding| match finding.left_n {
             Some(left) if Some(left) == words.and_then(|w| w.bench_uncertainty_n) => {

@@ -48,10 +48,13 @@ impl std::fmt::Debug for Ready {
 }
 
 impl CommandEntry {
-    /// Whether the request names files of the machine that answers: no front end that takes requests from others may run it.
+    /// Whether the request names files of the machine that answers: no front end that takes
+    /// requests from others may run it.
     pub fn touches_disk(&self, request: &Value) -> bool {
         self.name.starts_with("campaign")
-            || request.get("campaign").is_some_and(|campaign| !campaign.is_null())
+            || request
+                .get("campaign")
+                .is_some_and(|campaign| !campaign.is_null())
     }
 
     /// Its JSON Schema: `request`, `answer` and `error`.
@@ -67,19 +70,26 @@ impl CommandEntry {
         (self.read)(&request)
     }
 
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a
+    /// default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let known = self.fields.get_or_init(|| {
             let schema = self.schema();
-            schema["request"]["properties"].as_object().into_iter().flat_map(Map::keys).cloned().collect()
+            schema["request"]["properties"]
+                .as_object()
+                .into_iter()
+                .flat_map(Map::keys)
+                .cloned()
+                .collect()
         });
         let mut given = request.as_object().into_iter().flat_map(Map::keys);
         let Some(field) = given.find(|field| !known.is_empty() && !known.contains(field)) else {
             return Ok(());
         };
         let known = || known.iter().map(String::as_str);
-        let hint = nearest(field, known()).map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+        let hint = nearest(field, known())
+            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
         let message = format!("there is no field \"{field}\" in this request");
         Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
     }
@@ -159,8 +169,8 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     always.into_iter().chain(whole).chain(files).collect()
 });
 
-/// Answers a request in JSON: for pages, other languages and servers. The command is its name, the words of the command line
-/// joined by a hyphen.
+/// Answers a request in JSON: for pages, other languages and servers. The command is its name, the
+/// words of the command line joined by a hyphen.
 ///
 /// ```
 /// let answer = mckibben_app::ask(
@@ -179,27 +189,41 @@ pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<Stri
 
 /// The same for front ends whose language has lists and maps: no text on the way.
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    within(&Cancel::current(), || (find(command)?.read(request)?.0)(progress))
+    within(&Cancel::current(), || {
+        (find(command)?.read(request)?.0)(progress)
+    })
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
 ///
-/// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a multiple of four bytes, in which each of
-/// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
-/// little-endian.
-pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
+/// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a
+/// multiple of four bytes, in which each of `arrays` is the count of its numbers in place of the
+/// numbers, then all numbers (32 bits each), array after array. All of it little-endian.
+pub fn ask_packed(
+    command: &str,
+    request: &str,
+    progress: &dyn Progress,
+) -> Result<Vec<u8>, Problem> {
     Ok(packed(ask_value(command, parsed(request)?, progress)?))
 }
 
 /// An answer as [`ask_packed`] gives it.
 pub fn packed(mut answer: Value) -> Vec<u8> {
     let mut numbers: Vec<u8> = vec![];
-    for array in
-        answer.get_mut("arrays").and_then(Value::as_object_mut).into_iter().flat_map(|a| a.values_mut())
+    for array in answer
+        .get_mut("arrays")
+        .and_then(Value::as_object_mut)
+        .into_iter()
+        .flat_map(|a| a.values_mut())
     {
-        let Some(list) = array.as_array() else { continue };
+        let Some(list) = array.as_array() else {
+            continue;
+        };
         let count = list.len();
-        numbers.extend(list.iter().flat_map(|v| (v.as_f64().unwrap_or(f64::NAN) as f32).to_le_bytes()));
+        numbers.extend(
+            list.iter()
+                .flat_map(|v| (v.as_f64().unwrap_or(f64::NAN) as f32).to_le_bytes()),
+        );
         *array = count.into();
     }
     let mut text = answer.to_string().into_bytes();
@@ -214,7 +238,8 @@ fn parsed(request: &str) -> Result<Value, Problem> {
     serde_json::from_str(request).map_err(|e| not_understood(&e, None))
 }
 
-/// A request by its type, or a group of fields of one. To blame is the field without which something else is wrong, or nothing.
+/// A request by its type, or a group of fields of one. To blame is the field without which
+/// something else is wrong, or nothing.
 pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
     T::deserialize(fields).map_err(|error| {
         let said = error.to_string();
@@ -224,10 +249,15 @@ pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
             T::deserialize(&rest).map_or_else(|e| e.to_string(), |_: T| String::new())
         };
         let names = || fields.as_object().into_iter().flat_map(Map::keys);
-        let others = || names().map(|name| (name, without(name))).filter(|(_, other)| *other != said);
+        let others = || {
+            names()
+                .map(|name| (name, without(name)))
+                .filter(|(_, other)| *other != said)
+        };
         // A field that must be there is to blame where no other one is.
-        let blamed =
-            others().find(|(_, other)| !other.starts_with("missing field")).or_else(|| others().next());
+        let blamed = others()
+            .find(|(_, other)| !other.starts_with("missing field"))
+            .or_else(|| others().next());
         let field = blamed.map(|(name, _)| name);
         not_understood(&error, field.map(String::as_str))
     })
@@ -238,8 +268,10 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
         let meant = meant(nearest(command, names.iter().copied()));
-        let message =
-            format!("there is no command \"{command}\"{meant}; the commands are {}", names.join(", "));
+        let message = format!(
+            "there is no command \"{command}\"{meant}; the commands are {}",
+            names.join(", ")
+        );
         Problem::new(ProblemKind::Usage, message, "")
     })
 }
@@ -265,30 +297,53 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
     let said = error.to_string();
     let plain = |words: &str| {
         let known = PLAIN.into_iter().find(|(from, _)| words.starts_with(from));
-        known
-            .map_or_else(|| words.to_owned(), |(from, plain)| words.replacen(from, plain, 1).replace('`', ""))
+        known.map_or_else(
+            || words.to_owned(),
+            |(from, plain)| words.replacen(from, plain, 1).replace('`', ""),
+        )
     };
-    let parts = said.strip_prefix("invalid type: ").and_then(|said| said.rsplit_once(", expected "));
+    let parts = said
+        .strip_prefix("invalid type: ")
+        .and_then(|said| said.rsplit_once(", expected "));
     let message = match parts {
         Some((given, wanted)) => {
-            let wanted = match (wanted, field.and_then(NamedUnit::of_field).map_or("", |of| of.unit)) {
+            let wanted = match (
+                wanted,
+                field.and_then(NamedUnit::of_field).map_or("", |of| of.unit),
+            ) {
                 ("f64", "") => "a number without a unit".to_owned(),
                 ("f64", unit) => format!("a number in {unit}"),
                 (other, _) if other.starts_with("struct ") => "an object of fields".to_owned(),
                 (other, _) => plain(other),
             };
-            let (given, mut start) = (plain(given), plain(given).chars().take(60).collect::<String>());
-            start += if start.len() < given.len() { "…\"" } else { "" };
+            let (given, mut start) = (
+                plain(given),
+                plain(given).chars().take(60).collect::<String>(),
+            );
+            start += if start.len() < given.len() {
+                "…\""
+            } else {
+                ""
+            };
             let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
             format!("{what} is {wanted}, not {start}")
         }
         None => format!("the request cannot be understood: {said}"),
     };
     let problem = Problem::new(ProblemKind::Usage, message, "");
-    if let Some(field) = field { problem.in_field(field) } else { problem }
+    if let Some(field) = field {
+        problem.in_field(field)
+    } else {
+        problem
+    }
 }
 
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
-    serde_json::to_value(answer)
-        .map_err(|e| Problem::new(ProblemKind::Output, format!("the answer cannot be written: {e}"), ""))
+    serde_json::to_value(answer).map_err(|e| {
+        Problem::new(
+            ProblemKind::Output,
+            format!("the answer cannot be written: {e}"),
+            "",
+        )
+    })
 }

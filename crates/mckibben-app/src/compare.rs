@@ -1,13 +1,15 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
 use crate::{
-    AskFields, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    Result, TextFile, UnderstoodTable, Units, contractions, figure, list, measured_points, number, steps,
-    warnings,
+    AskFields, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem,
+    ProblemKind, Result, TextFile, UnderstoodTable, Units, contractions, figure, list,
+    measured_points, number, steps, warnings,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::{analysis::Evaluation, answer::Options};
-use mckibben::{muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning};
+use mckibben::{
+    muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning,
+};
 use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
 use mckibben_fit::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters,
@@ -31,7 +33,8 @@ pub struct CompareRequest {
     /// Measured points.
     #[serde(flatten)]
     pub tables: DataFields,
-    /// Which branch of measured hysteresis; models of a muscle that states its friction answer on the same one.
+    /// Which branch of measured hysteresis; models of a muscle that states its friction answer on
+    /// the same one.
     pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
     pub fit: Vec<FitConstant>,
@@ -123,10 +126,20 @@ impl ComparedModel {
 
     /// The fitted constants in words; empty where nothing was fitted.
     pub fn fitted(&self) -> String {
-        let modulus = self.fitted_modulus_factor.map(|v| format!("modulus × {}", number(v, 4)));
-        let end = self.fitted_end_factor.map(|v| format!("end factor {}", number(v, 4)));
-        let stiffness = self.fitted_stiffness_n_per_mm.map(|v| format!("stiffness {} N/mm", number(v, 4)));
-        [modulus, end, stiffness].into_iter().flatten().collect::<Vec<_>>().join(", ")
+        let modulus = self
+            .fitted_modulus_factor
+            .map(|v| format!("modulus × {}", number(v, 4)));
+        let end = self
+            .fitted_end_factor
+            .map(|v| format!("end factor {}", number(v, 4)));
+        let stiffness = self
+            .fitted_stiffness_n_per_mm
+            .map(|v| format!("stiffness {} N/mm", number(v, 4)));
+        [modulus, end, stiffness]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }
 
@@ -147,20 +160,27 @@ impl Compared {
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
     let muscle = request.muscle.resolve()?;
     let mut asking = request.asking;
-    if asking.direction.is_mean() && (muscle.friction().is_some() || request.tables.data.is_empty()) {
+    if asking.direction.is_mean() && (muscle.friction().is_some() || request.tables.data.is_empty())
+    {
         asking.direction = request.branch;
     }
     let options = asking.options(&muscle)?;
     let models = request.chosen()?;
-    let (read, understood): (Vec<_>, Vec<_>) =
-        measured_points(&request.tables, None, &muscle)?.into_iter().unzip();
+    let (read, understood): (Vec<_>, Vec<_>) = measured_points(&request.tables, None, &muscle)?
+        .into_iter()
+        .unzip();
     let is_measured = !read.is_empty();
-    let (volumes, read): (Vec<DataPoint>, Vec<DataPoint>) =
-        read.into_iter().flatten().partition(|p| p.measured == Quantity::Volume);
+    let (volumes, read): (Vec<DataPoint>, Vec<DataPoint>) = read
+        .into_iter()
+        .flatten()
+        .partition(|p| p.measured == Quantity::Volume);
     let doubts = doubts(&muscle, &read)?;
     let measured = request.on_branch(&read);
     if is_measured && measured.is_empty() && volumes.is_empty() {
-        let message = format!("{}: there are no points of that branch", request.tables.names());
+        let message = format!(
+            "{}: there are no points of that branch",
+            request.tables.names()
+        );
         let hint = "its column `branch` must say contraction or elongation";
         return Err(Problem::new(ProblemKind::Data, message, hint));
     }
@@ -182,7 +202,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             let bound = model.bound(&muscle)?;
             let mut workspace = Workspace::new();
             let mut evaluation = Evaluation::new(&*bound, &mut workspace, options);
-            // Without measured points, the first model that answers is what the others are held against.
+            // Without measured points, the first model that answers is what the others are held
+            // against.
             let points = match &reference {
                 Some(points) => points.clone(),
                 None => answers(&mut evaluation, &pressures, &contractions)?,
@@ -192,7 +213,14 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
                 return Err(ModelError::NoVolume(bound.info().name.to_string()).into());
             }
             let row = ComparedModel::new(errors, &fitted);
-            Ok((Compared { row, model: bound, workspace }, points))
+            Ok((
+                Compared {
+                    row,
+                    model: bound,
+                    workspace,
+                },
+                points,
+            ))
         };
         match one() {
             Ok((row, points)) => {
@@ -201,7 +229,11 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             }
             Err(problem) => {
                 let cause = Some(problem.message.clone());
-                let errors = Comparison { model: model.name().into(), cause, ..Comparison::default() };
+                let errors = Comparison {
+                    model: model.name().into(),
+                    cause,
+                    ..Comparison::default()
+                };
                 skipped.push(ComparedModel::new(errors, &[]));
                 first.get_or_insert(problem);
             }
@@ -211,24 +243,36 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
     }
     let points = reference.unwrap_or_default();
-    let states: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
+    let states: Vec<(f64, f64)> = points
+        .iter()
+        .map(|p| (p.pressure_mpa, p.contraction))
+        .collect();
     let beyond = compared.iter_mut().filter_map(|c| {
         let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let said = muscle.warnings().into_iter().chain(doubts).map(Warning::from);
+    let said = muscle
+        .warnings()
+        .into_iter()
+        .chain(doubts)
+        .map(Warning::from);
     let warned: Vec<Warning> = said.chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
-        let fits: String =
-            fits.map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted())).collect();
+        let fits: String = fits
+            .map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted()))
+            .collect();
         let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
         let measured = measured.as_deref().unwrap_or_default();
         figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
     });
     Ok(CompareAnswer {
-        reference: if measured.is_some() { "measured".into() } else { compared[0].row.errors.model.clone() },
+        reference: if measured.is_some() {
+            "measured".into()
+        } else {
+            compared[0].row.errors.model.clone()
+        },
         points: points.len(),
         largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
         muscle: (&muscle).into(),
@@ -244,13 +288,23 @@ impl CompareRequest {
     fn chosen(&self) -> Result<Vec<Model>> {
         const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
         let named: Vec<&str> = self.models.iter().map(String::as_str).collect();
-        let names = if named.is_empty() { DEFAULT.to_vec() } else { named };
+        let names = if named.is_empty() {
+            DEFAULT.to_vec()
+        } else {
+            named
+        };
         let solid = names.iter().any(|n| n.trim() == "fe3d");
         let mut models: Vec<Model> = vec![];
         for name in names {
             // A terminal is for fe3d alone, where that is among them.
-            let terminal = self.mesh.terminal.filter(|_| !solid || name.trim() == "fe3d");
-            let mesh = MeshFields { terminal, ..self.mesh.clone() };
+            let terminal = self
+                .mesh
+                .terminal
+                .filter(|_| !solid || name.trim() == "fe3d");
+            let mesh = MeshFields {
+                terminal,
+                ..self.mesh.clone()
+            };
             let model = Model::named(name, &self.formulas, &mesh)?;
             if !models.contains(&model) {
                 models.push(model);
@@ -271,11 +325,19 @@ impl CompareRequest {
 }
 
 /// Pressures and contractions of the figure, and of the comparison without measured points.
-fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>)> {
+fn grid(
+    request: &CompareRequest,
+    measured: Option<&[MeasuredPoint]>,
+) -> Result<(Vec<f64>, Vec<f64>)> {
     let Some(points) = measured else {
-        let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
+        let pressures = list("pressures_mpa", &request.pressures_mpa, || {
+            steps(5, 0.05, 0.25)
+        })?;
         let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
-        size::points("pressures_mpa", pressures.len() as f64 * contractions.len() as f64)?;
+        size::points(
+            "pressures_mpa",
+            pressures.len() as f64 * contractions.len() as f64,
+        )?;
         return Ok((pressures, contractions));
     };
     size::points("data", points.len() as f64)?;
@@ -293,10 +355,20 @@ fn answers(
     pressures: &[f64],
     contractions: &[f64],
 ) -> Result<Vec<MeasuredPoint>> {
-    let states = pressures.iter().flat_map(|&p| contractions.iter().map(move |&e| (p, e)));
+    let states = pressures
+        .iter()
+        .flat_map(|&p| contractions.iter().map(move |&e| (p, e)));
     let point = |(pressure_mpa, contraction)| {
-        let force_n = evaluation.point(pressure_mpa, contraction)?.response.force_n;
-        Ok(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(Direction::Mean) })
+        let force_n = evaluation
+            .point(pressure_mpa, contraction)?
+            .response
+            .force_n;
+        Ok(MeasuredPoint {
+            pressure_mpa,
+            contraction,
+            force_n,
+            branch: Some(Direction::Mean),
+        })
     };
     states.map(point).collect()
 }
@@ -306,7 +378,8 @@ const STIFF: f64 = 1e5;
 
 type FittedMuscle = (Muscle, Vec<(FitConstant, f64)>);
 
-/// The muscle with the constants that bring a model closest to the points, of those that the model knows.
+/// The muscle with the constants that bring a model closest to the points, of those that the model
+/// knows.
 fn fitted(
     model: &Model,
     muscle: &Muscle,
@@ -316,8 +389,15 @@ fn fitted(
 ) -> Result<FittedMuscle> {
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
-    let points: Vec<DataPoint> =
-        points.iter().map(|p| DataPoint::new(MeasuredPoint { branch: Some(direction), ..*p })).collect();
+    let points: Vec<DataPoint> = points
+        .iter()
+        .map(|p| {
+            DataPoint::new(MeasuredPoint {
+                branch: Some(direction),
+                ..*p
+            })
+        })
+        .collect();
     let mut known: Vec<FitConstant> = vec![];
     for &constant in constants {
         if !known.contains(&constant) && matters(muscle, constant.target(), &points, &build) {
@@ -330,21 +410,36 @@ fn fitted(
     if points.len() < 2 * known.len() + 1 {
         let (points, unknowns) = (points.len(), known.len());
         let least = 2 * unknowns + 1;
-        let message =
-            format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
+        let message = format!(
+            "{points} points are too few to fit {unknowns} constants: measure at least {least}"
+        );
         return Err(Problem::new(ProblemKind::Fit, message, ""));
     }
     let start = |c: FitConstant| Some(c.target().value(muscle).unwrap_or(STIFF));
-    let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
+    let parameter = |&c: &FitConstant| Parameter {
+        start: start(c),
+        ..Parameter::free(c.target())
+    };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request = Request { two_sided: true, ..Request::new(muscle, &free, &points, &build) };
+    let request = Request {
+        two_sided: true,
+        ..Request::new(muscle, &free, &points, &build)
+    };
     let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
-        IdentifyError::Estimate(_) => {
-            Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
-        }
+        IdentifyError::Estimate(_) => Problem::new(
+            ProblemKind::NotConverged,
+            format!("the fit did not converge: {error}"),
+            "",
+        ),
         error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
         other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
     })?;
-    Ok((identified.muscle, known.into_iter().zip(identified.parameters.iter().map(|p| p.value)).collect()))
+    Ok((
+        identified.muscle,
+        known
+            .into_iter()
+            .zip(identified.parameters.iter().map(|p| p.value))
+            .collect(),
+    ))
 }

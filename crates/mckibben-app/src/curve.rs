@@ -2,8 +2,8 @@
 
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
-    QuestionFields, Result, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio, pull,
-    put_first, said_of, warnings,
+    QuestionFields, Result, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio,
+    pull, put_first, said_of, warnings,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
@@ -25,7 +25,8 @@ use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
-/// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
+/// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
+/// isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct CurveRequest {
     /// Which test.
@@ -35,8 +36,8 @@ pub struct CurveRequest {
     pub question: QuestionFields,
     /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the
-    /// model's range): isobaric by 0.01, isometric by 0.05.
+    /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or
+    /// the end of the model's range): isobaric by 0.01, isometric by 0.05.
     pub contractions: Option<Vec<f64>>,
     /// Pulls F in N of an isotonic test; default 20, 80 and 150.
     pub forces_n: Option<Vec<f64>>,
@@ -55,11 +56,19 @@ const POINT_BYTES: f64 = 5e3;
 
 /// A family of curves.
 pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer> {
-    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
+    check_test(
+        request.test,
+        request.contractions.is_some(),
+        request.forces_n.is_some(),
+    )?;
     let mut question = request.question.ask()?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
-        if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
+        if isobaric {
+            steps(5, 0.05, 0.25)
+        } else {
+            steps(26, 0.0, 0.25)
+        }
     })?;
     let highest_mpa = pressures.iter().copied().fold(0.0, f64::max);
     let contractions = match request.test {
@@ -82,14 +91,18 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
     } else {
         &[question.options.direction]
     };
-    let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
+    let all = fixed
+        .len()
+        .saturating_mul(along.len())
+        .saturating_mul(branches.len());
     size::points("pressures_mpa", all as f64)?;
     size::bytes("pressures_mpa", POINT_BYTES * all as f64)?;
     let loaded = match (&request.load.load, isobaric) {
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, &mut question.evaluation(), &fixed)?,
         (Some(_), false) => {
-            let message = "`load` is for isobaric tests only, where the pressure is constant along a curve";
+            let message =
+                "`load` is for isobaric tests only, where the pressure is constant along a curve";
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
         }
     };
@@ -98,8 +111,14 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
     for (i, &value) in fixed.iter().enumerate() {
         progress.report(i, fixed.len());
         for &direction in branches {
-            let options = Options { direction, ..question.options };
-            let curves = question.evaluation().with(options).curves(request.test, &[value], &along);
+            let options = Options {
+                direction,
+                ..question.options
+            };
+            let curves = question
+                .evaluation()
+                .with(options)
+                .curves(request.test, &[value], &along);
             cancel::check()?;
             for curve in curves {
                 progress.check()?;
@@ -129,37 +148,62 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         both: request.both,
     };
     let figure = request.figure.as_ref();
-    answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
+    answer.figure =
+        figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
     answer.curves = list;
     Ok(answer)
 }
 
-/// Contractions from 0 by a round step to the free contraction (or extension) at the highest pressure, which is the last one of a closed
-/// list, or to the end of the model's range.
-pub(crate) fn reach(evaluation: &mut Evaluation<'_>, pressures: &[f64], step: f64, closed: bool) -> Vec<f64> {
+/// Contractions from 0 by a round step to the free contraction (or extension) at the highest
+/// pressure, which is the last one of a closed list, or to the end of the model's range.
+pub(crate) fn reach(
+    evaluation: &mut Evaluation<'_>,
+    pressures: &[f64],
+    step: f64,
+    closed: bool,
+) -> Vec<f64> {
     const UNKNOWN: f64 = 0.2;
     let highest = pressures.iter().copied().fold(0.0, f64::max);
     let model = evaluation.model;
-    let (sign, range) = match (model.muscle().is_extensile(), model.info().range.contraction) {
+    let (sign, range) = match (
+        model.muscle().is_extensile(),
+        model.info().range.contraction,
+    ) {
         (true, range) => (-1.0, -range.0),
         (false, range) => (1.0, range.1),
     };
-    let free = evaluation.free_contraction(highest).ok().map(|e| sign * e).filter(|e| *e > 0.0);
-    let end = free.unwrap_or(UNKNOWN).min(if range > 0.0 { range } else { f64::INFINITY });
-    let round = (0..).map(|i| f64::from(i) * step).map(|e| (e * 1e6).round() / 1e6);
+    let free = evaluation
+        .free_contraction(highest)
+        .ok()
+        .map(|e| sign * e)
+        .filter(|e| *e > 0.0);
+    let end = free
+        .unwrap_or(UNKNOWN)
+        .min(if range > 0.0 { range } else { f64::INFINITY });
+    let round = (0..)
+        .map(|i| f64::from(i) * step)
+        .map(|e| (e * 1e6).round() / 1e6);
     let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
     if closed || free.is_none() {
         list.push(end);
     }
     // No −0.
-    list.into_iter().map(|e| if e == 0.0 { e } else { sign * e }).collect()
+    list.into_iter()
+        .map(|e| if e == 0.0 { e } else { sign * e })
+        .collect()
 }
 
 /// Refuses what a test does not take.
 pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
     let (unused, needs) = match test {
-        Test::Isotonic => (("contractions", contractions), "pulls (`forces_n`) and computes contractions"),
-        _ => (("forces_n", forces), "contractions (`contractions`) and computes pulls"),
+        Test::Isotonic => (
+            ("contractions", contractions),
+            "pulls (`forces_n`) and computes contractions",
+        ),
+        _ => (
+            ("forces_n", forces),
+            "contractions (`contractions`) and computes pulls",
+        ),
     };
     Problem::refuse_unused(&[unused], format!("`test` {} needs {needs}", test.name()))
 }
@@ -196,10 +240,20 @@ pub(crate) fn contractions(
 }
 
 /// Pulls of an isotonic test, or pushes of a muscle that extends.
-pub(crate) fn forces(values: &Option<Vec<f64>>, muscle: &Muscle, options: Options) -> Result<Vec<f64>> {
-    let usual = if muscle.is_extensile() { [0.0, -10.0, -20.0] } else { [20.0, 80.0, 150.0] };
+pub(crate) fn forces(
+    values: &Option<Vec<f64>>,
+    muscle: &Muscle,
+    options: Options,
+) -> Result<Vec<f64>> {
+    let usual = if muscle.is_extensile() {
+        [0.0, -10.0, -20.0]
+    } else {
+        [20.0, 80.0, 150.0]
+    };
     let values = list("forces_n", values, || usual.to_vec())?;
-    values.iter().try_for_each(|&f| pull(f, options).map_err(|p| p.in_field("forces_n")))?;
+    values
+        .iter()
+        .try_for_each(|&f| pull(f, options).map_err(|p| p.in_field("forces_n")))?;
     Ok(values)
 }
 
@@ -216,17 +270,28 @@ pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<()> {
     ))
 }
 
-pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
-    list.into_iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok())
+pub(crate) fn answered<'a>(
+    list: impl IntoIterator<Item = &'a Curve>,
+) -> impl Iterator<Item = &'a Answer> {
+    list.into_iter()
+        .flat_map(|c| &c.points)
+        .filter_map(|p| p.answer.as_ref().ok())
 }
 
 /// Where no point has an answer: the first of the gravest reasons, those before among them.
 fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
-    let errors = curve.points.iter().filter_map(|point| point.answer.as_ref().err());
-    errors.map(|e| Problem::from(e.clone())).fold(before, |gravest, problem| {
-        let graver = gravest.as_ref().is_none_or(|g| problem.kind.ending() > g.kind.ending());
-        if graver { Some(problem) } else { gravest }
-    })
+    let errors = curve
+        .points
+        .iter()
+        .filter_map(|point| point.answer.as_ref().err());
+    errors
+        .map(|e| Problem::from(e.clone()))
+        .fold(before, |gravest, problem| {
+            let graver = gravest
+                .as_ref()
+                .is_none_or(|g| problem.kind.ending() > g.kind.ending());
+            if graver { Some(problem) } else { gravest }
+        })
 }
 
 /// A family of curves.
@@ -239,7 +304,8 @@ pub struct CurveAnswer {
     pub test: Test,
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, if both branches are requested.
+    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, if both branches are
+    /// requested.
     pub fixed: Vec<f64>,
     /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
@@ -305,18 +371,39 @@ pub struct FailedPoint {
 }
 
 fn points<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(curves.iter().flat_map(|curve| &curve.points).map(PointRow::from))
+    serializer.collect_seq(
+        curves
+            .iter()
+            .flat_map(|curve| &curve.points)
+            .map(PointRow::from),
+    )
 }
 
 impl From<&CurvePoint> for PointRow {
     fn from(point: &CurvePoint) -> Self {
         match &point.answer {
-            Ok(answer) => Self::Answered { answer: Box::new(answer.clone()), status: Status::Ok },
+            Ok(answer) => Self::Answered {
+                answer: Box::new(answer.clone()),
+                status: Status::Ok,
+            },
             Err(error) => {
-                let &CurvePoint { pressure_mpa, contraction, force_n, .. } = point;
+                let &CurvePoint {
+                    pressure_mpa,
+                    contraction,
+                    force_n,
+                    ..
+                } = point;
                 let cause = short_numbers(&error.to_string()).into_owned();
-                let requested = RequestedPoint { pressure_mpa, contraction, force_n };
-                Self::Failed(FailedPoint { requested, status: error.into(), cause })
+                let requested = RequestedPoint {
+                    pressure_mpa,
+                    contraction,
+                    force_n,
+                };
+                Self::Failed(FailedPoint {
+                    requested,
+                    status: error.into(),
+                    cause,
+                })
             }
         }
     }
@@ -333,7 +420,8 @@ pub struct StudyRequest {
     pub figure: Option<Units>,
 }
 
-/// The study: curves of five walls and of the ideal formula, and the paper's findings with a verdict on each.
+/// The study: curves of five walls and of the ideal formula, and the paper's findings with a
+/// verdict on each.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct StudyAnswer {
     /// The model's name.
@@ -372,27 +460,51 @@ pub struct StudyRow {
 }
 
 pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
-    let QuestionFields { muscle: m, model, asking } = &request.question;
+    let QuestionFields {
+        muscle: m,
+        model,
+        asking,
+    } = &request.question;
     let sizes = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
         .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
     let sizes: Vec<(&str, bool)> = sizes.collect();
-    Problem::refuse_unused(&sizes, "the study has the diameter, walls and length of the paper")
-        .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
+    Problem::refuse_unused(
+        &sizes,
+        "the study has the diameter, walls and length of the paper",
+    )
+    .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
     let base = m.resolve()?;
     let options = asking.options(&base)?;
     let model = Model::choose(model)?;
     model.admit(&base)?;
     let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.as_ref().map(|unit| {
-        let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
+        let MuscleSummary {
+            angle_deg, rubber, ..
+        } = (&base).into();
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
         figure::study(&study, &about, unit)
     });
-    let curves = study.panels.iter().flat_map(|p| &p.curves).map(|c| &c.curve);
+    let curves = study
+        .panels
+        .iter()
+        .flat_map(|p| &p.curves)
+        .map(|c| &c.curve);
     let warnings = warnings::of_points(answered(curves));
-    let Study { model, panels, findings } = study;
-    Ok(StudyAnswer { model, test: "thickness".into(), findings, panels, warnings, figure })
+    let Study {
+        model,
+        panels,
+        findings,
+    } = study;
+    Ok(StudyAnswer {
+        model,
+        test: "thickness".into(),
+        findings,
+        panels,
+        warnings,
+        figure,
+    })
 }
 
 /// The points of all curves, row by row.

@@ -1,8 +1,8 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
-    Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
+    BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -11,7 +11,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
+/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
+/// files for a target.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ExportRequest {
@@ -23,15 +24,20 @@ pub struct ExportRequest {
     pub model: ModelFields,
     /// The target, such as `c`; `export-list` lists and describes them.
     pub target: Option<String>,
-    /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
+    /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where
+    /// that is lower.
     pub pressure_mpa: Option<f64>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
+    /// pressure.
     pub overpressure: bool,
-    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %, or nearer to 0 where the model ends or the form misses it.
+    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %,
+    /// or nearer to 0 where the model ends or the form misses it.
     pub contraction_low: Option<f64>,
-    /// Upper end of the box in the contraction; default the free contraction at the supply pressure.
+    /// Upper end of the box in the contraction; default the free contraction at the supply
+    /// pressure.
     pub contraction_high: Option<f64>,
-    /// Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are those of both.
+    /// Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are
+    /// those of both.
     pub cord_mm: f64,
     /// Name of the muscle in the files; default the name of the muscle file.
     pub name: Option<String>,
@@ -70,7 +76,9 @@ pub struct ExportListAnswer {
 }
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
-    Ok(ExportListAnswer { targets: Target::ALL.into() })
+    Ok(ExportListAnswer {
+        targets: Target::ALL.into(),
+    })
 }
 
 /// A muscle as files.
@@ -84,16 +92,35 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    Evaluation::new(model, &mut Workspace::new(), Options::default()).check_range(supply_mpa, 0.0)?;
-    let contraction_low = request.contraction_low.map(|e| finite("contraction_low", e)).transpose()?;
-    let contraction_high = request.contraction_high.map(|e| finite("contraction_high", e)).transpose()?;
-    let name = name_of(request.name.as_ref(), request.muscle.named.muscle.as_ref(), "muscle");
-    let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high };
+    Evaluation::new(model, &mut Workspace::new(), Options::default())
+        .check_range(supply_mpa, 0.0)?;
+    let contraction_low = request
+        .contraction_low
+        .map(|e| finite("contraction_low", e))
+        .transpose()?;
+    let contraction_high = request
+        .contraction_high
+        .map(|e| finite("contraction_high", e))
+        .transpose()?;
+    let name = name_of(
+        request.name.as_ref(),
+        request.muscle.named.muscle.as_ref(),
+        "muscle",
+    );
+    let wanted = BoxRequest {
+        supply_mpa,
+        contraction_low,
+        contraction_high,
+    };
     let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
-    warnings.extend(said_of(&burst, supply_mpa, QUIET_MPA).iter().map(ToString::to_string));
+    warnings.extend(
+        said_of(&burst, supply_mpa, QUIET_MPA)
+            .iter()
+            .map(ToString::to_string),
+    );
     warnings.extend(artefact.notes);
     warnings.extend(muscle.warnings());
     Ok(ExportAnswer {
@@ -119,11 +146,17 @@ fn target_of(target: Option<&str>) -> Result<Target> {
 /// The name that is given, or that of the file.
 fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> String {
     let stem = file.and_then(|file| Path::new(&file.name).file_stem());
-    let stem = || stem.map_or_else(|| otherwise.to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let stem = || {
+        stem.map_or_else(
+            || otherwise.to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        )
+    };
     given.cloned().unwrap_or_else(stem)
 }
 
-/// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
+/// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
+/// of its muscles, as files for a target.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ExportJointRequest {
@@ -135,9 +168,11 @@ pub struct ExportJointRequest {
     pub model: ModelFields,
     /// The target: `c`, `python`, `mjcf` or `fmu`.
     pub target: Option<String>,
-    /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that is lower.
+    /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that
+    /// is lower.
     pub pressure_mpa: Option<f64>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
+    /// pressure.
     pub overpressure: bool,
     /// Name of the joint in the files; default the name of the joint file.
     pub name: Option<String>,
@@ -162,21 +197,38 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = target_of(request.target.as_deref())?;
     let joint = request.joint.resolve()?;
     let choice = Model::choose(&request.model)?;
-    let models = joint.muscles().iter().map(|m| choice.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
+    let models = joint
+        .muscles()
+        .iter()
+        .map(|m| choice.bound(&m.muscle))
+        .collect::<Result<Vec<_>, _>>()?;
     let models: Vec<&dyn ForceModel> = models.iter().map(|model| &**model).collect();
-    let bursts = models.iter().map(|model| burst_of(&choice, *model)).collect::<Result<Vec<_>>>()?;
+    let bursts = models
+        .iter()
+        .map(|model| burst_of(&choice, *model))
+        .collect::<Result<Vec<_>>>()?;
     let usual = bursts.iter().map(usual_mpa).fold(f64::INFINITY, f64::min);
     let supply_mpa = request.pressure_mpa.unwrap_or(usual);
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     for (burst, model) in bursts.iter().zip(&models) {
         borne(burst, supply_mpa, request.overpressure)?;
-        Evaluation::new(*model, &mut Workspace::new(), Options::default()).check_range(supply_mpa, 0.0)?;
+        Evaluation::new(*model, &mut Workspace::new(), Options::default())
+            .check_range(supply_mpa, 0.0)?;
     }
     let name = name_of(request.name.as_ref(), request.joint.joint.as_ref(), "joint");
     let exported = ExportedJoint::fit(&joint, &models, &name, supply_mpa)?;
     let artefact = exported.to(target)?;
-    let mut warnings: Vec<String> = exported.muscles.iter().flat_map(ExportedMuscle::warnings).collect();
-    warnings.extend(bursts.iter().flat_map(|b| said_of(b, supply_mpa, QUIET_MPA)).map(|w| w.to_string()));
+    let mut warnings: Vec<String> = exported
+        .muscles
+        .iter()
+        .flat_map(ExportedMuscle::warnings)
+        .collect();
+    warnings.extend(
+        bursts
+            .iter()
+            .flat_map(|b| said_of(b, supply_mpa, QUIET_MPA))
+            .map(|w| w.to_string()),
+    );
     warnings.extend(artefact.notes);
     warnings.extend(joint.muscles().iter().flat_map(|m| m.muscle.warnings()));
     let mut known = std::collections::BTreeSet::new();

@@ -1,6 +1,8 @@
 //! Files that users name, with those that they name, as requests hold them.
 
-use crate::{JointFields, MeasuredFolder, MotionRequest, PAPER, Problem, ProblemKind, Result, TextFile};
+use crate::{
+    JointFields, MeasuredFolder, MotionRequest, PAPER, Problem, ProblemKind, Result, TextFile,
+};
 use mckibben::muscle::file;
 use mckibben_fit::validation::library;
 use mckibben_io::files::{ReadError, read};
@@ -22,31 +24,50 @@ impl TextFile {
     /// A file written by hand: a joint, a plan.
     pub fn at(path: &Path) -> Result<Self> {
         let text = file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
-        Ok(Self { name: path.display().to_string(), text })
+        Ok(Self {
+            name: path.display().to_string(),
+            text,
+        })
     }
 
     /// The file of a formula.
     pub fn formula(path: &Path) -> Result<Self> {
-        let text = mckibben::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
-        Ok(Self { name: path.display().to_string(), text })
+        let text =
+            mckibben::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
+        Ok(Self {
+            name: path.display().to_string(),
+            text,
+        })
     }
 
-    /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no file has that name.
+    /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no
+    /// file has that name.
     pub fn muscle(path: &Path) -> Result<Self> {
         let named = path == Path::new(PAPER) || path.to_str().and_then(library::named).is_some();
         if named && !path.exists() {
-            return Ok(Self { name: path.display().to_string(), text: String::new() });
+            return Ok(Self {
+                name: path.display().to_string(),
+                text: String::new(),
+            });
         }
         Self::at(path)
     }
 
     /// A muscle file that another file names: relative to that file, or of the library.
     fn muscle_beside(folder: &Path, name: &str) -> Result<Self> {
-        let place = if library::named(name).is_some() { name.into() } else { folder.join(name) };
-        Ok(Self { name: name.into(), ..Self::muscle(&place)? })
+        let place = if library::named(name).is_some() {
+            name.into()
+        } else {
+            folder.join(name)
+        };
+        Ok(Self {
+            name: name.into(),
+            ..Self::muscle(&place)?
+        })
     }
 
-    /// A table, whatever program wrote it, or the sheet of a workbook: `bench.xlsx#Sheet 2`. Its name also says its encoding where that is not UTF-8.
+    /// A table, whatever program wrote it, or the sheet of a workbook: `bench.xlsx#Sheet 2`. Its
+    /// name also says its encoding where that is not UTF-8.
     pub fn table(path: &Path) -> Result<Self> {
         let name = path.display().to_string();
         let (file, sheet) = match name.rsplit_once('#') {
@@ -63,9 +84,13 @@ impl TextFile {
             Problem::new(ProblemKind::File, format!("{file} {error}"), hint)
         };
         let bytes = read(Path::new(file), MAX_BYTES as u64).map_err(unread)?;
-        let (text, from) = read_text(&bytes, sheet).map_err(|error| Problem::of_table(&name, &error))?;
+        let (text, from) =
+            read_text(&bytes, sheet).map_err(|error| Problem::of_table(&name, &error))?;
         let from = from.map_or_else(String::new, |from| format!(" ({from})"));
-        Ok(Self { name: format!("{file}{from}"), text })
+        Ok(Self {
+            name: format!("{file}{from}"),
+            text,
+        })
     }
 }
 
@@ -76,9 +101,14 @@ impl JointFields {
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut names = Self::files_of(&joint)?;
         names.dedup();
-        let muscles =
-            names.iter().map(|name| TextFile::muscle_beside(folder, name)).collect::<Result<_>>()?;
-        Ok(Self { joint: Some(joint), muscles })
+        let muscles = names
+            .iter()
+            .map(|name| TextFile::muscle_beside(folder, name))
+            .collect::<Result<_>>()?;
+        Ok(Self {
+            joint: Some(joint),
+            muscles,
+        })
     }
 }
 
@@ -88,20 +118,35 @@ impl MotionRequest {
         let drive = TextFile::at(path)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let names = Self::names_of(&drive)?;
-        let table = |name: String| TextFile::table(&folder.join(&name)).map(|file| TextFile { name, ..file });
+        let table = |name: String| {
+            TextFile::table(&folder.join(&name)).map(|file| TextFile { name, ..file })
+        };
         let tables = names.tables.into_iter().map(table).collect::<Result<_>>()?;
         let (muscle, joint) = match names.subject {
             Subject::Muscle(name) => (Some(TextFile::muscle_beside(folder, &name)?), self.joint),
             Subject::Joint(name) => {
                 let fields = JointFields::at(&folder.join(&name))?;
-                (None, JointFields { joint: fields.joint.map(|file| TextFile { name, ..file }), ..fields })
+                (
+                    None,
+                    JointFields {
+                        joint: fields.joint.map(|file| TextFile { name, ..file }),
+                        ..fields
+                    },
+                )
             }
         };
-        Ok(Self { drive: Some(drive), muscle, joint, tables, ..self })
+        Ok(Self {
+            drive: Some(drive),
+            muscle,
+            joint,
+            tables,
+            ..self
+        })
     }
 }
 
-/// The files of a measured muscle or rubber. A measured rubber has no muscle, and a folder of no library no identified one.
+/// The files of a measured muscle or rubber. A measured rubber has no muscle, and a folder of no
+/// library no identified one.
 pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
     let if_there = |name: &str| match folder.join(name) {
         path if path.is_file() => TextFile::at(&path).map(|file| file.text),
@@ -110,7 +155,9 @@ pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
     let name = std::fs::canonicalize(folder).ok();
     let name = name.as_deref().unwrap_or(folder).file_name();
     Ok(MeasuredFolder {
-        name: name.map(|n| n.to_string_lossy().into_owned()).unwrap_or_default(),
+        name: name
+            .map(|n| n.to_string_lossy().into_owned())
+            .unwrap_or_default(),
         case: TextFile::at(&folder.join("case.toml"))?.text,
         muscle: if_there("muscle.toml")?,
         points: TextFile::table(&folder.join("points.csv"))?.text,

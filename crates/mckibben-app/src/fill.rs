@@ -1,14 +1,16 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio};
+use crate::{
+    Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio,
+};
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
 use mckibben::refused::Refused;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its length at rest without pressure, filled without
-/// air.
+/// Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its
+/// length at rest without pressure, filled without air.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct FillRequest {
@@ -55,15 +57,28 @@ impl From<FillError> for Problem {
 pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
     let volume_mm3 = given("volume_mm3", request.volume_mm3, "a volume, such as 20 mL")?;
     above_zero(ProblemKind::Quantity, "volume_mm3", volume_mm3)?;
-    let LiquidSupply { liquid, dead_volume_mm3 } = request.liquid.supply()?;
+    let LiquidSupply {
+        liquid,
+        dead_volume_mm3,
+    } = request.liquid.supply()?;
     let held_at = request.contraction.map(ratio).transpose()?;
     let mut question = request.question.ask()?;
     let load = request.load.resolve(question.muscle.length_mm())?;
-    let filling = Filling { liquid: &liquid, volume_mm3, dead_volume_mm3, load: load.as_ref(), held_at };
+    let filling = Filling {
+        liquid: &liquid,
+        volume_mm3,
+        dead_volume_mm3,
+        load: load.as_ref(),
+        held_at,
+    };
     let mut fill = question.evaluation().fill(&filling)?;
     let pressure_mpa = fill.answer.response.pressure_mpa;
     let background = question.background(&mut fill.answer, pressure_mpa)?;
-    Ok(FillAnswer { fill, liquid, background })
+    Ok(FillAnswer {
+        fill,
+        liquid,
+        background,
+    })
 }
 
 /// What a muscle is filled with.
@@ -72,7 +87,8 @@ pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
 pub struct LiquidFields {
     /// Volume of line, fittings and what stays in the syringe, mm³; default 0.
     pub dead_volume_mm3: Option<f64>,
-    /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
+    /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for
+    /// `design`.
     pub liquid: Option<String>,
     /// Bulk modulus of the liquid without gas in MPa, in place of that of the table.
     pub liquid_bulk_modulus_mpa: Option<f64>,
@@ -95,7 +111,10 @@ impl LiquidFields {
             None | Some(0.0) => 0.0,
             Some(dead) => above_zero(ProblemKind::Quantity, "dead_volume_mm3", dead)?,
         };
-        Ok(LiquidSupply { liquid, dead_volume_mm3 })
+        Ok(LiquidSupply {
+            liquid,
+            dead_volume_mm3,
+        })
     }
 
     /// The same where a liquid is named; else the muscle is filled with air.
@@ -105,7 +124,10 @@ impl LiquidFields {
         }
         let given = [
             ("dead_volume_mm3", self.dead_volume_mm3.is_some()),
-            ("liquid_bulk_modulus_mpa", self.liquid_bulk_modulus_mpa.is_some()),
+            (
+                "liquid_bulk_modulus_mpa",
+                self.liquid_bulk_modulus_mpa.is_some(),
+            ),
             ("gas_share", self.gas_share.is_some()),
         ];
         Problem::refuse_unused(&given, "it belongs to `liquid`, and none is given")

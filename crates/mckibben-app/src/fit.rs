@@ -1,7 +1,8 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
 use crate::{
-    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
+    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
+    finite,
 };
 use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
 use mckibben::{model::ModelKind, progress::Progress};
@@ -9,7 +10,9 @@ use mckibben_campaign::fit::data::{FitPoint, points};
 use mckibben_campaign::fit::results::{Results, results};
 use mckibben_campaign::fit::tables::{Table, tables};
 use mckibben_campaign::fit::universal::{self, UniversalRequest};
-use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule};
+use mckibben_campaign::fit::{
+    FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
+};
 use mckibben_campaign::{PointRow, fit::made_for, fit::make};
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
@@ -21,7 +24,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct FitRequest {
-    /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status).
+    /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa,
+    /// contraction, force_n, status).
     pub table: Option<TextFile>,
     /// A campaign on disk in place of the table: its file, or its folder of parts.
     pub campaign: Option<PathBuf>,
@@ -103,9 +107,13 @@ impl FitAnswer {
 /// From a table of points to a formula with its errors and where it holds.
 pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     match request.method {
-        FitMethod::Paper => {
-            section(request, Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }))
-        }
+        FitMethod::Paper => section(
+            request,
+            Method::Paper(Rules {
+                thin: request.thin_rule,
+                slack: request.slack_rule,
+            }),
+        ),
         FitMethod::Global => {
             request.check_rules("global")?;
             let why = "`method` global has no intermediate tables";
@@ -120,10 +128,22 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
 /// A formula for muscles of one make.
 fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     request.check_name()?;
-    request.hold_out_mm.iter().try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
-    let Points { points, failed, made_for, origin } = request.points()?;
+    request
+        .hold_out_mm
+        .iter()
+        .try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
+    let Points {
+        points,
+        failed,
+        made_for,
+        origin,
+    } = request.points()?;
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
-    let usual = if method == Method::Global { "global" } else { "paper-method" };
+    let usual = if method == Method::Global {
+        "global"
+    } else {
+        "paper-method"
+    };
     let fitted = make(&Request {
         points: &points,
         made_for,
@@ -137,10 +157,18 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         let message = format!("{} has no such diameter", origin.name);
         return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
     }
-    let figures = if request.figures { figure::fitted(&fitted) } else { vec![] };
+    let figures = if request.figures {
+        figure::fitted(&fitted)
+    } else {
+        vec![]
+    };
     Ok(FitAnswer {
         formula: Document::Section(fitted.formula.clone()),
-        tables: fitted.paper.as_ref().filter(|_| request.tables).map_or_else(Vec::new, tables),
+        tables: fitted
+            .paper
+            .as_ref()
+            .filter(|_| request.tables)
+            .map_or_else(Vec::new, tables),
         figures,
         failed,
         fitted: Some(fitted),
@@ -154,7 +182,11 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
     let Some(path) = &request.campaign else {
         let name = request.table.as_ref().map_or("nothing", |t| &t.name);
         let message = format!("{name}: the method universal takes a campaign in Parquet");
-        return Err(Problem::new(ProblemKind::Data, message, "`mckibben campaign` makes one"));
+        return Err(Problem::new(
+            ProblemKind::Data,
+            message,
+            "`mckibben campaign` makes one",
+        ));
     };
     let (rows, origin) = rows(path)?;
     let usual = match form {
@@ -170,7 +202,13 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
     };
     let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
     let formula = Document::Universal(fitted);
-    Ok(FitAnswer { formula, tables: vec![], figures: vec![], failed: 0, fitted: None })
+    Ok(FitAnswer {
+        formula,
+        tables: vec![],
+        figures: vec![],
+        failed: 0,
+        fitted: None,
+    })
 }
 
 /// The paper's campaign computed anew.
@@ -198,7 +236,9 @@ impl FitRequest {
             Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
                 format!("\"{n}\" is already the name of a model")
             }
-            Some(n) if n.contains(char::is_control) => "a name must not contain control characters".into(),
+            Some(n) if n.contains(char::is_control) => {
+                "a name must not contain control characters".into()
+            }
             _ => return Ok(()),
         };
         Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
@@ -210,7 +250,10 @@ impl FitRequest {
             ("thin_rule", self.thin_rule != ThinRule::default()),
             ("slack_rule", self.slack_rule != SlackRule::default()),
         ];
-        Problem::refuse_unused(&rules, format!("it is a rule of `method` paper, and {method} is taken"))
+        Problem::refuse_unused(
+            &rules,
+            format!("it is a rule of `method` paper, and {method} is taken"),
+        )
     }
 
     /// Refuses what the universal methods do not know.
@@ -224,7 +267,10 @@ impl FitRequest {
             ("muscle", self.muscle.is_some()),
         ];
         self.check_rules("universal")?;
-        Problem::refuse_unused(&foreign, "`method` universal takes all data of its muscles from the campaign")
+        Problem::refuse_unused(
+            &foreign,
+            "`method` universal takes all data of its muscles from the campaign",
+        )
     }
 
     /// Rubber and braid of the table's muscles.
@@ -242,7 +288,10 @@ impl FitRequest {
         match (&self.campaign, &self.table) {
             (Some(path), _) => of_campaign(path),
             (None, Some(file)) => of_csv(file),
-            (None, None) => Err(Problem::missing("table", "a table of points, or `campaign`")),
+            (None, None) => Err(Problem::missing(
+                "table",
+                "a table of points, or `campaign`",
+            )),
         }
     }
 }
@@ -272,7 +321,9 @@ pub struct CheckFormulaAnswer {
 
 pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer> {
     let formula = match (&request.file, request.name.as_deref()) {
-        (Some(file), _) => Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?,
+        (Some(file), _) => {
+            Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?
+        }
         (None, Some(name)) => built_in(name)?,
         (None, None) => return Err(Problem::missing("file", "the file of a formula")),
     };
@@ -289,11 +340,14 @@ fn built_in(name: &str) -> Result<Document> {
         Ok(ModelKind::UniversalSmall) => UniversalFormula::small(),
         _ => None,
     };
-    formula.map(|formula| Document::Universal((*formula).clone())).ok_or_else(|| {
-        let message =
-            format!("there is no built-in formula \"{name}\"; there are universal and universal-small");
-        Problem::new(ProblemKind::Model, message, "").in_field("name")
-    })
+    formula
+        .map(|formula| Document::Universal((*formula).clone()))
+        .ok_or_else(|| {
+            let message = format!(
+                "there is no built-in formula \"{name}\"; there are universal and universal-small"
+            );
+            Problem::new(ProblemKind::Model, message, "").in_field("name")
+        })
 }
 
 /// What a table holds.
@@ -316,8 +370,15 @@ struct Origin {
 }
 
 /// What every row says of its muscle and its point, in this order.
-pub(crate) const COLUMNS: [&str; 7] =
-    ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "pressure_mpa", "contraction", "force_n"];
+pub(crate) const COLUMNS: [&str; 7] = [
+    "outer_diameter_mm",
+    "wall_mm",
+    "length_mm",
+    "angle_deg",
+    "pressure_mpa",
+    "contraction",
+    "force_n",
+];
 
 /// The last part of a path or name.
 fn file_name(name: &Path) -> Option<String> {
@@ -328,9 +389,23 @@ fn file_name(name: &Path) -> Option<String> {
 #[cfg(feature = "files")]
 fn rows(path: &Path) -> Result<(Vec<PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    let (plan_hash, seed) = (Some(table.provenance.plan_sha256.clone()), table.provenance.seed);
-    let from = Provenance { table: file_name(path), plan_hash, seed, ..Provenance::default() };
-    Ok((table.collect::<Result<_, _>>()?, Origin { name: path.display().to_string(), from }))
+    let (plan_hash, seed) = (
+        Some(table.provenance.plan_sha256.clone()),
+        table.provenance.seed,
+    );
+    let from = Provenance {
+        table: file_name(path),
+        plan_hash,
+        seed,
+        ..Provenance::default()
+    };
+    Ok((
+        table.collect::<Result<_, _>>()?,
+        Origin {
+            name: path.display().to_string(),
+            from,
+        },
+    ))
 }
 
 /// Where there is no file system there are no campaigns on disk.
@@ -344,13 +419,18 @@ fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path)?;
     let points = points(&rows);
     let made_for = made_for(&rows)?;
-    Ok(Points { failed: rows.len() - points.len(), points, made_for: Some(made_for), origin })
+    Ok(Points {
+        failed: rows.len() - points.len(),
+        points,
+        made_for: Some(made_for),
+        origin,
+    })
 }
 
 /// The points of a table, in any form that people write them; each row says all of its muscle.
 fn of_csv(file: &TextFile) -> Result<Points> {
-    let (read, understood) =
-        read_points(&file.text, &PointOptions::default()).map_err(|e| Problem::of_table(&file.name, &e))?;
+    let (read, understood) = read_points(&file.text, &PointOptions::default())
+        .map_err(|e| Problem::of_table(&file.name, &e))?;
     let point = |p: DataPoint| {
         let there = |name: &str, value: Option<f64>| {
             let message = format!("{}: line {}: {name} is missing", file.name, p.line);
@@ -368,7 +448,18 @@ fn of_csv(file: &TextFile) -> Result<Points> {
         })
     };
     let points = read.into_iter().map(point).collect::<Result<_>>()?;
-    let from = Provenance { table: file_name(Path::new(&file.name)), ..Provenance::default() };
-    let origin = Origin { name: file.name.clone(), from };
-    Ok(Points { points, failed: understood.left_out, made_for: None, origin })
+    let from = Provenance {
+        table: file_name(Path::new(&file.name)),
+        ..Provenance::default()
+    };
+    let origin = Origin {
+        name: file.name.clone(),
+        from,
+    };
+    Ok(Points {
+        points,
+        failed: understood.left_out,
+        made_for: None,
+        origin,
+    })
 }

@@ -1,19 +1,21 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
 use crate::{
-    DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result, TextFile,
-    UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
+    DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
+    TextFile, UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::{parse_muscle, to_toml};
 use mckibben::{model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
-    Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default, try_laws,
+    Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default,
+    try_laws,
 };
 use mckibben_fit::least_squares::Loss;
 use mckibben_fit::measured::{
-    DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data, read_points,
+    DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
+    read_points,
 };
 use mckibben_io::clean::line;
 use mckibben_io::table::{OverTime, read_over_time};
@@ -34,18 +36,21 @@ pub struct IdentifyRequest {
     /// The points.
     #[serde(flatten)]
     pub tables: DataFields,
-    /// Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
+    /// Pressures over time of another instrument, where `data` have times, contractions and pulls:
+    /// joined by time.
     pub log: Option<TextFile>,
-    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
+    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows
+    /// the pressure.
     pub log_offset_s: Option<f64>,
     /// Weight of each of `data`; default 1.
     pub weights: Vec<f64>,
     /// Treatment of the branches of the hysteresis.
     pub branches: Branches,
-    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as
+    /// slack there.
     pub two_sided: bool,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction
-    /// if the data determine them.
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and
+    /// stiffness and friction if the data determine them.
     pub free: Vec<String>,
     /// Fix a parameter: NAME=VALUE.
     pub fix: Vec<String>,
@@ -115,9 +120,11 @@ pub struct LawRow {
     pub parameters: Vec<Identified>,
     /// Root mean square of the residuals, N.
     pub rms_n: Option<f64>,
-    /// AICc less that of the preferred law: 10 is decided where the errors of the points are independent.
+    /// AICc less that of the preferred law: 10 is decided where the errors of the points are
+    /// independent.
     pub aicc_difference: Option<f64>,
-    /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1 where it does not.
+    /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1
+    /// where it does not.
     pub neighbour_correlation: Option<f64>,
     /// What makes its constants implausible, or why there are none.
     pub doubt: Option<String>,
@@ -150,7 +157,8 @@ pub struct IdentifiedPoint {
     /// Pressure, contraction, pull and branch.
     #[serde(flatten)]
     pub at: MeasuredPoint,
-    /// The measured quantity; the others were set. In a row of a volume the pull is 0 where none was read.
+    /// The measured quantity; the others were set. In a row of a volume the pull is 0 where none
+    /// was read.
     pub measured: Quantity,
     /// Volume of the cavity, hose and fittings with it, where that was read, mm³.
     pub volume_mm3: Option<f64>,
@@ -180,7 +188,15 @@ fn points<S: Serializer>(points: &[PointFit], serializer: S) -> Result<S::Ok, S:
 
 impl From<&PointFit> for IdentifiedPoint {
     fn from(f: &PointFit) -> Self {
-        let DataPoint { at, measured, volume_mm3, section, line, set, .. } = f.point;
+        let DataPoint {
+            at,
+            measured,
+            volume_mm3,
+            section,
+            line,
+            set,
+            ..
+        } = f.point;
         let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
         Self {
             section,
@@ -226,10 +242,16 @@ pub(crate) fn readable(text: String) -> Result<String> {
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer> {
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
-    let Data { points, origin, understood } = request.points(&muscle)?;
+    let Data {
+        points,
+        origin,
+        understood,
+    } = request.points(&muscle)?;
     if points.len() > MOST_POINTS {
         let message = format!("{} points, and the limit is {MOST_POINTS}", points.len());
-        return Err(Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"));
+        return Err(
+            Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"),
+        );
     }
     let (free, fixed) = request.parameters(&muscle)?;
     let build = |m: &Muscle| model.build(m);
@@ -245,27 +267,47 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         history: request.branches == Branches::History,
     };
     model.admit(&muscle)?;
-    let mut identified =
-        if free.is_empty() { identify_default(&input)? } else { mckibben_fit::identify::identify(&input)? };
+    let mut identified = if free.is_empty() {
+        identify_default(&input)?
+    } else {
+        mckibben_fit::identify::identify(&input)?
+    };
     let laws = if request.laws {
         let sought: Vec<Parameter> = identified
             .parameters
             .iter()
             .filter_map(|p| p.target)
-            .map(|t| free.iter().find(|q| q.target == t).copied().unwrap_or(Parameter::free(t)))
+            .map(|t| {
+                free.iter()
+                    .find(|q| q.target == t)
+                    .copied()
+                    .unwrap_or(Parameter::free(t))
+            })
             .collect();
-        let trials = try_laws(&Request { free: &sought, ..input })?;
+        let trials = try_laws(&Request {
+            free: &sought,
+            ..input
+        })?;
         let best = trials.first().map_or(0.0, |t| t.aicc);
         trials.into_iter().map(|t| LawRow::new(t, best)).collect()
     } else {
         vec![]
     };
-    // Identified constants hold for the stretches of the points; those that were kept for those of their data.
+    // Identified constants hold for the stretches of the points; those that were kept for those of
+    // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
-    let beyond = if kept { beyond_data(&identified, &model) } else { None };
+    let beyond = if kept {
+        beyond_data(&identified, &model)
+    } else {
+        None
+    };
     let summary = MuscleSummary::from(&identified.muscle);
     let figure = request.figure.as_ref().map(|unit| {
-        let about = format!("{}. {}", summary.line(unit), in_one_line(&identified.parameters));
+        let about = format!(
+            "{}. {}",
+            summary.line(unit),
+            in_one_line(&identified.parameters)
+        );
         figure::identified(&identified, &build, &origin, &about, unit)
     });
     Ok(IdentifyAnswer {
@@ -300,8 +342,16 @@ pub(crate) fn measured_points(
     muscle: &Muscle,
 ) -> Result<Vec<(Vec<DataPoint>, UnderstoodTable)>> {
     let rest_length_mm = Some(muscle.tube().length_mm);
-    tables
-        .read(|text, columns| read_points(text, &PointOptions { columns, rest_length_mm, log: log.clone() }))
+    tables.read(|text, columns| {
+        read_points(
+            text,
+            &PointOptions {
+                columns,
+                rest_length_mm,
+                log: log.clone(),
+            },
+        )
+    })
 }
 
 impl IdentifyRequest {
@@ -310,43 +360,72 @@ impl IdentifyRequest {
             &[("log", self.log.is_some() && self.tables.data.is_empty())],
             "it belongs to `data`",
         )?;
-        let Some(file) = &self.log else { return Ok(None) };
+        let Some(file) = &self.log else {
+            return Ok(None);
+        };
         let points = read_over_time(&file.text, OverTime::Pressure, 1.0);
         let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
-        Ok(Some(PressureLog { name: file.name.clone(), points, offset_s: self.log_offset_s }))
+        Ok(Some(PressureLog {
+            name: file.name.clone(),
+            points,
+            offset_s: self.log_offset_s,
+        }))
     }
 
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<Data> {
         let (sets, understood): (Vec<Vec<DataPoint>>, _) =
-            measured_points(&self.tables, self.pressure_log()?, muscle)?.into_iter().unzip();
-        let origin: Vec<String> = self.tables.data.iter().map(|file| file.name.clone()).collect();
+            measured_points(&self.tables, self.pressure_log()?, muscle)?
+                .into_iter()
+                .unzip();
+        let origin: Vec<String> = self
+            .tables
+            .data
+            .iter()
+            .map(|file| file.name.clone())
+            .collect();
         if sets.is_empty() {
             let hint = "give `data` with pressures, contractions and forces";
-            return Err(Problem::new(ProblemKind::MissingInput, "there are no data to identify from", hint));
+            return Err(Problem::new(
+                ProblemKind::MissingInput,
+                "there are no data to identify from",
+                hint,
+            ));
         }
         self.check_weights(sets.len())?;
         let mut points = vec![];
         for (set, list) in sets.iter().enumerate() {
             let factor = self.weights.get(set).copied().unwrap_or(1.0);
-            points.extend(list.iter().map(|p| DataPoint { set, weight: p.weight * factor, ..*p }));
+            points.extend(list.iter().map(|p| DataPoint {
+                set,
+                weight: p.weight * factor,
+                ..*p
+            }));
         }
         if self.branches == Branches::Mean {
             points = mean_of_data(&points);
         }
-        Ok(Data { points, origin: origin.join(", "), understood })
+        Ok(Data {
+            points,
+            origin: origin.join(", "),
+            understood,
+        })
     }
 
     fn check_weights(&self, sets: usize) -> Result<()> {
-        let wrong =
-            |message: String, hint| Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"));
+        let wrong = |message: String, hint| {
+            Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"))
+        };
         if !self.weights.is_empty() && self.weights.len() != sets {
             let message = format!("{} numbers for {sets} sets of data", self.weights.len());
             return wrong(message, "one for each of `data`");
         }
         for &w in &self.weights {
             if finite("weights", w)? < 0.0 {
-                return wrong(format!("{w} is below zero"), "a weight of 0 leaves a set out");
+                return wrong(
+                    format!("{w} is below zero"),
+                    "a weight of 0 leaves a set out",
+                );
             }
         }
         Ok(())
@@ -365,7 +444,11 @@ impl IdentifyRequest {
             match p.start.filter(|_| p.bounds.is_none()) {
                 Some(value) => fixed.push((p.target, value)),
                 None => {
-                    return wrong("fix", format!("\"{}\" has no value", text.trim()), "write NAME=VALUE");
+                    return wrong(
+                        "fix",
+                        format!("\"{}\" has no value", text.trim()),
+                        "write NAME=VALUE",
+                    );
                 }
             }
         }
@@ -388,7 +471,11 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
     if !p.half_width.is_finite() || p.half_width <= 0.0 || p.value == 0.0 {
         return (number(p.value, 5), "–".into());
     }
-    let digits = (p.value.abs() / p.half_width).log10().floor().clamp(0.0, 6.0) as usize + 2;
+    let digits = (p.value.abs() / p.half_width)
+        .log10()
+        .floor()
+        .clamp(0.0, 6.0) as usize
+        + 2;
     (number(p.value, digits.max(3)), number(p.half_width, 2))
 }
 
@@ -402,8 +489,16 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
             p if p.implausible => " (not determined)",
             _ => " (not identifiable)",
         };
-        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
-        let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
+        let unit = if p.unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {}", p.unit)
+        };
+        let bar = if bar == "–" {
+            String::new()
+        } else {
+            format!(" ± {bar}")
+        };
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
@@ -412,19 +507,37 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
 /// Where the points stretch the rubber beyond the data of its constants.
 fn beyond_data(identified: &Identification, model: &Model) -> Option<Warning> {
     let model = model.build(&identified.muscle).ok()?;
-    let states: Vec<(f64, f64)> =
-        identified.points.iter().map(|f| (f.point.at.pressure_mpa, f.point.at.contraction)).collect();
+    let states: Vec<(f64, f64)> = identified
+        .points
+        .iter()
+        .map(|f| (f.point.at.pressure_mpa, f.point.at.contraction))
+        .collect();
     let workspace = &mut Workspace::new();
-    let stretch = largest_stretch(&mut Evaluation::new(&*model, workspace, Options::default()), &states)?;
+    let stretch = largest_stretch(
+        &mut Evaluation::new(&*model, workspace, Options::default()),
+        &states,
+    )?;
     Warning::of_stretch(&identified.muscle.tube().rubber, stretch)
 }
 
-/// What the identification says, and first that it was that of the prototype where no muscle was given.
-fn warnings(request: &IdentifyRequest, identified: &Identification, beyond: Option<Warning>) -> Vec<String> {
+/// What the identification says, and first that it was that of the prototype where no muscle was
+/// given.
+fn warnings(
+    request: &IdentifyRequest,
+    identified: &Identification,
+    beyond: Option<Warning>,
+) -> Vec<String> {
     let prototype = (MuscleFields::default() == request.muscle).then(|| {
         let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
-        format!("no muscle was given: these are the constants of a muscle of the prototype's measures ({measures})")
+        format!(
+            "no muscle was given: these are the constants of a muscle of the prototype's \
+            measures ({measures})"
+        )
     });
     let beyond = beyond.map(|warning| warning.to_string());
-    prototype.into_iter().chain(identified.notes.iter().cloned()).chain(beyond).collect()
+    prototype
+        .into_iter()
+        .chain(identified.notes.iter().cloned())
+        .chain(beyond)
+        .collect()
 }

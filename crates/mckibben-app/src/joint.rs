@@ -1,8 +1,10 @@
-//! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
+//! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
+//! against each other.
 
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result, Scale,
-    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of, warnings,
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
+    Scale, TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first,
+    said_of, warnings,
 };
 use mckibben::joint::{
     Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
@@ -27,27 +29,37 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
+        let file = parse_joint(&joint.text)
+            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
         Ok(file.files().map(str::to_owned).collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
-        let text = self.joint.as_ref().ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
-        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.in_file(Path::new(&text.name))))?;
+        let text = self
+            .joint
+            .as_ref()
+            .ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
+        let file =
+            parse_joint(&text.text).map_err(|e| Problem::from(e.in_file(Path::new(&text.name))))?;
         let muscle = |name: &str| -> Result<Muscle> {
-            let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
-                let message = format!("{}: its muscle file {name} is missing", text.name);
-                Problem::new(ProblemKind::File, message, "").in_field("muscles")
-            })?;
+            let of = self
+                .muscles
+                .iter()
+                .find(|m| m.name == name)
+                .ok_or_else(|| {
+                    let message = format!("{}: its muscle file {name} is missing", text.name);
+                    Problem::new(ProblemKind::File, message, "").in_field("muscles")
+                })?;
             MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
-        file.with(muscles).map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
+        file.with(muscles)
+            .map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
     }
 }
 
-/// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give
-/// the pressures for a torque and a stiffness.
+/// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles
+/// alone give the pressures for a torque and a stiffness.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct JointRequest {
@@ -61,7 +73,8 @@ pub struct JointRequest {
     pub pressures_mpa: Vec<Vec<f64>>,
     /// Angles from the neutral one in degrees.
     pub angles_deg: Option<Vec<f64>>,
-    /// Torque in N m: without pressures the required torque (default 0); with pressures alone an external torque that turns to +.
+    /// Torque in N m: without pressures the required torque (default 0); with pressures alone an
+    /// external torque that turns to +.
     pub torque_nm: Option<f64>,
     /// Required stiffness, N m/rad; default: the lowest pressures.
     pub stiffness_nm_per_rad: Option<f64>,
@@ -71,7 +84,8 @@ pub struct JointRequest {
     pub map: Option<usize>,
     /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
-    /// Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
+    /// Leave out P′ of the muscles, the pressures below which they are slack, which takes most of
+    /// the time.
     pub without_start_pressures: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
@@ -85,9 +99,21 @@ const MAP_POINT_BYTES: f64 = 500.0;
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
     let named = Model::choose(&request.model)?;
-    let models = joint.muscles().iter().map(|m| named.bound(&m.muscle)).collect::<Result<Vec<_>, _>>()?;
-    let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
-    let mut solver = Solver { model: &model, workspaces: model.workspaces(), warnings: vec![] };
+    let models = joint
+        .muscles()
+        .iter()
+        .map(|m| named.bound(&m.muscle))
+        .collect::<Result<Vec<_>, _>>()?;
+    let model = JointModel::new(
+        &joint,
+        models.iter().map(|m| &**m).collect(),
+        request.extrapolate,
+    )?;
+    let mut solver = Solver {
+        model: &model,
+        workspaces: model.workspaces(),
+        warnings: vec![],
+    };
     let rows = solver.rows(request, progress);
     cancel::check()?;
     let mut rows = rows?;
@@ -102,7 +128,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             size::points("map", points)?;
             size::bytes("map", MAP_POINT_BYTES * points)?;
             let supply = supply(request)?;
-            solver.warnings.extend(model.outside(supply)?.into_iter().map(Warning::from));
+            solver
+                .warnings
+                .extend(model.outside(supply)?.into_iter().map(Warning::from));
             let map = model.map(supply, count, progress)?;
             let gap = map.gaps.first();
             let gap = gap.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason));
@@ -115,21 +143,36 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         let hint = "`pressures_mpa` alone gives the rest position";
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
-    let bursts = models.iter().map(|m| burst_of(&named, &**m)).collect::<Result<Vec<_>, _>>()?;
+    let summaries: Vec<MuscleSummary> =
+        joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
+    let bursts = models
+        .iter()
+        .map(|m| burst_of(&named, &**m))
+        .collect::<Result<Vec<_>, _>>()?;
     let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
-        let of = |row: &JointRow| if i == 0 { Some(row.pressure_1_mpa) } else { row.pressure_2_mpa };
+        let of = |row: &JointRow| {
+            if i == 0 {
+                Some(row.pressure_1_mpa)
+            } else {
+                row.pressure_2_mpa
+            }
+        };
         rows.iter().filter_map(of).fold(supplied, f64::max)
     };
-    let said: Vec<Warning> =
-        bursts.iter().enumerate().flat_map(|(i, burst)| said_of(burst, highest(i), 0.0)).collect();
+    let said: Vec<Warning> = bursts
+        .iter()
+        .enumerate()
+        .flat_map(|(i, burst)| said_of(burst, highest(i), 0.0))
+        .collect();
     let mut warnings = Warning::gravest(&solver.warnings);
     put_first(&mut warnings, said);
     let mut answer = JointAnswer {
         uncertainty_text: largest_uncertainty(&rows),
         limits: PressureLimits::of_all(&bursts),
-        model: models.first().map_or_else(String::new, |m| m.info().name.to_string()),
+        model: models
+            .first()
+            .map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: summaries,
         range_deg: joint.range_deg(),
         points: rows,
@@ -138,7 +181,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         figure: None,
     };
     let figure = request.figure.as_ref();
-    answer.figure = figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
+    answer.figure =
+        figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
     Ok(answer)
 }
 
@@ -163,7 +207,10 @@ impl Solver<'_> {
         let families = &request.pressures_mpa;
         let angles = request.angles_deg.as_deref();
         if !families.is_empty() {
-            let (torque, sought) = (request.torque_nm.is_some(), request.stiffness_nm_per_rad.is_some());
+            let (torque, sought) = (
+                request.torque_nm.is_some(),
+                request.stiffness_nm_per_rad.is_some(),
+            );
             let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
             let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
@@ -175,14 +222,19 @@ impl Solver<'_> {
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
                 let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
-                return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa"));
+                return Err(
+                    Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa")
+                );
             }
         }
         for &angle in angles.unwrap_or_default() {
             finite("angles_deg", angle)?;
         }
         let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
-        request.stiffness_nm_per_rad.map(|k| finite("stiffness_nm_per_rad", k)).transpose()?;
+        request
+            .stiffness_nm_per_rad
+            .map(|k| finite("stiffness_nm_per_rad", k))
+            .transpose()?;
         let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
         size::points("angles_deg", all as f64)?;
         let mut rows = vec![];
@@ -200,9 +252,15 @@ impl Solver<'_> {
                 let max = supply(request)?;
                 for &angle_deg in angles {
                     let stiffness_nm_per_rad = request.stiffness_nm_per_rad;
-                    let wanted = JointTarget { angle_deg, torque_nm, stiffness_nm_per_rad };
+                    let wanted = JointTarget {
+                        angle_deg,
+                        torque_nm,
+                        stiffness_nm_per_rad,
+                    };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
-                    let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
+                    let halves = self
+                        .model
+                        .pressure_uncertainties_mpa(&mut self.workspaces, &point);
                     let half = |i: usize| halves.get(i).copied().flatten();
                     let row = self.row(point, None)?;
                     rows.push(JointRow {
@@ -217,7 +275,8 @@ impl Solver<'_> {
                     progress.report(i, families.len());
                     progress.check()?;
                     let points = self.model.along(&mut self.workspaces, pressures, angles);
-                    let is_gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
+                    let is_gap =
+                        |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
                     // A family goes on beside angles at which a muscle has no state.
                     let without = points.iter().filter(|point| is_gap(point)).count();
                     let (only, mut gap) = (without == points.len(), None);
@@ -234,13 +293,21 @@ impl Solver<'_> {
             }
             (false, None) => {
                 for pressures in families {
-                    for rest in self.model.rests(&mut self.workspaces, pressures, torque_nm)? {
+                    for rest in self
+                        .model
+                        .rests(&mut self.workspaces, pressures, torque_nm)?
+                    {
                         let angle = rest.angle_deg();
-                        let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
+                        let point =
+                            self.model
+                                .at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
                         let balance = matches!(rest, Rest::Balance { .. });
                         let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
                         let row = self.row(point, Some(word(&rest)))?;
-                        rows.push(JointRow { angle_uncertainty_deg: half, ..row });
+                        rows.push(JointRow {
+                            angle_uncertainty_deg: half,
+                            ..row
+                        });
                     }
                 }
             }
@@ -254,12 +321,17 @@ impl Solver<'_> {
             if !known {
                 return Ok(None);
             }
-            let there =
-                self.model.at(&mut self.workspaces, &point.pressures_mpa, point.angle_deg, turning)?;
+            let there = self.model.at(
+                &mut self.workspaces,
+                &point.pressures_mpa,
+                point.angle_deg,
+                turning,
+            )?;
             Ok(Some(there.torque_nm))
         };
         let (plus, minus) = (turning(Turning::Plus)?, turning(Turning::Minus)?);
-        self.warnings.extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
+        self.warnings
+            .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
         let first = point.muscles.first();
         let second = point.muscles.get(1);
         let response = |m: &mckibben::joint::MuscleState| m.answer.response;
@@ -285,34 +357,63 @@ impl Solver<'_> {
 
 /// The largest ± of the torques, in words.
 fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
-    let known = rows.iter().filter_map(|row| Some((row.point.angle_deg, row.point.uncertainty_parts_nm?)));
+    let known = rows
+        .iter()
+        .filter_map(|row| Some((row.point.angle_deg, row.point.uncertainty_parts_nm?)));
     let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
-    let angle = number(if angle_deg.abs() < 1e-9 { 0.0 } else { angle_deg }, 4);
-    Some(format!("at φ {angle}°: {}", breakdown(&parts, &Scale::newton_metres())))
+    let angle = number(
+        if angle_deg.abs() < 1e-9 {
+            0.0
+        } else {
+            angle_deg
+        },
+        4,
+    );
+    Some(format!(
+        "at φ {angle}°: {}",
+        breakdown(&parts, &Scale::newton_metres())
+    ))
 }
 
-/// A kind of muscle and its contraction, as a key: those of opposed muscles at opposite angles differ by rounding.
+/// A kind of muscle and its contraction, as a key: those of opposed muscles at opposite angles
+/// differ by rounding.
 fn key(kind: usize, contraction: f64) -> (usize, i64) {
     (kind, (1e12 * contraction).round() as i64)
 }
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
 fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow]) {
-    let digests: Vec<String> = model.joint().muscles().iter().map(|m| m.muscle.digest()).collect();
-    let kind = |i: usize| digests.iter().position(|d| Some(d) == digests.get(i)).unwrap_or(i);
+    let digests: Vec<String> = model
+        .joint()
+        .muscles()
+        .iter()
+        .map(|m| m.muscle.digest())
+        .collect();
+    let kind = |i: usize| {
+        digests
+            .iter()
+            .position(|d| Some(d) == digests.get(i))
+            .unwrap_or(i)
+    };
     let kinds = [kind(0), kind(1)];
     let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
     let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
     for row in &*rows {
-        let known = kinds.into_iter().zip(contractions(row)).filter_map(|(kind, e)| Some((kind, e?)));
+        let known = kinds
+            .into_iter()
+            .zip(contractions(row))
+            .filter_map(|(kind, e)| Some((kind, e?)));
         wanted.extend(known.map(|(kind, e)| (key(kind, e), e)));
     }
     let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
     let pressures = threads::map(&wanted, |&((kind, _), contraction)| {
         model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });
-    let pressures: BTreeMap<(usize, i64), Option<f64>> =
-        wanted.into_iter().map(|(key, _)| key).zip(pressures).collect();
+    let pressures: BTreeMap<(usize, i64), Option<f64>> = wanted
+        .into_iter()
+        .map(|(key, _)| key)
+        .zip(pressures)
+        .collect();
     let start_pressure = |i: usize, e: f64| pressures.get(&key(kinds[i], e)).copied().flatten();
     for row in rows {
         row.start_pressure_1_mpa = start_pressure(0, row.contraction_1);
@@ -344,7 +445,8 @@ pub struct JointRow {
     pub torque_turning_plus_nm: Option<f64>,
     /// The torque while it turns to −, likewise.
     pub torque_turning_minus_nm: Option<f64>,
-    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
+    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at
+    /// any angle near this one.
     pub rest: Option<RestWord>,
     /// Pull of the first muscle, N.
     pub force_1_n: f64,
@@ -366,9 +468,11 @@ pub struct JointRow {
     pub start_pressure_1_mpa: Option<f64>,
     /// Pressure below which the second muscle is slack at this angle, MPa.
     pub start_pressure_2_mpa: Option<f64>,
-    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness,
+    /// degrees.
     pub angle_uncertainty_deg: Option<f64>,
-    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it
+    /// alone makes up for that of the torque, MPa.
     pub pressure_1_uncertainty_mpa: Option<f64>,
     /// That of the second muscle, likewise, MPa.
     pub pressure_2_uncertainty_mpa: Option<f64>,
@@ -405,7 +509,8 @@ pub struct JointAnswer {
     pub limits: PressureLimits,
     /// What the joint reaches, if requested.
     pub map: Option<JointMap>,
-    /// The largest ± of the torques, in words: `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
+    /// The largest ± of the torques, in words:
+    /// `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
     pub uncertainty_text: Option<String>,
     /// Warnings.
     #[schemars(with = "Vec<String>")]

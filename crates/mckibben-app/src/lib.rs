@@ -1,6 +1,7 @@
 //! Every command of mckibben as a request and an answer.
 //!
-//! A front end (command line, page, Python, server) fills in a request, calls one function, and shows the answer:
+//! A front end (command line, page, Python, server) fills in a request, calls one function, and
+//! shows the answer:
 //!
 //! ```
 //! use mckibben_app::{ForceRequest, force};
@@ -12,10 +13,11 @@
 //! # Ok::<(), mckibben_app::Problem>(())
 //! ```
 //!
-//! Requests and answers are plain data with serde; their JSON is that of the command line, and [`schema`] describes it. A
-//! [`Problem`] says why there is no answer, in words that hold in every front end. Files are read by the front end and
-//! handed over as text ([`TextFile`]), so that all this runs without an operating system too; only campaigns, which live
-//! on disk, need the feature `files`. A panic is a [`Problem`] as well, where [`guarded`] is around the call.
+//! Requests and answers are plain data with serde; their JSON is that of the command line, and
+//! [`schema`] describes it. A [`Problem`] says why there is no answer, in words that hold in every
+//! front end. Files are read by the front end and handed over as text ([`TextFile`]), so that all
+//! this runs without an operating system too; only campaigns, which live on disk, need the feature
+//! `files`. A panic is a [`Problem`] as well, where [`guarded`] is around the call.
 //!
 //! Which model answers is decided in one place, [`Model::choose`].
 //!
@@ -78,7 +80,9 @@ pub use burst::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
 pub use check::*;
-pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood};
+pub use commands::{
+    COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood,
+};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

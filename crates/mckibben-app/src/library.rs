@@ -1,4 +1,5 @@
-//! Muscles that were identified from measured points, each with its bench data, its ± and its terms.
+//! Muscles that were identified from measured points, each with its bench data, its ± and its
+//! terms.
 
 use crate::{Model, MuscleSummary, Problem, TextFile};
 use mckibben::analysis::Evaluation;
@@ -49,12 +50,17 @@ pub struct LibraryDetails {
 impl LibraryMuscle {
     fn new(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
         let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
-        let (pressure_mpa, points) = muscle.bench().map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
+        let (pressure_mpa, points) = muscle
+            .bench()
+            .map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
         let mut model = Evaluation::new(&*model, w, Direction::Mean);
         let blocked = model.force_n(pressure_mpa, 0.0).ok();
         let half = blocked.and_then(|n| model.uncertainty(pressure_mpa, 0.0, n));
         Ok(Self {
-            facts: Facts { name: format!("{PREFIX}{}", facts.name), ..facts.clone() },
+            facts: Facts {
+                name: format!("{PREFIX}{}", facts.name),
+                ..facts.clone()
+            },
             muscle: muscle.into(),
             pressure_mpa,
             blocked_force_n: blocked,
@@ -67,20 +73,38 @@ impl LibraryMuscle {
 
 /// The muscles of the library.
 pub(crate) fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
-    threads::map(&library()?, |(case, muscle)| LibraryMuscle::new(&case.facts, muscle)).into_iter().collect()
+    threads::map(&library()?, |(case, muscle)| {
+        LibraryMuscle::new(&case.facts, muscle)
+    })
+    .into_iter()
+    .collect()
 }
 
-/// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that name.
+/// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that
+/// name.
 pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
-    let plain = library::named(name).unwrap_or(name).trim().to_lowercase().replace([' ', '_'], "-");
+    let plain = library::named(name)
+        .unwrap_or(name)
+        .trim()
+        .to_lowercase()
+        .replace([' ', '_'], "-");
     let Some((case, muscle)) = library()?.into_iter().find(|m| m.0.facts.name == plain) else {
         return Ok(None);
     };
-    let file = TextFile { name: format!("{}.toml", case.facts.name), text: to_toml(muscle) };
+    let file = TextFile {
+        name: format!("{}.toml", case.facts.name),
+        text: to_toml(muscle),
+    };
     Ok(Some(LibraryDetails {
         muscle: LibraryMuscle::new(&case.facts, muscle)?,
-        fit: case.fit_of_library().map(|fit| fit.name.clone()).unwrap_or_default(),
-        identified: muscle.bench().map(|bench| bench.parameters.clone()).unwrap_or_default(),
+        fit: case
+            .fit_of_library()
+            .map(|fit| fit.name.clone())
+            .unwrap_or_default(),
+        identified: muscle
+            .bench()
+            .map(|bench| bench.parameters.clone())
+            .unwrap_or_default(),
         agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),
         muscle_file: file,
     }))

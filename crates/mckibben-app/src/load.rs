@@ -15,8 +15,9 @@ use std::{collections::BTreeMap, fmt};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct LoadFields {
-    /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the
-    /// pulley's radius, the angle from the horizontal), `table:NAME`; several joined by `+`.
+    /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass,
+    /// its distance from the pivot, the pulley's radius, the angle from the horizontal),
+    /// `table:NAME`; several joined by `+`.
     pub load: Option<String>,
     /// The tables that it names.
     pub load_tables: Vec<TextFile>,
@@ -25,21 +26,33 @@ pub struct LoadFields {
 impl LoadFields {
     /// The load, for a muscle of this length.
     pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
-        let Some(text) = &self.load else { return Ok(None) };
+        let Some(text) = &self.load else {
+            return Ok(None);
+        };
         let read = |file: &TextFile| -> Result<(String, LoadTable)> {
             let bad = |error: &dyn fmt::Display| {
-                Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
+                Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "")
+                    .in_field("load_tables")
             };
             if !cfg!(feature = "whole") {
                 return Err(bad(&"tables need the full engine; this is a reduced one"));
             }
             let points = read_load(&file.text, rest_length_mm).map_err(|e| bad(&e))?;
-            Ok((file.name.clone(), LoadTable::new(points).map_err(|e| bad(&e))?))
+            Ok((
+                file.name.clone(),
+                LoadTable::new(points).map_err(|e| bad(&e))?,
+            ))
         };
-        let tables = self.load_tables.iter().map(read).collect::<Result<BTreeMap<_, _>, _>>()?;
+        let tables = self
+            .load_tables
+            .iter()
+            .map(read)
+            .collect::<Result<BTreeMap<_, _>, _>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())
             .map(Some)
-            .map_err(|error| Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load"))
+            .map_err(|error| {
+                Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load")
+            })
     }
 }
 
@@ -66,13 +79,21 @@ pub struct LoadedAt {
     /// The equilibria, by rising contraction.
     pub equilibria: Vec<Balance>,
     /// Why there is none.
-    #[serde(rename = "cause", default, skip_serializing_if = "Option::is_none", serialize_with = "reason")]
+    #[serde(
+        rename = "cause",
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "reason"
+    )]
     #[schemars(with = "Option<String>")]
     pub error: Option<LoadError>,
 }
 
 fn reason<S: Serializer>(error: &Option<LoadError>, serializer: S) -> Result<S::Ok, S::Error> {
-    error.as_ref().map(|e| short_numbers(&e.to_string()).into_owned()).serialize(serializer)
+    error
+        .as_ref()
+        .map(|e| short_numbers(&e.to_string()).into_owned())
+        .serialize(serializer)
 }
 
 /// Equilibria of a model and a load at pressures.
@@ -82,7 +103,9 @@ pub(crate) fn loaded(
     pressures_mpa: &[f64],
 ) -> Result<Option<LoadAnswer>> {
     let length = evaluation.model.muscle().length_mm();
-    let Some(load) = fields.resolve(length)? else { return Ok(None) };
+    let Some(load) = fields.resolve(length)? else {
+        return Ok(None);
+    };
     let mut stable: Vec<(f64, Option<Balance>)> = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
@@ -90,14 +113,21 @@ pub(crate) fn loaded(
         cancel::check()?;
         let (equilibria, error) = balances.map_or_else(|e| (vec![], Some(e)), |all| (all, None));
         stable.push((pressure_mpa, equilibria.iter().find(|b| b.stable).cloned()));
-        at.push(LoadedAt { pressure_mpa, equilibria, error });
+        at.push(LoadedAt {
+            pressure_mpa,
+            equilibria,
+            error,
+        });
     }
     let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
     let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));
     let cycle = match (least, most) {
         (Some((low, from)), Some((high, Some(to)))) if low < high => {
             let (contraction, volume) = match from {
-                Some(from) => (from.answer.response.contraction, from.answer.response.volume_mm3),
+                Some(from) => (
+                    from.answer.response.contraction,
+                    from.answer.response.volume_mm3,
+                ),
                 // The load rests on its stop.
                 None => (0.0, evaluation.cavity_mm3(*low, 0.0).ok()),
             };
@@ -106,5 +136,10 @@ pub(crate) fn loaded(
         _ => None,
     };
     let text = fields.load.clone().unwrap_or_default();
-    Ok(Some(LoadAnswer { load: text, at, cycle, line: load }))
+    Ok(Some(LoadAnswer {
+        load: text,
+        at,
+        cycle,
+        line: load,
+    }))
 }

@@ -1,4 +1,5 @@
-//! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
+//! `validate --measured`: the validation report of every measured case: the errors of each fit at
+//! fitted points and at predicted points.
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
@@ -95,32 +96,72 @@ pub struct MeasuredStress {
 
 /// The validation report of every measured case.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer> {
-    let read = request.cases.iter().map(Measurement::read).collect::<Result<Vec<_>, _>>();
+    let read = request
+        .cases
+        .iter()
+        .map(Measurement::read)
+        .collect::<Result<Vec<_>, _>>();
     let read = read.map_err(|error| Problem::from(&error))?;
     let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if read.is_empty() {
-        (case::muscles().map_err(Problem::from)?, case::rubbers().map_err(Problem::from)?)
+        (
+            case::muscles().map_err(Problem::from)?,
+            case::rubbers().map_err(Problem::from)?,
+        )
     } else {
         let muscles = read.iter().filter_map(Measurement::muscle);
-        (muscles.collect(), read.iter().filter_map(Measurement::rubber).collect())
+        (
+            muscles.collect(),
+            read.iter().filter_map(Measurement::rubber).collect(),
+        )
     };
     if request.figure.is_some() && cases.is_empty() {
-        let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
+        let message =
+            "the figure shows measured muscles, and these cases are rubbers only: leave it out";
         let hint = "`rubber` draws a rubber's laws over its points";
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
-    let stresses: usize = stretched.iter().map(|case| case.count() * case.fits.len()).sum();
+    let points: usize = cases
+        .iter()
+        .map(|case| case.points.len() * case.fits.len())
+        .sum();
+    let stresses: usize = stretched
+        .iter()
+        .map(|case| case.count() * case.fits.len())
+        .sum();
     size::points("cases", (points + stresses) as f64)?;
-    let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
+    let model = Model::named(
+        request.model.as_deref().unwrap_or("fe"),
+        &[],
+        &MeshFields::default(),
+    )?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let reported = report(&cases, Fitter { build: &build, progress })?;
+    let reported = report(
+        &cases,
+        Fitter {
+            build: &build,
+            progress,
+        },
+    )?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
-    let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &reported, (&name, &build), u));
-    let results = reported.iter().flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
+    let figure = request
+        .figure
+        .as_ref()
+        .map(|u| figure::measured(&cases, &reported, (&name, &build), u));
+    let results = reported
+        .iter()
+        .flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
     let case = |(number, case): (usize, &&MuscleCase)| {
-        let fits = reported.iter().filter(|r| r.case == number).cloned().collect();
-        MeasuredCase { facts: case.facts.clone(), points: case.points.len(), fits }
+        let fits = reported
+            .iter()
+            .filter(|r| r.case == number)
+            .cloned()
+            .collect();
+        MeasuredCase {
+            facts: case.facts.clone(),
+            points: case.points.len(),
+            fits,
+        }
     };
     Ok(MeasuredAnswer {
         model: name,
@@ -148,17 +189,32 @@ fn rubbers(
 ) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>)> {
     let reported = rubber::report(cases, progress)?;
     let rubber = |(number, case): (usize, &&RubberCase)| {
-        let fits = reported.iter().filter(|r| r.case == number).cloned().collect();
-        MeasuredRubber { facts: case.facts.clone(), points: case.count(), fits }
+        let fits = reported
+            .iter()
+            .filter(|r| r.case == number)
+            .cloned()
+            .collect();
+        MeasuredRubber {
+            facts: case.facts.clone(),
+            points: case.count(),
+            fits,
+        }
     };
     let stresses = reported.iter().flat_map(|r| {
         let stress = |group: &RubberGroup| {
             let (case, fit) = (cases[r.case].facts.name.clone(), r.fit.clone());
-            MeasuredStress { case, fit, group: group.clone() }
+            MeasuredStress {
+                case,
+                fit,
+                group: group.clone(),
+            }
         };
         r.groups.iter().map(stress)
     });
-    Ok((cases.iter().enumerate().map(rubber).collect(), stresses.collect()))
+    Ok((
+        cases.iter().enumerate().map(rubber).collect(),
+        stresses.collect(),
+    ))
 }
 
 impl From<&CaseError> for Problem {

@@ -4,7 +4,8 @@ use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, Te
 use mckibben::answer::Options;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model, with_ends,
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model,
+    with_ends,
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
@@ -12,7 +13,8 @@ use mckibben_fem::elements::{Elements, section};
 use mckibben_fem::three_dimensional::{BrickSpec, Match};
 use std::sync::Arc;
 
-/// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite elements with their mesh.
+/// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite
+/// elements with their mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Model {
     /// A closed form, `universal` with its built-in coefficients among them.
@@ -26,11 +28,18 @@ pub enum Model {
 
 impl Model {
     /// Axisymmetric finite elements on the mesh that the program chooses.
-    pub const FE: Model =
-        Model::Elements(Elements::Axisymmetric(MeshSpec { through: None, along: None, grading: None }));
+    pub const FE: Model = Model::Elements(Elements::Axisymmetric(MeshSpec {
+        through: None,
+        along: None,
+        grading: None,
+    }));
 
     pub fn all() -> Vec<ModelEntry> {
-        ModelKind::ALL.into_iter().map(ModelKind::entry).chain(Elements::ENTRIES).collect()
+        ModelKind::ALL
+            .into_iter()
+            .map(ModelKind::entry)
+            .chain(Elements::ENTRIES)
+            .collect()
     }
 
     /// Whether a word is the name of a model already.
@@ -38,7 +47,8 @@ impl Model {
         Self::all().iter().any(|entry| entry.name == name.trim())
     }
 
-    /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`.
+    /// The model that answers a request, and the only rule about it: the one that is named; where
+    /// none is, `fe`.
     pub fn choose(fields: &ModelFields) -> Result<Self> {
         let name = fields.model.as_deref().unwrap_or("fe");
         let model = Self::named(name, &fields.formulas, &fields.mesh)?;
@@ -70,7 +80,8 @@ impl Model {
             let message = "formula files need the full engine; this is a reduced one";
             return Err(Problem::new(ProblemKind::Formula, message, ""));
         }
-        let read = Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
+        let read =
+            Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
         Ok(match read {
             Document::Section(formula) => Self::Formula(Arc::new(formula)),
             Document::Universal(formula) => Self::Universal(Arc::new(formula)),
@@ -90,9 +101,10 @@ impl Model {
     pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
         match self {
             Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
-            Self::ClosedForm(ModelKind::Paper) => {
-                Some((FormulaModel::PAPER_DIAMETERS_MM, FormulaModel::PAPER_WALLS_MM))
-            }
+            Self::ClosedForm(ModelKind::Paper) => Some((
+                FormulaModel::PAPER_DIAMETERS_MM,
+                FormulaModel::PAPER_WALLS_MM,
+            )),
             _ => None,
         }
     }
@@ -117,13 +129,19 @@ impl Model {
             // The others are as large as all the rest.
             _ if !cfg!(feature = "whole") => {
                 let missing = "the full engine; this is a reduced one";
-                Err(ModelError::Missing { model: "this model", missing, key: "" })
+                Err(ModelError::Missing {
+                    model: "this model",
+                    missing,
+                    key: "",
+                })
             }
             Self::ClosedForm(kind) => kind.build(muscle),
-            Self::Formula(formula) => with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m)))),
-            Self::Universal(formula) => {
-                with_ends(muscle, |m| Ok(Box::new(Universal::new(Arc::clone(formula), m))))
+            Self::Formula(formula) => {
+                with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m))))
             }
+            Self::Universal(formula) => with_ends(muscle, |m| {
+                Ok(Box::new(Universal::new(Arc::clone(formula), m)))
+            }),
             Self::Elements(elements) => Ok(elements.build(muscle)?),
         }
     }
@@ -142,7 +160,9 @@ impl MeshFields {
                 Elements::ThreeDimensional(BrickSpec { keep, plug, ..spec })
             }
         };
-        let Some(text) = &self.mesh else { return Ok(elements) };
+        let Some(text) = &self.mesh else {
+            return Ok(elements);
+        };
         elements.with_mesh(text).map_err(|error| {
             Problem::new(
                 ProblemKind::Mesh,
@@ -178,10 +198,20 @@ impl MeshFields {
 /// Refuses both branches where one is requested, or where the friction is not known.
 pub(crate) fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction == Direction::Mean {
-        return check_branch(Options { direction: Direction::Contraction, ..options }, muscle);
+        return check_branch(
+            Options {
+                direction: Direction::Contraction,
+                ..options
+            },
+            muscle,
+        );
     }
     let hint = "leave one of them out";
-    Err(Problem::new(ProblemKind::Usage, "`direction` selects one branch and `both` selects two", hint))
+    Err(Problem::new(
+        ProblemKind::Usage,
+        "`direction` selects one branch and `both` selects two",
+        hint,
+    ))
 }
 
 /// Refuses a branch of the hysteresis of a muscle whose friction is neither stated nor estimated.
@@ -189,7 +219,9 @@ pub(crate) fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction.is_mean() || muscle.friction().is_some() || options.friction_share > 0.0 {
         return Ok(());
     }
-    let message = "`direction` needs the braid's friction, which this muscle does not state; it is estimated only of muscles that contract, were not identified and have their strands outside of the rubber";
+    let message = "`direction` needs the braid's friction, which this muscle does not state; it is \
+        estimated only of muscles that contract, were not identified and have their strands \
+        outside of the rubber";
     let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
     Err(Problem::new(ProblemKind::MissingInput, message, hint))
 }

@@ -2,7 +2,9 @@
 
 use crate::{MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, Units, words};
 use mckibben::muscle::measures::{END_FACTOR, MEASURES, fields};
-use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated};
+use mckibben::muscle::{
+    Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
+};
 use mckibben::sleeve::{self, Sleeve};
 use mckibben::{muscle::file::parse_muscle, rubber::library};
 use mckibben_fit::validation::library as muscles;
@@ -49,7 +51,8 @@ impl MuscleFields {
         })
     }
 
-    /// What the fields are of a muscle, each as it may be given; none where it has none of a name or a number.
+    /// What the fields are of a muscle, each as it may be given; none where it has none of a name
+    /// or a number.
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let section = braid.strands.and_then(|strands| strands.section);
@@ -61,12 +64,17 @@ impl MuscleFields {
             braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
             strand_diameter_mm: section.map(diameter_mm),
             stiffness: match braid.stiffness {
-                BraidStiffness::OfStrands => muscle.family_stiffness_n_per_mm().map(Stiffness::NewtonPerMm),
+                BraidStiffness::OfStrands => muscle
+                    .family_stiffness_n_per_mm()
+                    .map(Stiffness::NewtonPerMm),
                 stated => Some(stated),
             },
         });
         // A factor that changes with the pressure is no number.
-        let varies = matches!(muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. }));
+        let varies = matches!(
+            muscle.terminals().end_factor,
+            Some(EndFactor::OfPressure { .. })
+        );
         for (_, measure) in fields().filter(|(_, m)| !(varies && **m == END_FACTOR)) {
             if let Some(value) = muscle.measure(measure) {
                 out.measures.set(measure, value);
@@ -79,7 +87,8 @@ impl MuscleFields {
 /// The name of the paper's muscle in place of a file.
 pub const PAPER: &str = "paper";
 
-/// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its muscle.
+/// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its
+/// muscle.
 pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     let mut lines = file.text.lines().map(str::trim);
     if lines.any(|line| !line.is_empty() && !line.starts_with('#')) || file.name == PAPER {
@@ -95,7 +104,9 @@ pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         return Err(Problem::new(ProblemKind::File, message, ""));
     }
     let hint = "`parts list muscles` shows them with their sources";
-    muscles::file(name).map(Cow::Owned).map_err(|error| Problem::new(ProblemKind::File, error, hint))
+    muscles::file(name)
+        .map(Cow::Owned)
+        .map_err(|error| Problem::new(ProblemKind::File, error, hint))
 }
 
 /// The muscle of a muscle file, or that of the library whose name replaces one: `lib:dmsp-20-300`.
@@ -120,15 +131,22 @@ impl From<MuscleError> for Problem {
         let names = MEASURES.iter().filter_map(|m| Some((m.name(), m.field?)));
         let names = names.chain([("strand_diameter", "strand_diameter_mm")]);
         let in_fields = |message: String| {
-            names.fold(message, |text, (key, field)| text.replace(&format!("`{key}`"), &format!("`{field}`")))
+            names.fold(message, |text, (key, field)| {
+                text.replace(&format!("`{key}`"), &format!("`{field}`"))
+            })
         };
-        let missing = error.message.strip_prefix(first).filter(|rest| rest.starts_with(" is missing"));
+        let missing = error
+            .message
+            .strip_prefix(first)
+            .filter(|rest| rest.starts_with(" is missing"));
         match missing.zip(Measure::of_key(first).and_then(|measure| measure.field)) {
             Some((rest, field)) => {
                 let message = in_fields(format!("`{field}`{rest}"));
                 Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
             }
-            None if first == "braid.name" => Self::new(ProblemKind::Braid, in_fields(error.message), ""),
+            None if first == "braid.name" => {
+                Self::new(ProblemKind::Braid, in_fields(error.message), "")
+            }
             None => Self::new(ProblemKind::Muscle, in_fields(error.message), ""),
         }
     }
@@ -148,15 +166,19 @@ pub struct MuscleSummary {
     pub angle_deg: f64,
     /// The rubber, by name or law.
     pub rubber: String,
-    /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before
+    /// it.
     pub braid: String,
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     pub sleeve: Option<String>,
-    /// Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    /// Factor within which the stiffness of the braid is known, where that and the strength of its
+    /// strands are estimates.
     pub stiffness_factor: Option<f64>,
-    /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    /// Mass of the rubber between the terminals, g, where its density is stated; braid and
+    /// terminals are not in it.
     pub rubber_mass_g: Option<f64>,
-    /// Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    /// Mass of tube and sleeve between the terminals, g, where both are known; the terminals are
+    /// not in it.
     pub mass_g: Option<f64>,
 }
 

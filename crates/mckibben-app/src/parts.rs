@@ -1,9 +1,10 @@
-//! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can buy or cast, measured muscles, force models.
+//! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can
+//! buy or cast, measured muscles, force models.
 
 use crate::{
-    BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind, RubberDetails,
-    RubberSummary, TextFile, library_details, library_muscles, rubber_details, rubbers, sleeve_details,
-    sleeves,
+    BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
+    RubberDetails, RubberSummary, TextFile, library_details, library_muscles, rubber_details,
+    rubbers, sleeve_details, sleeves,
 };
 use mckibben::model::{ModelEntry, ModelError};
 use mckibben::nearest::{meant, nearest};
@@ -98,16 +99,32 @@ pub struct ModelDetails {
 
 /// A model; `None` where there is none of that name.
 pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
-    let Ok(model) = Model::named(name, &[], &Default::default()) else { return Ok(None) };
-    let entry = Model::all().into_iter().find(|entry| entry.name == model.name());
+    let Ok(model) = Model::named(name, &[], &Default::default()) else {
+        return Ok(None);
+    };
+    let entry = Model::all()
+        .into_iter()
+        .find(|entry| entry.name == model.name());
     let Some(entry) = entry else { return Ok(None) };
     let (source, uncertainty_basis, needs) = match model.build(&Muscle::prototype()) {
-        Ok(bound) => (bound.info().source.to_string(), basis_of(&bound.info().accuracy), None),
-        Err(error @ ModelError::Missing { .. }) => (String::new(), String::new(), Some(error.to_string())),
+        Ok(bound) => (
+            bound.info().source.to_string(),
+            basis_of(&bound.info().accuracy),
+            None,
+        ),
+        Err(error @ ModelError::Missing { .. }) => {
+            (String::new(), String::new(), Some(error.to_string()))
+        }
         Err(error) => return Err(error.into()),
     };
     let (name, description) = (entry.name.to_string(), entry.description.to_string());
-    Ok(Some(ModelDetails { name, description, source, uncertainty_basis, needs }))
+    Ok(Some(ModelDetails {
+        name,
+        description,
+        source,
+        uncertainty_basis,
+        needs,
+    }))
 }
 
 pub(crate) fn unread(error: tubes::TubeError) -> Problem {
@@ -117,13 +134,22 @@ pub(crate) fn unread(error: tubes::TubeError) -> Problem {
 /// The tubes of a user's table, where it has some: in place of the catalogue's.
 pub(crate) fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
     let read = parts.map(|file| tubes::read(&file.text)).transpose();
-    Ok(read.map_err(|e| unread(e).in_field("parts"))?.filter(|tubes| !tubes.is_empty()))
+    Ok(read
+        .map_err(|e| unread(e).in_field("parts"))?
+        .filter(|tubes| !tubes.is_empty()))
 }
 
 /// The sleeves of a user's table, where it has some, else those of the library.
-pub(crate) fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
-    let read = parts.map(|file| sleeve::library::read(&file.text)).transpose();
-    match read.map_err(|e| Problem::from(e).in_field("parts"))?.filter(|sleeves| !sleeves.is_empty()) {
+pub(crate) fn sleeve_entries(
+    parts: Option<&TextFile>,
+) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
+    let read = parts
+        .map(|file| sleeve::library::read(&file.text))
+        .transpose();
+    match read
+        .map_err(|e| Problem::from(e).in_field("parts"))?
+        .filter(|sleeves| !sleeves.is_empty())
+    {
         Some(sleeves) => Ok(sleeves.into()),
         None => Ok(sleeve::library::entries()?.into()),
     }
@@ -143,10 +169,26 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
     };
     Ok(PartsListAnswer {
         tubes,
-        sleeves: if wants(PartKind::Sleeves) { sleeves(request.parts.as_ref())? } else { vec![] },
-        rubbers: if wants(PartKind::Rubbers) { rubbers()? } else { vec![] },
-        muscles: if whole && wants(PartKind::Muscles) { library_muscles()? } else { vec![] },
-        models: if wants(PartKind::Models) { Model::all() } else { vec![] },
+        sleeves: if wants(PartKind::Sleeves) {
+            sleeves(request.parts.as_ref())?
+        } else {
+            vec![]
+        },
+        rubbers: if wants(PartKind::Rubbers) {
+            rubbers()?
+        } else {
+            vec![]
+        },
+        muscles: if whole && wants(PartKind::Muscles) {
+            library_muscles()?
+        } else {
+            vec![]
+        },
+        models: if wants(PartKind::Models) {
+            Model::all()
+        } else {
+            vec![]
+        },
     })
 }
 
@@ -164,11 +206,20 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
         return Ok(parts);
     }
     let (sleeves, rubbers, muscles) = (sleeves(None)?, rubbers()?, library::names());
-    let all = tubes.iter().map(|t| t.name.as_str()).chain(sleeves.iter().map(|s| s.name.as_str()));
-    let all = all.chain(rubbers.iter().map(|r| r.name.as_str())).chain(muscles.iter().map(String::as_str));
+    let all = tubes
+        .iter()
+        .map(|t| t.name.as_str())
+        .chain(sleeves.iter().map(|s| s.name.as_str()));
+    let all = all
+        .chain(rubbers.iter().map(|r| r.name.as_str()))
+        .chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));
     let meant = meant(nearest(library::named(name).unwrap_or(name), all));
     let given: String = name.chars().take(60).collect();
     let message = format!("there is no part named \"{given}\"{meant}");
-    Err(Problem::new(ProblemKind::Usage, message, "`parts list` lists them"))
+    Err(Problem::new(
+        ProblemKind::Usage,
+        message,
+        "`parts list` lists them",
+    ))
 }

@@ -1,4 +1,5 @@
-//! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front ends without files.
+//! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front
+//! ends without files.
 
 use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
@@ -33,9 +34,14 @@ pub struct PlanAnswer {
 const MOST_POINTS: u64 = 200_000;
 
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
-    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let file = request
+        .plan
+        .as_ref()
+        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
     let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
-    let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);
+    let points = plan
+        .muscles()
+        .saturating_mul(plan.points_per_muscle() as u64);
     if points > MOST_POINTS {
         let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");
         let hint = "`campaign` computes plans of any size, into files";
@@ -47,11 +53,20 @@ pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer
         let force = r.force_n.map_or_else(String::new, |f| f.to_string());
         let (d, s, l, a) = (r.outer_diameter_mm, r.wall_mm, r.length_mm, r.angle_deg);
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{d},{s},{l},{a},{},{},{force},{}", r.pressure_mpa, r.contraction, r.status);
+        let _ = writeln!(
+            text,
+            "{d},{s},{l},{a},{},{},{force},{}",
+            r.pressure_mpa, r.contraction, r.status
+        );
     }
-    let name = Path::new(&file.name).file_stem().map_or("plan".into(), |stem| stem.to_string_lossy());
+    let name = Path::new(&file.name)
+        .file_stem()
+        .map_or("plan".into(), |stem| stem.to_string_lossy());
     Ok(PlanAnswer {
-        table: TextFile { name: format!("{name}.csv"), text },
+        table: TextFile {
+            name: format!("{name}.csv"),
+            text,
+        },
         muscles: plan.muscles(),
         points: rows.len(),
         failed: rows.iter().filter(|r| r.force_n.is_none()).count(),

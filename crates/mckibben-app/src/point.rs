@@ -2,8 +2,8 @@
 
 use crate::{
     AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
-    PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of, check_both,
-    check_branch, load::loaded, put_first, said_of,
+    PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of,
+    check_both, check_branch, load::loaded, put_first, said_of,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -105,9 +105,15 @@ pub struct ModelAbout {
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    let pressure_mpa = given(
+        "pressure_mpa",
+        request.pressure_mpa,
+        "a pressure, such as 0.2 MPa",
+    )?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| Ok(model.answer(pressure_mpa, contraction)?))
+    answered(question, request.both, |model| {
+        Ok(model.answer(pressure_mpa, contraction)?)
+    })
 }
 
 /// P(F, ε).
@@ -116,38 +122,68 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| Ok(model.pressure(force_n, contraction)?))
+    answered(question, request.both, |model| {
+        Ok(model.pressure(force_n, contraction)?)
+    })
 }
 
 /// ε(F, P).
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    let pressure_mpa = given(
+        "pressure_mpa",
+        request.pressure_mpa,
+        "a pressure, such as 0.2 MPa",
+    )?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, question.options)?;
     if request.load.load.is_none() {
-        return answered(question, request.both, |model| Ok(model.contraction(force_n, pressure_mpa)?));
+        return answered(question, request.both, |model| {
+            Ok(model.contraction(force_n, pressure_mpa)?)
+        });
     }
     if request.force_n.is_some() {
         let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
+        return Err(Problem::new(
+            ProblemKind::Usage,
+            message,
+            "`load` takes `force:300N` as well",
+        ));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, request.both, |model| {
         let answer = loaded(&request.load, model, &[pressure_mpa])?;
-        if let Some(error) = answer.iter().flat_map(|f| &f.at).find_map(|at| at.error.clone()) {
+        if let Some(error) = answer
+            .iter()
+            .flat_map(|f| &f.at)
+            .find_map(|at| at.error.clone())
+        {
             return Err(error.into());
         }
-        let list = answer.iter().flat_map(|f| &f.at).flat_map(|at| &at.equilibria);
-        let best = list.clone().find(|e| e.stable).or(list.clone().next()).map(|e| e.answer.clone());
+        let list = answer
+            .iter()
+            .flat_map(|f| &f.at)
+            .flat_map(|at| &at.equilibria);
+        let best = list
+            .clone()
+            .find(|e| e.stable)
+            .or(list.clone().next())
+            .map(|e| e.answer.clone());
         said = said.take().or(answer);
-        best.ok_or_else(|| Problem::new(ProblemKind::NoAnswer, "there is no equilibrium with the load", ""))
+        best.ok_or_else(|| {
+            Problem::new(
+                ProblemKind::NoAnswer,
+                "there is no equilibrium with the load",
+                "",
+            )
+        })
     })?;
     answer.loaded = said;
     Ok(answer)
 }
 
-/// The point with its muscle, and where the model's numbers come from; with both branches if requested.
+/// The point with its muscle, and where the model's numbers come from; with both branches if
+/// requested.
 fn answered(
     mut question: Question,
     both: bool,
@@ -160,24 +196,43 @@ fn answered(
     let mut on = |options| ask(&mut question.evaluation().with(options));
     let mut point = on(options)?;
     let both = Direction::BRANCHES.into_iter().filter(|_| both);
-    let branches: Vec<Answer> =
-        both.map(|direction| on(Options { direction, ..options })).collect::<Result<_>>()?;
+    let branches: Vec<Answer> = both
+        .map(|direction| {
+            on(Options {
+                direction,
+                ..options
+            })
+        })
+        .collect::<Result<_>>()?;
     let all = std::iter::once(&point).chain(&branches);
     let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
     let background = question.background(&mut point, highest_mpa)?;
-    Ok(PointAnswer { point, branches, loaded: None, background })
+    Ok(PointAnswer {
+        point,
+        branches,
+        loaded: None,
+        background,
+    })
 }
 
 /// A number that must be there.
 pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f64> {
-    finite(field, value.ok_or_else(|| Problem::missing(field, expected))?)
+    finite(
+        field,
+        value.ok_or_else(|| Problem::missing(field, expected))?,
+    )
 }
 
 pub(crate) fn finite(field: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Problem::new(ProblemKind::Quantity, format!("{value} is not a finite number"), "").in_field(field))
+    Err(Problem::new(
+        ProblemKind::Quantity,
+        format!("{value} is not a finite number"),
+        "",
+    )
+    .in_field(field))
 }
 
 /// A number above zero.
@@ -192,10 +247,15 @@ pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
 pub(crate) fn ratio(contraction: f64) -> Result<f64> {
     let e = finite("contraction", contraction)?;
-    if is_ratio(e) { Ok(e) } else { Err(no_ratio("contraction", e)) }
+    if is_ratio(e) {
+        Ok(e)
+    } else {
+        Err(no_ratio("contraction", e))
+    }
 }
 
-/// Whether a number may be a contraction ratio: muscles that extend may become more than twice as long.
+/// Whether a number may be a contraction ratio: muscles that extend may become more than twice as
+/// long.
 pub(crate) fn is_ratio(e: f64) -> bool {
     const LONGEST: f64 = -1.5;
     e > LONGEST && e < 1.0
@@ -239,7 +299,10 @@ pub struct QuestionFields {
 
 impl From<MuscleFields> for QuestionFields {
     fn from(muscle: MuscleFields) -> Self {
-        Self { muscle, ..Self::default() }
+        Self {
+            muscle,
+            ..Self::default()
+        }
     }
 }
 
@@ -256,8 +319,18 @@ pub(crate) struct Question {
 impl QuestionFields {
     pub(crate) fn ask(&self) -> Result<Question> {
         let muscle = self.muscle.resolve()?;
-        let BoundModel { model, options, choice } = BoundModel::new(&muscle, &self.model, self.asking)?;
-        Ok(Question { muscle, choice, model, workspace: Workspace::new(), options })
+        let BoundModel {
+            model,
+            options,
+            choice,
+        } = BoundModel::new(&muscle, &self.model, self.asking)?;
+        Ok(Question {
+            muscle,
+            choice,
+            model,
+            workspace: Workspace::new(),
+            options,
+        })
     }
 }
 
@@ -279,7 +352,8 @@ impl Question {
         let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
         let model = &mut self.evaluation();
         Ok(Background {
-            uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa).with_branch(of, model),
+            uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa)
+                .with_branch(of, model),
             limits: (&burst).into(),
             muscle: (&self.muscle).into(),
             about: ModelAbout {
@@ -293,8 +367,17 @@ impl Question {
 impl AskFields {
     /// How a model of this muscle is evaluated.
     pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
-        let Self { extrapolate, two_sided, direction } = self;
-        let options = Options { extrapolate, two_sided, direction, friction_share: muscle.friction_share() };
+        let Self {
+            extrapolate,
+            two_sided,
+            direction,
+        } = self;
+        let options = Options {
+            extrapolate,
+            two_sided,
+            direction,
+            friction_share: muscle.friction_share(),
+        };
         check_branch(options, muscle)?;
         Ok(options.for_muscle(muscle))
     }

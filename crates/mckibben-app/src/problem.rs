@@ -3,9 +3,9 @@
 use mckibben::cancel::Cancel;
 use mckibben::joint::JointError;
 use mckibben::{
-    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError, model::ModelError,
-    muscle::file::FileError, rubber::library::LibraryError, size::TooLarge, study::StudyError,
-    units::short_numbers,
+    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError,
+    model::ModelError, muscle::file::FileError, rubber::library::LibraryError, size::TooLarge,
+    study::StudyError, units::short_numbers,
 };
 use mckibben_campaign::{campaign::CampaignError, fit::FitError};
 use mckibben_design::SpecError;
@@ -133,8 +133,9 @@ pub struct Nearest {
 
 /// Why a request has no answer.
 ///
-/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``) and join quantities to their unit by a no-break space,
-/// so that a front end can put its words and units in place.
+/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``) and join
+/// quantities to their unit by a no-break space, so that a front end can put its words and units in
+/// place.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Problem {
@@ -154,7 +155,13 @@ impl Problem {
     /// A problem; numbers in its words have no more digits than anybody reads.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
         let message = short_numbers(&message.into()).into_owned();
-        Self { kind, message, hint: short_numbers(&hint.into()).into_owned(), field: None, nearest: None }
+        Self {
+            kind,
+            message,
+            hint: short_numbers(&hint.into()).into_owned(),
+            field: None,
+            nearest: None,
+        }
     }
 
     /// The same with the field that is to blame.
@@ -176,15 +183,24 @@ impl Problem {
 
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
-        Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
+        Self::new(
+            ProblemKind::Usage,
+            format!("`{field}` is missing; expected {expected}"),
+            "",
+        )
     }
 
-    /// Refuses fields that are there and would change nothing, with the reason, which names the other field.
+    /// Refuses fields that are there and would change nothing, with the reason, which names the
+    /// other field.
     pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
         match fields.iter().find(|field| field.1) {
             Some((field, _)) => {
                 let message = format!("`{field}` has no effect: {why}");
-                Err(Self::new(ProblemKind::Usage, message, "leave one of them out"))
+                Err(Self::new(
+                    ProblemKind::Usage,
+                    message,
+                    "leave one of them out",
+                ))
             }
             None => Ok(()),
         }
@@ -205,8 +221,9 @@ impl std::error::Error for Problem {}
 /// What comes of a request.
 pub type Result<T, E = Problem> = std::result::Result<T, E>;
 
-/// Errors of the layers below in their words: the kind of problem that each is, what to do about it and the field to blame; errors that are told
-/// as what they hold (`of`), those with their sentence around it (`around`), and what is of another kind.
+/// Errors of the layers below in their words: the kind of problem that each is, what to do about it
+/// and the field to blame; errors that are told as what they hold (`of`), those with their sentence
+/// around it (`around`), and what is of another kind.
 macro_rules! problems {
     ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $(, around $held:ident in ($outer:pat))* $({
         $($variant:pat => $other:ident $($advice:literal)? $(in $blamed:literal)?;)+
@@ -253,19 +270,25 @@ problems! {
     IdentifyError: Parameter of Cancelled Model {
         IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start) | IdentifyError::Start { .. } => NotConverged;
         IdentifyError::Data(_) => Data;
-        IdentifyError::Implausible(_) => Data "if they are right, free what may be wrong: `free` ...,braid.angle";
+        IdentifyError::Implausible(_) => Data "if they are right, free what may be wrong: `free` \
+            ...,braid.angle";
         IdentifyError::Flipped(_) => Data
-            "forces are positive where the muscle pulls, contractions where it is shorter than at rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or contraction=\"-e:%\"";
+            "forces are positive where the muscle pulls, contractions where it is shorter than at \
+             rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or \
+             contraction=\"-e:%\"";
         IdentifyError::NoRubber { .. } => NotConverged
-            "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
+            "check the signs and units of the columns, the diameter, wall and angle of the muscle, \
+             and the zero of its contraction";
     };
     TensionFitError: Fit of Cancelled {
         TensionFitError::NotConverged { .. } => NotConverged;
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";
-        TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave `up_to_stretch` out";
+        TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave \
+            `up_to_stretch` out";
     };
     JointError: File of Cancelled, around error in (JointError::Muscle { error, .. }) {
-        JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher `max_pressure_mpa`, or a larger pulley or muscle";
+        JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher \
+            `max_pressure_mpa`, or a larger pulley or muscle";
         JointError::Angle { .. } => OutOfRange in "angles_deg";
         JointError::Pressures { muscles: 2, .. } => Usage "such as 2 bar and 1 bar" in "pressures_mpa";
         JointError::Pressures { .. } => Usage "such as 2 bar" in "pressures_mpa";
@@ -282,7 +305,11 @@ impl From<ModelError> for Problem {
         let message = error.to_string();
         match error {
             ModelError::OutOfRange { model, .. } => {
-                let other = if model == "paper" { ", and so do `fe` and thick-wall" } else { "" };
+                let other = if model == "paper" {
+                    ", and so do `fe` and thick-wall"
+                } else {
+                    ""
+                };
                 let hint = format!("`extrapolate` gives an answer with a warning{other}");
                 Self::new(ProblemKind::OutOfRange, message, hint)
             }
@@ -311,27 +338,49 @@ impl From<AnalysisError> for Problem {
         let (mut hint, mut nearest) = (String::new(), None);
         match error {
             AnalysisError::Model(error) => return error.into(),
-            AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. } => {
+            AnalysisError::NoPressure {
+                nearest_force_n,
+                nearest_pressure_mpa,
+                ..
+            } => {
                 let pressure_mpa = Some(nearest_pressure_mpa);
-                nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
+                nearest = Some(Nearest {
+                    force_n: nearest_force_n,
+                    pressure_mpa,
+                    contraction: None,
+                });
             }
-            AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
+            AnalysisError::NoContraction {
+                model,
+                force_n,
+                nearest_force_n,
+                nearest_contraction,
+                ..
+            } => {
                 hint = if nearest_force_n > force_n {
                     format!(
-                        "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
+                        "the muscle still pulls at the limit of the range of {model}; fe and \
+                         thick-wall have no such limit"
                     )
                 } else {
                     "take more pressure, or a larger muscle".to_owned()
                 };
                 let contraction = Some(nearest_contraction);
-                nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
+                nearest = Some(Nearest {
+                    force_n: nearest_force_n,
+                    pressure_mpa: None,
+                    contraction,
+                });
             }
             AnalysisError::StrandsBreak { .. } => {
                 hint = "reduce pressure or pull, or take stronger strands".to_owned()
             }
             AnalysisError::Unknown { .. } => {}
         }
-        Self { nearest, ..Self::new(ProblemKind::NoAnswer, message, hint) }
+        Self {
+            nearest,
+            ..Self::new(ProblemKind::NoAnswer, message, hint)
+        }
     }
 }
 
@@ -366,8 +415,9 @@ impl From<CampaignError> for Problem {
 /// Where the last panic happened, if [`panics_are_problems`] was called.
 static PLACE: Mutex<Option<String>> = Mutex::new(None);
 
-/// Does the work of a request; a panic in it, on whichever thread, becomes a [`Problem`] of kind `internal`. [`ask`](crate::ask)
-/// works in this way; a front end that calls the functions of the commands puts it around them.
+/// Does the work of a request; a panic in it, on whichever thread, becomes a [`Problem`] of kind
+/// `internal`. [`ask`](crate::ask) works in this way; a front end that calls the functions of the
+/// commands puts it around them.
 ///
 /// A stack that overflows and memory that runs out are no panics: they end the process.
 pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
@@ -375,9 +425,13 @@ pub fn guarded<T, E: From<Problem>>(work: impl FnOnce() -> Result<T, E>) -> Resu
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|cause| Err(internal(&*cause).into()))
 }
 
-/// Does the work of a request until it is cancelled, on whichever thread it is done and whatever it calls. What came out of cancelled work
-/// is neither an answer nor a reason. A panic is a [`Problem`], as in [`guarded`].
-pub fn within<T, E: From<Problem>>(cancel: &Cancel, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+/// Does the work of a request until it is cancelled, on whichever thread it is done and whatever it
+/// calls. What came out of cancelled work is neither an answer nor a reason. A panic is a
+/// [`Problem`], as in [`guarded`].
+pub fn within<T, E: From<Problem>>(
+    cancel: &Cancel,
+    work: impl FnOnce() -> Result<T, E>,
+) -> Result<T, E> {
     guarded(|| {
         let _entered = cancel.enter();
         let done = work();
@@ -386,8 +440,9 @@ pub fn within<T, E: From<Problem>>(cancel: &Cancel, work: impl FnOnce() -> Resul
     })
 }
 
-/// For a front end that owns its process, once at its start: panics are not written, and [`guarded`] says where they
-/// happened. With `RUST_BACKTRACE` set they are written to standard error as ever.
+/// For a front end that owns its process, once at its start: panics are not written, and
+/// [`guarded`] says where they happened. With `RUST_BACKTRACE` set they are written to standard
+/// error as ever.
 pub fn panics_are_problems() {
     let usual = take_hook();
     let loud = std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0");
@@ -402,11 +457,16 @@ pub fn panics_are_problems() {
 
 fn internal(cause: &(dyn Any + Send)) -> Problem {
     let said = cause.downcast_ref::<&str>().copied();
-    let said =
-        said.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given");
+    let said = said
+        .or_else(|| cause.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();
     let place = place.map_or_else(String::new, |place| format!(" ({place})"));
-    let message = format!("internal error of mckibben {}: {said}{place}", env!("CARGO_PKG_VERSION"));
-    let hint = "please report this message with the request and its files; the same request will fail again";
+    let message = format!(
+        "internal error of mckibben {}: {said}{place}",
+        env!("CARGO_PKG_VERSION")
+    );
+    let hint = "please report this message with the request and its files; the same request will \
+        fail again";
     Problem::new(ProblemKind::Internal, message, hint)
 }

@@ -1,4 +1,5 @@
-//! `quantities`, `units` and `measures`: what a user typed, as numbers, the units there are, and every number that describes a muscle.
+//! `quantities`, `units` and `measures`: what a user typed, as numbers, the units there are, and
+//! every number that describes a muscle.
 
 use crate::problem::{Problem, ProblemKind};
 use mckibben::muscle::measures::{MEASURES, STIFFNESS};
@@ -64,7 +65,9 @@ const DIVISIONS: usize = 20;
 /// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben::units::MAX_POINTS).
 pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
     let mut points = 0.0;
-    let wrong = |kind, message: String| Reading::Wrong { problem: Problem::new(kind, message, "") };
+    let wrong = |kind, message: String| Reading::Wrong {
+        problem: Problem::new(kind, message, ""),
+    };
     let mut read = |typed: &Typed| {
         let reading = match typed.list {
             false => match parse_quantity(&typed.text, typed.kind) {
@@ -79,7 +82,9 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
                         Values::List(_) => None,
                     },
                 },
-                Err(error @ RangeError::Quantity(_)) => wrong(ProblemKind::Quantity, error.to_string()),
+                Err(error @ RangeError::Quantity(_)) => {
+                    wrong(ProblemKind::Quantity, error.to_string())
+                }
                 Err(error) => wrong(ProblemKind::Range, error.to_string()),
             },
         };
@@ -90,7 +95,13 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
         size::points("texts", points)?;
         Ok(reading)
     };
-    Ok(QuantitiesAnswer { readings: request.texts.iter().map(&mut read).collect::<Result<_, Problem>>()? })
+    Ok(QuantitiesAnswer {
+        readings: request
+            .texts
+            .iter()
+            .map(&mut read)
+            .collect::<Result<_, Problem>>()?,
+    })
 }
 
 /// The units.
@@ -121,7 +132,8 @@ pub struct KindOfQuantity {
 pub struct UnitOfKind {
     /// Its usual spelling.
     pub name: &'static str,
-    /// A value in this unit is `multiply` / `divide` times the value inside; two factors, so that decimals stay what they are.
+    /// A value in this unit is `multiply` / `divide` times the value inside; two factors, so that
+    /// decimals stay what they are.
     pub multiply: f64,
     /// See `multiply`.
     pub divide: f64,
@@ -138,11 +150,17 @@ pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
             .filter_map(|name| kind.unit(name))
             .map(|unit| {
                 let (multiply, divide) = unit.outside();
-                UnitOfKind { name: unit.name, multiply, divide }
+                UnitOfKind {
+                    name: unit.name,
+                    multiply,
+                    divide,
+                }
             })
             .collect(),
     };
-    Ok(UnitsAnswer { kinds: Dimension::all().map(kind).collect() })
+    Ok(UnitsAnswer {
+        kinds: Dimension::all().map(kind).collect(),
+    })
 }
 
 /// The measures of a muscle.
@@ -190,7 +208,12 @@ pub struct MeasureEntry {
 impl From<&'static Measure> for MeasureEntry {
     fn from(m: &'static Measure) -> Self {
         let named = *m == STIFFNESS;
-        let end = |name: &str| m.bounds.ends().into_iter().find_map(|(end, v)| (end == name).then_some(v));
+        let end = |name: &str| {
+            m.bounds
+                .ends()
+                .into_iter()
+                .find_map(|(end, v)| (end == name).then_some(v))
+        };
         Self {
             key: m.key,
             group: m.section(),
@@ -211,5 +234,7 @@ impl From<&'static Measure> for MeasureEntry {
 
 /// The measures of a muscle.
 pub fn measures(_: &MeasuresRequest) -> Result<MeasuresAnswer, Problem> {
-    Ok(MeasuresAnswer { measures: MEASURES.iter().map(|m| MeasureEntry::from(*m)).collect() })
+    Ok(MeasuresAnswer {
+        measures: MEASURES.iter().map(|m| MeasureEntry::from(*m)).collect(),
+    })
 }

@@ -2,8 +2,9 @@
 
 use crate::{
     AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
-    ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows, shape, words::fixed,
+    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number,
+    percent, ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows,
+    shape, words::fixed,
 };
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
@@ -42,7 +43,9 @@ impl TitleBlock {
             ("computed by", version),
             ("checked", ""),
         ];
-        fields.map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec()
+        fields
+            .map(|(name, value)| (name.to_owned(), value.to_owned()))
+            .to_vec()
     }
 }
 
@@ -78,7 +81,12 @@ pub(crate) fn report(
     })?;
     step(2)?;
     let units = &request.units;
-    let said = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
+    let said = shown
+        .warnings
+        .iter()
+        .filter(|w| is_of_burst(w))
+        .cloned()
+        .map(Part::Text);
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
@@ -92,7 +100,9 @@ pub(crate) fn report(
     parts.extend(drawing_svg(plan).ok().map(Part::Drawing));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
-        parts.extend(curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))));
+        parts.extend(
+            curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))),
+        );
     }
     step(4)?;
     parts.extend(models(request, pressure_mpa, progress)?);
@@ -110,10 +120,13 @@ pub(crate) fn report(
         title_block: request.title_block.fields(),
         lead: {
             let (pressure, contraction) = (units.pressure.show(pressure_mpa), percent(contraction));
-            let by =
-                format!("by {}, axisymmetric finite elements, unless stated otherwise", point.point.model);
+            let by = format!(
+                "by {}, axisymmetric finite elements, unless stated otherwise",
+                point.point.model
+            );
             format!(
-                "At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers 95 % against a measured muscle."
+                "At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers 95 % \
+                 against a measured muscle."
             )
         },
         parts,
@@ -122,19 +135,33 @@ pub(crate) fn report(
 }
 
 fn table(rows: Vec<Row>) -> Part {
-    grid(&[], rows.into_iter().map(|(name, value)| vec![name, value]).collect())
+    grid(
+        &[],
+        rows.into_iter()
+            .map(|(name, value)| vec![name, value])
+            .collect(),
+    )
 }
 
 fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
-    Part::Table { head: head.iter().map(|&name| name.to_owned()).collect(), rows }
+    Part::Table {
+        head: head.iter().map(|&name| name.to_owned()).collect(),
+        rows,
+    }
 }
 
 /// The state and what the muscle can do at this pressure, in numbers.
 fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
     let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
-    rows.retain(|(name, _)| !["muscle", "model", "pressure", "contraction", "shortening"].contains(&&**name));
-    for row in shown.characteristics.iter().flat_map(|c| characteristic_rows(c, u)) {
+    rows.retain(|(name, _)| {
+        !["muscle", "model", "pressure", "contraction", "shortening"].contains(&&**name)
+    });
+    for row in shown
+        .characteristics
+        .iter()
+        .flat_map(|c| characteristic_rows(c, u))
+    {
         if rows.iter().all(|(name, _)| *name != row.0) {
             rows.push(row);
         }
@@ -145,7 +172,11 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 /// The deformed muscle by itself.
 pub fn body(request: &ShapeRequest) -> Result<Document> {
     let parts = vec![body_part(request)?];
-    Ok(Document { title: "The deformed muscle".into(), parts, ..Document::default() })
+    Ok(Document {
+        title: "The deformed muscle".into(),
+        parts,
+        ..Document::default()
+    })
 }
 
 fn body_part(request: &ShapeRequest) -> Result<Part> {
@@ -164,7 +195,11 @@ fn curves(
     pressure_mpa: f64,
     progress: &dyn Progress,
 ) -> Result<Option<Figure>> {
-    let shares = |n: usize| (1..=n).map(|i| pressure_mpa * i as f64 / n as f64).collect::<Vec<_>>();
+    let shares = |n: usize| {
+        (1..=n)
+            .map(|i| pressure_mpa * i as f64 / n as f64)
+            .collect::<Vec<_>>()
+    };
     let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
@@ -181,17 +216,34 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
         models: MODELS.map(str::to_owned).to_vec(),
         muscle: request.muscle.clone(),
         pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa]),
-        asking: AskFields { extrapolate: true, ..AskFields::default() },
+        asking: AskFields {
+            extrapolate: true,
+            ..AskFields::default()
+        },
         figure: Some(request.units.clone()),
         ..CompareRequest::default()
     };
     let answer = compare(&wanted, progress)?;
     let force = &request.units.force;
-    let shown =
-        |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{} {}", force.to(v, 2), force.name));
-    let rows = answer.models.iter().filter(|m| m.errors.model != answer.reference);
-    let rows =
-        rows.map(|m| vec![m.errors.model.clone(), shown(m.errors.rms_n), shown(m.errors.max_n)]).collect();
+    let shown = |v: Option<f64>| {
+        v.map_or_else(
+            || "–".to_owned(),
+            |v| format!("{} {}", force.to(v, 2), force.name),
+        )
+    };
+    let rows = answer
+        .models
+        .iter()
+        .filter(|m| m.errors.model != answer.reference);
+    let rows = rows
+        .map(|m| {
+            vec![
+                m.errors.model.clone(),
+                shown(m.errors.rms_n),
+                shown(m.errors.max_n),
+            ]
+        })
+        .collect();
     let mut parts = vec![
         Part::Heading("Other models".into()),
         Part::Text(format!("Their differences from {}.", answer.reference)),
@@ -202,20 +254,28 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
 }
 
 fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
-    let mut list = vec![
-        "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),
-        "The braid has no thickness and lies on the tube from the start; the rubber has no relaxation and no softening.".to_owned(),
+    let mut list =
+        vec![
+        "The tube is bonded to rigid terminals; the strands move with its outer surface and turn \
+         freely at their crossings, with friction only where the muscle file states it.".to_owned(),
+        "The braid has no thickness and lies on the tube from the start; the rubber has no \
+         relaxation and no softening.".to_owned(),
         format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
         let cut = number(shown.muscle.terminals().insertion_mm(), 4);
-        list.push(format!("The clamped length on each plug is not stated; the cut lengths assume {cut} mm."));
+        list.push(format!(
+            "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
+        ));
     }
     list.extend(shown.warnings.iter().cloned());
     list.extend(point.point.warnings.iter().map(ToString::to_string));
     list.retain(|sentence| !is_of_burst(sentence));
     list.dedup();
-    vec![Part::Heading("Assumptions and limits".into()), Part::List(list)]
+    vec![
+        Part::Heading("Assumptions and limits".into()),
+        Part::List(list),
+    ]
 }
 
 /// The pressure of each failure over the working pressure, beside what is required.
@@ -229,23 +289,31 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
             let (pressure, factor) = match at {
                 FailurePressure::At(p) => (units.pressure.show(p), fixed(p / working_mpa, 1)),
                 FailurePressure::None => ("at no pressure".into(), "–".into()),
-                FailurePressure::Unknown(why) => {
-                    (format!("not known: {}", units.sentence(&why.to_string())), "–".into())
-                }
+                FailurePressure::Unknown(why) => (
+                    format!("not known: {}", units.sentence(&why.to_string())),
+                    "–".into(),
+                ),
             };
             vec![mode.to_string(), factor, required, pressure]
         })
         .collect();
     if let Some(rated) = burst.rated_mpa {
         let factor = fixed(rated / working_mpa, 1);
-        rows.push(vec!["the fittings are rated for".into(), factor, "1".into(), units.pressure.show(rated)]);
+        rows.push(vec![
+            "the fittings are rated for".into(),
+            factor,
+            "1".into(),
+            units.pressure.show(rated),
+        ]);
     }
-    let [working, proof] = [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
+    let [working, proof] =
+        [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
     let energy = number(plan.safety.air_energy_j, 2);
     vec![
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
-            "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly rising pressure; proof test with water at {proof}. The air holds {energy} J."
+            "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
+             rising pressure; proof test with water at {proof}. The air holds {energy} J."
         )),
         grid(&["failure", "factor", "required", "pressure"], rows),
     ]
@@ -255,7 +323,11 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
 fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
     let length_mm = plan.muscle.length_mm();
     let row = |(i, point): (usize, &TestPoint)| {
-        let branch = if point.branch == Direction::Elongation { "falling" } else { "rising" };
+        let branch = if point.branch == Direction::Elongation {
+            "falling"
+        } else {
+            "rising"
+        };
         vec![
             (i + 1).to_string(),
             units.length.show(length_mm * (1.0 - point.contraction)),
@@ -267,11 +339,20 @@ fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
     };
     let rows = plan.test.iter().enumerate().map(row).collect();
     let pull = format!("measured pull [{}]", units.force.name);
-    let head = ["no.", "distance of the clamps", "contraction", "pressure", "pressure is", &pull];
+    let head = [
+        "no.",
+        "distance of the clamps",
+        "contraction",
+        "pressure",
+        "pressure is",
+        &pull,
+    ];
     vec![
         Part::Heading("Bench test".into()),
         Part::Text(
-            "Set the distance, then the pressure, row by row and without going back; write the pull down. `mckibben build` writes the same rows as test.csv, which `mckibben identify` reads."
+            "Set the distance, then the pressure, row by row and without going back; write the \
+             pull down. `mckibben build` writes the same rows as test.csv, which `mckibben \
+             identify` reads."
                 .into(),
         ),
         grid(&head, rows),

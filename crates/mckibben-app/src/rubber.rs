@@ -1,7 +1,9 @@
 //! Rubbers of the library.
 
 use crate::{Problem, rubber};
-use mckibben::rubber::library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw};
+use mckibben::rubber::library::{
+    self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw,
+};
 use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -50,11 +52,11 @@ pub struct LibraryFit {
     pub law: String,
     /// The same with the number of its terms.
     pub name: String,
-    /// Whether it is what the requested name means for a muscle with this very reach; between two reaches it means constants between
-    /// theirs, beyond the last reach those of the last.
+    /// Whether it is what the requested name means for a muscle with this very reach; between two
+    /// reaches it means constants between theirs, beyond the last reach those of the last.
     pub by_reach: bool,
-    /// Largest stretch that a muscle may reach for this range of data to cover it; none for published constants that
-    /// are given for comparison.
+    /// Largest stretch that a muscle may reach for this range of data to cover it; none for
+    /// published constants that are given for comparison.
     pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
     #[serde(flatten, serialize_with = "columns")]
@@ -86,8 +88,8 @@ pub struct FittedToCurve {
     pub held: bool,
     /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
-    /// Largest difference from the recommended law of the stress in planar tension (a wall that widens at constant length), up to
-    /// the end of the data, over the largest stress there.
+    /// Largest difference from the recommended law of the stress in planar tension (a wall that
+    /// widens at constant length), up to the end of the data, over the largest stress there.
     pub planar_difference: f64,
 }
 
@@ -111,10 +113,15 @@ pub(crate) fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
 /// A rubber by NAME or NAME:LAW; `None` where there is none of that name.
 pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
     let plain = name.split(':').next().unwrap_or_default();
-    let Ok(entry) = library::entry(plain) else { return Ok(None) };
+    let Ok(entry) = library::entry(plain) else {
+        return Ok(None);
+    };
     let named = rubber(name)?;
     let word = named.name.clone().unwrap_or_else(|| entry.name.clone());
-    let fitted = entry.windows.iter().flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
+    let fitted = entry
+        .windows
+        .iter()
+        .flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
     let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
     Ok(Some(RubberDetails {
         laws: entry.laws(),
@@ -171,9 +178,13 @@ fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit 
 fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
     const STEPS: u32 = 40;
     let stretches = (1..=STEPS).map(|i| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS));
-    let (apart, largest) = stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
-        let (stress, best) = (law.planar_stress_mpa(stretch), best.planar_stress_mpa(stretch));
-        (apart.max((stress - best).abs()), largest.max(best.abs()))
-    });
+    let (apart, largest) =
+        stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
+            let (stress, best) = (
+                law.planar_stress_mpa(stretch),
+                best.planar_stress_mpa(stretch),
+            );
+            (apart.max((stress - best).abs()), largest.max(best.abs()))
+        });
     apart / largest
 }

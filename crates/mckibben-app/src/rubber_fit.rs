@@ -1,14 +1,18 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure, muscle_of, readable,
+    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
+    muscle_of, readable,
 };
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
 use mckibben_fit::rubber::{
-    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with, read_tests,
+    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
+    read_tests,
 };
-use mckibben_fit::rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history};
+use mckibben_fit::rubber_over_time::{
+    PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -18,14 +22,16 @@ use std::{collections::BTreeMap, path::Path};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
-    /// The tests: one table or several, each with its mode and dimensions in `set`, where its columns do not state them.
+    /// The tests: one table or several, each with its mode and dimensions in `set`, where its
+    /// columns do not state them.
     #[serde(flatten)]
     pub tables: DataFields,
     /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
     /// Terms of `ogden`; default 1, 2 and 3.
     pub terms: Option<usize>,
-    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
+    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each
+    /// law there.
     pub fit_modes: Vec<Mode>,
     /// Leave out points beyond this stretch.
     pub up_to_stretch: Option<f64>,
@@ -39,10 +45,11 @@ pub struct RubberFitRequest {
     pub stable: bool,
     /// Hoop stretch of the muscle up to which a law must be stable; default 3.
     pub hoop_stretch: Option<f64>,
-    /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
-    /// Of the one law of `laws`, else of the recommended one.
+    /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one
+    /// specimen, uniaxial, from rest on. Of the one law of `laws`, else of the recommended one.
     pub relaxation: Option<usize>,
-    /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
+    /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with
+    /// the first loading. Of the same law.
     pub softening: bool,
     /// Name of the rubber in the muscle file; default that of the first table.
     pub name: Option<String>,
@@ -77,7 +84,8 @@ pub struct RubberFitAnswer {
     pub failed: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
-    /// Muscle file with that law. With a softening it is the law of the first loading, with a relaxation alone the one at once, each with its constants.
+    /// Muscle file with that law. With a softening it is the law of the first loading, with a
+    /// relaxation alone the one at once, each with its constants.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
     /// Hoop stretch of the muscle up to which the laws were examined.
@@ -143,15 +151,25 @@ impl RubberFitAnswer {
     /// The muscle with a law.
     fn with_law(&self, law: &FittedLaw, muscle: &Muscle, rubber: Option<String>) -> Result<String> {
         let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
-        let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
+        let over_time = softening
+            .map(|s| &s.first_loading)
+            .or(relaxation.map(|r| &r.instantaneous));
         let first = || self.understood.first().map_or("", |table| &table.data);
-        let stem = || Path::new(first()).file_stem().map(|s| s.to_string_lossy().into_owned());
+        let stem = || {
+            Path::new(first())
+                .file_stem()
+                .map(|s| s.to_string_lossy().into_owned())
+        };
         let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
             name: rubber.or_else(stem),
             // 1 + strain has more digits than the measurement.
             fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
-            softening: softening.map(|s| OgdenRoxburgh { r: s.r, m_mpa: s.m_mpa, beta: s.beta }),
+            softening: softening.map(|s| OgdenRoxburgh {
+                r: s.r,
+                m_mpa: s.m_mpa,
+                beta: s.beta,
+            }),
             prony: relaxation.map(PronyFit::prony),
             ..Rubber::new(over_time.unwrap_or(&law.law).clone())
         };
@@ -159,15 +177,22 @@ impl RubberFitAnswer {
     }
 }
 
-const APART: &str = "softening and relaxation were fitted separately, each without the other: relaxation during the test counts as softening, and the \
+const APART: &str = "softening and relaxation were fitted separately, each without the other: \
+    relaxation during the test counts as softening, and the \
      reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer> {
     let settings = request.settings()?;
-    let muscle = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
-    let first =
-        request.tables.data.first().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    let muscle = request
+        .muscle
+        .as_ref()
+        .map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
+    let first = request
+        .tables
+        .data
+        .first()
+        .ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
     let read = |text: &str, columns: Columns| read_tests(text, &columns);
     let (points, understood): (Vec<_>, Vec<_>) = request.tables.read(read)?.into_iter().unzip();
     let points = points.concat();
@@ -178,14 +203,21 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         ([form], _) => Ok(*form),
         (_, Some(law)) => Ok(law.form),
         _ => {
-            let message =
-                "none of these laws is stable over the stretches of a muscle; none is fitted over time";
-            Err(Problem::new(ProblemKind::NoAnswer, message, "take `laws` with one law"))
+            let message = "none of these laws is stable over the stretches of a muscle; none is \
+                fitted over time";
+            Err(Problem::new(
+                ProblemKind::NoAnswer,
+                message,
+                "take `laws` with one law",
+            ))
         }
     };
     let history = || {
         let several = [("data", request.tables.data.len() > 1)];
-        Problem::refuse_unused(&several, "`relaxation` and `softening` are of one specimen: give one table")?;
+        Problem::refuse_unused(
+            &several,
+            "`relaxation` and `softening` are of one specimen: give one table",
+        )?;
         let points = read_history(&first.text, &request.tables.columns);
         points.map_err(|error| Problem::of_table(&first.name, &error))
     };
@@ -212,11 +244,15 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         softening,
         muscle_file: None,
         hoop_stretch: settings.hoop_stretch,
-        figure: request.figure.then(|| figure::tension(&fit, &request.tables.names())),
+        figure: request
+            .figure
+            .then(|| figure::tension(&fit, &request.tables.names())),
         laws: fit.laws,
     };
-    answer.muscle_file =
-        answer.taken().map(|law| answer.with_law(law, &muscle, request.name.clone())).transpose()?;
+    answer.muscle_file = answer
+        .taken()
+        .map(|law| answer.with_law(law, &muscle, request.name.clone()))
+        .transpose()?;
     Ok(answer)
 }
 
@@ -225,9 +261,17 @@ impl RubberFitRequest {
         let usual = FitSettings::default();
         Ok(FitSettings {
             forms: self.forms()?,
-            measure: if self.relative { Measure::Relative } else { Measure::Absolute },
+            measure: if self.relative {
+                Measure::Relative
+            } else {
+                Measure::Absolute
+            },
             balance: self.balance,
-            mode_weights: self.weights.iter().map(|(&mode, &weight)| (mode, weight)).collect(),
+            mode_weights: self
+                .weights
+                .iter()
+                .map(|(&mode, &weight)| (mode, weight))
+                .collect(),
             fit_modes: self.fit_modes.clone(),
             up_to_stretch: self.up_to_stretch,
             history: self.relaxation.is_some() || self.softening,
@@ -246,10 +290,21 @@ impl RubberFitRequest {
             word.trim() == "all" || Form::parse(word).iter().any(|form| form.terms().is_some())
         };
         let alone = self.terms.is_some() && !self.laws.is_empty() && !self.laws.iter().any(several);
-        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
+        Problem::refuse_unused(
+            &[("terms", alone)],
+            "none of these `laws` has a selectable number of terms",
+        )?;
         let all = ["all".to_owned()];
-        for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
-            let named = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
+        for word in if self.laws.is_empty() {
+            &all[..]
+        } else {
+            &self.laws
+        } {
+            let named = if word.trim() == "all" {
+                Form::all()
+            } else {
+                Form::parse(word)
+            };
             if named.is_empty() {
                 let short: String = word.trim().chars().take(60).collect();
                 let hint = format!("known: {}, all", Form::words().join(", "));
@@ -257,7 +312,9 @@ impl RubberFitRequest {
                 return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
             }
             for form in named {
-                let wanted = form.terms().is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
+                let wanted = form
+                    .terms()
+                    .is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
                 if wanted && !forms.contains(&form) {
                     forms.push(form);
                 }

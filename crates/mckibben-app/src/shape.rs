@@ -1,7 +1,9 @@
-//! `shape`: one point of a muscle's behaviour with the deformed muscle as numbers along it, for front ends that draw it in space.
+//! `shape`: one point of a muscle's behaviour with the deformed muscle as numbers along it, for
+//! front ends that draw it in space.
 
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull, ratio,
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull,
+    ratio,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle};
@@ -48,10 +50,12 @@ pub struct ShapeAnswer {
     pub stations: usize,
     /// Nodes through the wall at each station, from the inner surface outwards.
     pub across: usize,
-    /// What there is at the nodes, station by station: `r_mm`, `z_mm`, `hoop_stretch`, `meridional_stretch`, `max_stretch`,
-    /// `stress_radial_mpa`, `stress_hoop_mpa`, `stress_axial_mpa`; and of the strands at the stations, `strand_` before each:
-    /// `turn_rad` from the middle (+ for one family, − for the other), `stretch`, `angle_deg`, `tension_n_per_mm` of a family per
-    /// width at rest, and `tension_n` of one where their number is known. Front ends that take bytes get these as 32-bit numbers.
+    /// What there is at the nodes, station by station: `r_mm`, `z_mm`, `hoop_stretch`,
+    /// `meridional_stretch`, `max_stretch`, `stress_radial_mpa`, `stress_hoop_mpa`,
+    /// `stress_axial_mpa`; and of the strands at the stations, `strand_` before each: `turn_rad`
+    /// from the middle (+ for one family, − for the other), `stretch`, `angle_deg`,
+    /// `tension_n_per_mm` of a family per width at rest, and `tension_n` of one where their number
+    /// is known. Front ends that take bytes get these as 32-bit numbers.
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
@@ -60,9 +64,17 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let model = Model::named("fe", &[], &request.mesh)?;
     model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
-        return Err(Problem::new(ProblemKind::Model, "the shape is always computed by `fe`", ""));
+        return Err(Problem::new(
+            ProblemKind::Model,
+            "the shape is always computed by `fe`",
+            "",
+        ));
     };
-    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    let pressure_mpa = given(
+        "pressure_mpa",
+        request.pressure_mpa,
+        "a pressure, such as 0.2 MPa",
+    )?;
     if pressure_mpa < 0.0 {
         let message = format!("{pressure_mpa}\u{a0}MPa is below zero");
         return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
@@ -115,8 +127,15 @@ fn at(
         shape_contraction = free.min(contraction);
     }
     let ends = muscle.ends();
-    let force_n = if point.slack { 0.0 } else { point.response.force_n };
-    let between = ends.between(shape_contraction, ends.end_displacement_mm(pressure_mpa, force_n));
+    let force_n = if point.slack {
+        0.0
+    } else {
+        point.response.force_n
+    };
+    let between = ends.between(
+        shape_contraction,
+        ends.end_displacement_mm(pressure_mpa, force_n),
+    );
     let section = fe.section_at(workspace, pressure_mpa, between)?;
     Ok((point, shape_contraction, section))
 }

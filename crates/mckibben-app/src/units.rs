@@ -6,10 +6,12 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::{borrow::Cow, fmt, str::FromStr};
 
-/// Values inside (MPa, N, mm, and quotients of these) below every measurement: zero but for rounding.
+/// Values inside (MPa, N, mm, and quotients of these) below every measurement: zero but for
+/// rounding.
 const NOTHING: f64 = 1e-9;
 
-/// Between number and unit of a quantity in a sentence; moduli and stresses, which stay in MPa, have a plain space.
+/// Between number and unit of a quantity in a sentence; moduli and stresses, which stay in MPa,
+/// have a plain space.
 const JOIN: char = '\u{a0}';
 
 /// How one kind of quantity is shown.
@@ -24,7 +26,11 @@ pub struct Scale {
 
 impl Scale {
     fn new(unit: Unit, digits: usize) -> Self {
-        Self { name: unit.name.into(), factor: unit.outside(), digits }
+        Self {
+            name: unit.name.into(),
+            factor: unit.outside(),
+            digits,
+        }
     }
 
     /// The unit of a pressure.
@@ -35,13 +41,21 @@ impl Scale {
 
     /// Torques, which are in N m everywhere.
     pub(crate) fn newton_metres() -> Self {
-        Self { name: "N m".into(), factor: (1.0, 1.0), digits: 4 }
+        Self {
+            name: "N m".into(),
+            factor: (1.0, 1.0),
+            digits: 4,
+        }
     }
 
     /// This for each of another.
     fn per(&self, other: &Self) -> Self {
         let (a, b) = (self.factor, other.factor);
-        Self { name: format!("{}/{}", self.name, other.name), factor: (a.0 * b.1, a.1 * b.0), digits: 4 }
+        Self {
+            name: format!("{}/{}", self.name, other.name),
+            factor: (a.0 * b.1, a.1 * b.0),
+            digits: 4,
+        }
     }
 
     pub fn value(&self, inside: f64) -> f64 {
@@ -63,7 +77,14 @@ impl Scale {
 
     /// `2.5`, to so many digits; rounding errors about zero are zero.
     pub fn to(&self, inside: f64, digits: usize) -> String {
-        number(if inside.abs() < NOTHING { 0.0 } else { self.value(inside) }, digits)
+        number(
+            if inside.abs() < NOTHING {
+                0.0
+            } else {
+                self.value(inside)
+            },
+            digits,
+        )
     }
 
     /// The ± of such a value.
@@ -72,8 +93,18 @@ impl Scale {
     }
 
     /// A column of values with their points aligned.
-    pub fn column(&self, inside: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
-        aligned(&inside.into_iter().map(|v| v.map(|v| self.value(v))).collect::<Vec<_>>(), digits)
+    pub fn column(
+        &self,
+        inside: impl IntoIterator<Item = Option<f64>>,
+        digits: usize,
+    ) -> Vec<String> {
+        aligned(
+            &inside
+                .into_iter()
+                .map(|v| v.map(|v| self.value(v)))
+                .collect::<Vec<_>>(),
+            digits,
+        )
     }
 
     pub fn heading(&self, symbol: &str) -> String {
@@ -81,8 +112,8 @@ impl Scale {
     }
 }
 
-/// The units of a text or figure; as text a list of names such as `bar` or `psi,lbf,in`, where what is not named is in MPa, N
-/// and mm.
+/// The units of a text or figure; as text a list of names such as `bar` or `psi,lbf,in`, where what
+/// is not named is in MPa, N and mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
     pub pressure: Scale,
@@ -96,8 +127,16 @@ pub struct Units {
 impl Units {
     fn new(pressure: Unit, force: Unit, length: Unit, named: Vec<&'static str>) -> Self {
         let volume = match length.name {
-            "in" => Scale { name: "in³".into(), factor: (1.0, 25.4_f64.powi(3)), digits: 4 },
-            _ => Scale { name: "cm³".into(), factor: (1.0, 1000.0), digits: 4 },
+            "in" => Scale {
+                name: "in³".into(),
+                factor: (1.0, 25.4_f64.powi(3)),
+                digits: 4,
+            },
+            _ => Scale {
+                name: "cm³".into(),
+                factor: (1.0, 1000.0),
+                digits: 4,
+            },
         };
         Self {
             pressure: Scale::new(pressure, 4),
@@ -122,18 +161,28 @@ impl Units {
             Dimension::Pressure => self.pressure.joined(inside),
             Dimension::Force => self.force.joined(inside),
             Dimension::Length => self.length.joined(inside),
-            _ => format!("{} {}", number(inside, 5), kind.unit_inside().name).trim_end().to_owned(),
+            _ => format!("{} {}", number(inside, 5), kind.unit_inside().name)
+                .trim_end()
+                .to_owned(),
         }
     }
 
-    /// The units behind texts that a user typed, as far as people who type them want to read them too; of each kind the first.
+    /// The units behind texts that a user typed, as far as people who type them want to read them
+    /// too; of each kind the first.
     pub fn typed<'a>(texts: impl IntoIterator<Item = &'a str>) -> Self {
         let known = ["bar", "kPa", "MPa", "psi", "lbf", "in"];
         let mut units: [Option<&str>; 3] = [None; 3];
         for text in texts.into_iter().flat_map(|text| text.split([',', '@'])) {
-            let unit = text.trim().rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c)).next();
-            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length].into_iter().enumerate();
-            let named = of.into_iter().find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
+            let unit = text
+                .trim()
+                .rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c))
+                .next();
+            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length]
+                .into_iter()
+                .enumerate();
+            let named = of
+                .into_iter()
+                .find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
             if let Some((i, name)) = named.filter(|(_, name)| known.contains(name)) {
                 units[i].get_or_insert(name);
             }
@@ -142,20 +191,37 @@ impl Units {
         list.join(",").parse().unwrap_or_default()
     }
 
-    /// A sentence of the layers below in these units: its quantities are those whose number a no-break space joins to a unit inside.
+    /// A sentence of the layers below in these units: its quantities are those whose number a
+    /// no-break space joins to a unit inside.
     pub fn sentence(&self, text: &str) -> String {
-        let scales =
-            |u: &Self| [u.pressure.clone(), u.force.clone(), u.length.clone(), u.stiffness(), u.slope()];
+        let scales = |u: &Self| {
+            [
+                u.pressure.clone(),
+                u.force.clone(),
+                u.length.clone(),
+                u.stiffness(),
+                u.slope(),
+            ]
+        };
         let (inside, shown) = (scales(&Self::default()), scales(self));
         let mut parts = text.split(JOIN);
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
-            let from = out.trim_end_matches(|c: char| c.is_ascii_digit() || "+-.e".contains(c)).len();
-            let end =
-                part.find(|c: char| !(c.is_ascii_alphabetic() || "/^".contains(c))).unwrap_or(part.len());
+            let from = out
+                .trim_end_matches(|c: char| c.is_ascii_digit() || "+-.e".contains(c))
+                .len();
+            let end = part
+                .find(|c: char| !(c.is_ascii_alphabetic() || "/^".contains(c)))
+                .unwrap_or(part.len());
             let (unit, rest) = part.split_at(end);
-            let other = inside.iter().position(|scale| scale.name == unit).map(|i| &shown[i]);
-            match (other.filter(|scale| scale.name != unit), out[from..].parse::<f64>()) {
+            let other = inside
+                .iter()
+                .position(|scale| scale.name == unit)
+                .map(|i| &shown[i]);
+            match (
+                other.filter(|scale| scale.name != unit),
+                out[from..].parse::<f64>(),
+            ) {
                 (Some(scale), Ok(value)) => {
                     let mantissa = out[from..].split('e').next().unwrap_or_default();
                     let digits = mantissa
@@ -174,7 +240,12 @@ impl Units {
 impl Default for Units {
     fn default() -> Self {
         let inside = Dimension::unit_inside;
-        Self::new(inside(Dimension::Pressure), inside(Dimension::Force), inside(Dimension::Length), vec![])
+        Self::new(
+            inside(Dimension::Pressure),
+            inside(Dimension::Force),
+            inside(Dimension::Length),
+            vec![],
+        )
     }
 }
 
@@ -185,12 +256,17 @@ impl FromStr for Units {
         let kinds = [Dimension::Pressure, Dimension::Force, Dimension::Length];
         let mut units = kinds.map(Dimension::unit_inside);
         let mut named = vec![];
-        for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
+        for word in text
+            .split(',')
+            .map(str::trim)
+            .filter(|word| !word.is_empty())
+        {
             let Some((i, unit)) = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?))) else {
                 let names: Vec<&str> = kinds.into_iter().flat_map(Dimension::unit_names).collect();
                 let word: String = word.chars().take(40).collect();
                 return Err(format!(
-                    "\"{word}\" is not a unit of pressure, force or length; one of {}, or several with commas: psi,lbf,in",
+                    "\"{word}\" is not a unit of pressure, force or length; one of {}, or several \
+                     with commas: psi,lbf,in",
                     names.join(", ")
                 ));
             };
@@ -204,7 +280,11 @@ impl FromStr for Units {
 
 impl fmt::Display for Units {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&if self.named.is_empty() { self.pressure.name.clone() } else { self.named.join(",") })
+        f.write_str(&if self.named.is_empty() {
+            self.pressure.name.clone()
+        } else {
+            self.named.join(",")
+        })
     }
 }
 
@@ -216,7 +296,9 @@ impl Serialize for Units {
 
 impl<'de> Deserialize<'de> for Units {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        String::deserialize(from)?.parse().map_err(serde::de::Error::custom)
+        String::deserialize(from)?
+            .parse()
+            .map_err(serde::de::Error::custom)
     }
 }
 
@@ -228,7 +310,8 @@ impl JsonSchema for Units {
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
             "type": "string",
-            "description": "Units in which people are shown quantities: names with commas between, such as `bar` or `psi,lbf,in`; what is not named is in MPa, N and mm.",
+            "description": "Units in which people are shown quantities: names with commas between, \
+                such as `bar` or `psi,lbf,in`; what is not named is in MPa, N and mm.",
             "examples": ["bar", "psi,lbf,in"]
         })
     }

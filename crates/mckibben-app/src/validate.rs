@@ -39,6 +39,9 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     rows.extend(joint::verification::cases());
     rows.extend(mckibben_motion::verification::cases());
     rows.extend(held_out::cases());
-    rows.extend(validation::cases(&|muscle: &Muscle| Model::FE.build(muscle), progress)?);
+    rows.extend(validation::cases(
+        &|muscle: &Muscle| Model::FE.build(muscle),
+        progress,
+    )?);
     Ok(ValidateAnswer { cases: rows })
 }

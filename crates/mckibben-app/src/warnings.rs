@@ -16,16 +16,25 @@ pub(crate) fn of_responses<'a>(
     responses: impl Iterator<Item = &'a Response>,
 ) -> Vec<Warning> {
     let said = muscle.warnings().into_iter().map(Warning::from);
-    let all: Vec<Warning> = said.chain(responses.flat_map(|r| of_response(muscle, r))).collect();
+    let all: Vec<Warning> = said
+        .chain(responses.flat_map(|r| of_response(muscle, r)))
+        .collect();
     Warning::gravest(&all)
 }
 
-/// The largest stretch of a model's rubber at points of pressure in MPa and contraction: at each pressure that of the largest
-/// contraction that is not slack, since contraction stretches the wall. `None` where the rubber's data have no end.
-pub(crate) fn largest_stretch(evaluation: &mut Evaluation<'_>, points: &[(f64, f64)]) -> Option<f64> {
+/// The largest stretch of a model's rubber at points of pressure in MPa and contraction: at each
+/// pressure that of the largest contraction that is not slack, since contraction stretches the
+/// wall. `None` where the rubber's data have no end.
+pub(crate) fn largest_stretch(
+    evaluation: &mut Evaluation<'_>,
+    points: &[(f64, f64)],
+) -> Option<f64> {
     evaluation.model.muscle().tube().rubber.fitted_to_stretch?;
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
     let mut stretch = |&(p, e): &(f64, f64)| evaluation.point(p, e).ok()?.response.rubber_stretch();
-    sorted.chunk_by(|a, b| a.0 == b.0).filter_map(|same| same.iter().find_map(&mut stretch)).reduce(f64::max)
+    sorted
+        .chunk_by(|a, b| a.0 == b.0)
+        .filter_map(|same| same.iter().find_map(&mut stretch))
+        .reduce(f64::max)
 }

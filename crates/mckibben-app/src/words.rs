@@ -20,12 +20,23 @@ pub fn number(v: f64, digits: usize) -> String {
 /// A number to the last digit of its ± ([`half_width`]).
 pub fn within(v: f64, uncertainty: f64) -> String {
     const NO_UNCERTAINTY: i32 = -4;
-    to_place(v, if known(uncertainty) { last_place(uncertainty) } else { NO_UNCERTAINTY })
+    to_place(
+        v,
+        if known(uncertainty) {
+            last_place(uncertainty)
+        } else {
+            NO_UNCERTAINTY
+        },
+    )
 }
 
 /// A ±: two digits.
 pub fn half_width(uncertainty: f64) -> String {
-    if known(uncertainty) { to_place(uncertainty, last_place(uncertainty)) } else { number(uncertainty, 2) }
+    if known(uncertainty) {
+        to_place(uncertainty, last_place(uncertainty))
+    } else {
+        number(uncertainty, 2)
+    }
 }
 
 /// A part of a ±: two digits, but none beyond a tenth of the last digit of the whole.
@@ -63,23 +74,41 @@ pub fn fixed(v: f64, decimals: usize) -> String {
     }
 }
 
-/// The numbers of a column with their points aligned: as many decimals as give the largest so many significant digits, less those that
-/// none of them needs. What there is not is a dash.
+/// The numbers of a column with their points aligned: as many decimals as give the largest so many
+/// significant digits, less those that none of them needs. What there is not is a dash.
 pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     let known = || column.iter().flatten().filter(|v| v.is_finite());
     let largest = known().fold(0.0_f64, |a, v| a.max(v.abs()));
-    let whole = if largest > 0.0 { largest.log10().floor() as i32 + 1 } else { 1 };
+    let whole = if largest > 0.0 {
+        largest.log10().floor() as i32 + 1
+    } else {
+        1
+    };
     let most = (digits as i32 - whole).clamp(0, 8) as usize;
     let needs = |v: &f64, d: usize| fixed(*v, most).parse() == fixed(*v, d).parse::<f64>();
-    let decimals = (0..most).find(|&d| known().all(|v| needs(v, d))).unwrap_or(most);
-    let one =
-        |v: &Option<f64>| v.filter(|v| v.is_finite()).map_or_else(|| "–".into(), |v| fixed(v, decimals));
+    let decimals = (0..most)
+        .find(|&d| known().all(|v| needs(v, d)))
+        .unwrap_or(most);
+    let one = |v: &Option<f64>| {
+        v.filter(|v| v.is_finite())
+            .map_or_else(|| "–".into(), |v| fixed(v, decimals))
+    };
     column.iter().map(one).collect()
 }
 
 /// A ratio as a percentage; rounding errors about zero are zero.
 pub fn percent(ratio: f64) -> String {
-    format!("{} %", number(if ratio.abs() < 1e-9 { 0.0 } else { 100.0 * ratio }, 4))
+    format!(
+        "{} %",
+        number(
+            if ratio.abs() < 1e-9 {
+                0.0
+            } else {
+                100.0 * ratio
+            },
+            4
+        )
+    )
 }
 
 /// The rubber in one word or formula.
@@ -93,7 +122,11 @@ pub fn law_text(law: &Law) -> String {
     let constants: Vec<String> = law
         .constants()
         .into_iter()
-        .map(|c| format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit()).trim_end().to_owned())
+        .map(|c| {
+            format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit())
+                .trim_end()
+                .to_owned()
+        })
         .collect();
     format!("{} ({})", law.name(), constants.join(", "))
 }

@@ -2,12 +2,29 @@
 
 use std::f64::consts::PI;
 
-/// Ties with their least loop strength (QB/T 4494-2013). The stems are a choice: a narrow tie bends to a small circle more evenly.
+/// Ties with their least loop strength (QB/T 4494-2013). The stems are a choice: a narrow tie bends
+/// to a small circle more evenly.
 const TIES: [Tie; 4] = [
-    Tie { width_mm: 2.5, strength_n: 80.0, stem_mm: 6.0 },
-    Tie { width_mm: 3.6, strength_n: 130.0, stem_mm: 15.0 },
-    Tie { width_mm: 4.8, strength_n: 180.0, stem_mm: 40.0 },
-    Tie { width_mm: 7.6, strength_n: 450.0, stem_mm: f64::INFINITY },
+    Tie {
+        width_mm: 2.5,
+        strength_n: 80.0,
+        stem_mm: 6.0,
+    },
+    Tie {
+        width_mm: 3.6,
+        strength_n: 130.0,
+        stem_mm: 15.0,
+    },
+    Tie {
+        width_mm: 4.8,
+        strength_n: 180.0,
+        stem_mm: 40.0,
+    },
+    Tie {
+        width_mm: 7.6,
+        strength_n: 450.0,
+        stem_mm: f64::INFINITY,
+    },
 ];
 /// A tie that is tightened by hand has this share of its strength (a choice).
 const TIGHTENED: f64 = 1.0 / 3.0;
@@ -27,7 +44,9 @@ pub(crate) struct Tie {
 impl Tie {
     /// The tie for a stem of this diameter in mm.
     pub fn around(stem_mm: f64) -> Self {
-        TIES.into_iter().find(|tie| stem_mm <= tie.stem_mm).unwrap_or(TIES[TIES.len() - 1])
+        TIES.into_iter()
+            .find(|tie| stem_mm <= tie.stem_mm)
+            .unwrap_or(TIES[TIES.len() - 1])
     }
 
     /// Its holding force in N by friction, by estimate.
@@ -52,9 +71,10 @@ impl Clamps {
     /// One tie in each groove, where that holds the load in N; else a crimp.
     pub(crate) fn for_load(tie: Tie, grooves: usize, load_n: f64) -> Self {
         match grooves {
-            n @ 1.. if n as f64 * tie.holds_n() >= load_n => {
-                Self::Ties { width_mm: tie.width_mm, at_each_end: n }
-            }
+            n @ 1.. if n as f64 * tie.holds_n() >= load_n => Self::Ties {
+                width_mm: tie.width_mm,
+                at_each_end: n,
+            },
             _ => Self::Crimped,
         }
     }

@@ -18,7 +18,8 @@ pub struct Cut {
     pub sleeve: SleeveCut,
 }
 
-/// A sleeve keeps the length of its strands, and so is longer the narrower it is: L = S cosθ, sinθ = π D/ℓ.
+/// A sleeve keeps the length of its strands, and so is longer the narrower it is: L = S cosθ, sinθ
+/// = π D/ℓ.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct SleeveCut {
     /// Length in mm of the mounted sleeve, on the tube, with what is clamped.
@@ -67,17 +68,26 @@ impl Cut {
             let angle = helix?.angle_deg(diameter)?;
             Some(sheet.strand_cut_mm * angle.to_radians().cos())
         };
-        let entry = braid.sleeve.as_ref().and_then(|shape| library::entry(&shape.name).ok());
+        let entry = braid
+            .sleeve
+            .as_ref()
+            .and_then(|shape| library::entry(&shape.name).ok());
         let sold = entry.and_then(|e| e.nominal_mm);
         let relaxed = relaxed_diameter_mm.or(sold).filter(|d| at(*d).is_some());
-        let ends = braid.sleeve.as_ref().map_or((0.6 * on_mm, 1.2 * on_mm), |s| (s.least_mm, s.largest_mm));
+        let ends = braid
+            .sleeve
+            .as_ref()
+            .map_or((0.6 * on_mm, 1.2 * on_mm), |s| (s.least_mm, s.largest_mm));
         // As far as muscles of it go, and no further than it opens.
         let (low, high) = (ends.0.min(on_mm), ends.1.min(1.5 * on_mm).max(on_mm));
         let step = |i: usize| low + (high - low) * i as f64 / (ROWS - 1) as f64;
         let tenth = |d: f64| (10.0 * d).round() / 10.0;
-        let rows = (0..ROWS)
-            .map(|i| tenth(step(i)))
-            .filter_map(|d| Some(SleeveLength { diameter_mm: d, length_mm: at(d)? }));
+        let rows = (0..ROWS).map(|i| tenth(step(i))).filter_map(|d| {
+            Some(SleeveLength {
+                diameter_mm: d,
+                length_mm: at(d)?,
+            })
+        });
         Self {
             tube_mm: sheet.tube_cut_mm,
             tube_outer_diameter_mm: outer_mm * thicker,

@@ -1,4 +1,5 @@
-//! The drawing: the muscle at rest, half in section; the same at the working pressure; a cross-section; parts and title block on A4.
+//! The drawing: the muscle at rest, half in section; the same at the working pressure; a
+//! cross-section; parts and title block on A4.
 
 use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
 use crate::text::{mm, percent, significant, trimmed};
@@ -29,7 +30,12 @@ struct Body<'a> {
 
 impl<'a> Body<'a> {
     fn new(plan: &'a Plan) -> Self {
-        let head = plan.air_plug.head().iter().map(|p| p[0]).fold(0.0, f64::max);
+        let head = plan
+            .air_plug
+            .head()
+            .iter()
+            .map(|p| p[0])
+            .fold(0.0, f64::max);
         let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
         Self {
             plan,
@@ -42,8 +48,15 @@ impl<'a> Body<'a> {
     }
 
     fn scale(&self) -> f64 {
-        let bulged = self.plan.operating.bulged_diameter_mm.max(2.0 * self.widest);
-        let (length, height) = (2.0 * self.half + self.left + self.right, 2.0 * self.widest + bulged);
+        let bulged = self
+            .plan
+            .operating
+            .bulged_diameter_mm
+            .max(2.0 * self.widest);
+        let (length, height) = (
+            2.0 * self.half + self.left + self.right,
+            2.0 * self.widest + bulged,
+        );
         largest(|s| s * length <= ROOM_MM.0 && s * height <= ROOM_MM.1)
     }
 }
@@ -51,7 +64,10 @@ impl<'a> Body<'a> {
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
 pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::new(plan);
-    let (scale, section_scale) = (body.scale(), largest(|s| s * plan.over_sleeve_mm <= SECTION_MM));
+    let (scale, section_scale) = (
+        body.scale(),
+        largest(|s| s * plan.over_sleeve_mm <= SECTION_MM),
+    );
     let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
@@ -61,12 +77,33 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let used = 22.0 + 22.0 + 12.0 + 2.0 * scale * (body.widest + bulged);
     let spare = ((top - LOWER_MM - used) / 3.0).max(0.0);
     let mut y = top - 22.0 - spare - scale * body.widest;
-    at_rest(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
+    at_rest(
+        &body,
+        &mut View {
+            sheet: &mut sheet,
+            origin: [x, y],
+            scale,
+        },
+    );
     y -= scale * (body.widest + bulged) + 22.0 + spare;
-    under_pressure(&body, &mut View { sheet: &mut sheet, origin: [x, y], scale });
+    under_pressure(
+        &body,
+        &mut View {
+            sheet: &mut sheet,
+            origin: [x, y],
+            scale,
+        },
+    );
     let reach = 0.5 * section_scale * plan.over_sleeve_mm;
     let centre = [left + 12.0 + reach, bottom + 8.0 + reach];
-    cross_section(plan, &mut View { sheet: &mut sheet, origin: centre, scale: section_scale });
+    cross_section(
+        plan,
+        &mut View {
+            sheet: &mut sheet,
+            origin: centre,
+            scale: section_scale,
+        },
+    );
     data(plan, &mut sheet);
     parts(plan, &mut sheet);
     sheet
@@ -76,7 +113,10 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
 fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     let (plan, half) = (body.plan, body.half);
     let (cut, stem) = (&plan.cut, &plan.air_plug.stem);
-    let (ro, ri) = (0.5 * plan.muscle.outer_diameter_mm(), 0.5 * plan.muscle.inner_diameter_mm());
+    let (ro, ri) = (
+        0.5 * plan.muscle.outer_diameter_mm(),
+        0.5 * plan.muscle.inner_diameter_mm(),
+    );
     let (inner, wall) = (0.5 * stem.diameter_mm, cut.tube_wall_mm);
     let outer = 0.5 * plan.clamped_diameter_mm;
     let end = half + stem.length_mm;
@@ -90,7 +130,10 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         v.cut(x, (inner + wall, outer), false);
     }
     let plug = |profile: Vec<[f64; 2]>, side: f64| -> Vec<[f64; 2]> {
-        profile.into_iter().map(|[r, z]| [side * (half + z), r]).collect()
+        profile
+            .into_iter()
+            .map(|[r, z]| [side * (half + z), r])
+            .collect()
     };
     let air = plug(plan.air_plug.profile(), -1.0);
     let mut eye = plan.eye_plug.stem.profile();
@@ -104,7 +147,14 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     // From outside.
     v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
     for side in [-1.0, 1.0] {
-        v.line(Pen::Outline, &[[side * half, -body.sleeve], [side * half, -outer], [side * end, -outer]]);
+        v.line(
+            Pen::Outline,
+            &[
+                [side * half, -body.sleeve],
+                [side * half, -outer],
+                [side * end, -outer],
+            ],
+        );
     }
     strands(body, v);
     clamps(body, v, false);
@@ -112,27 +162,48 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     // Dimensions.
     let row = v.scale * body.widest + 5.0;
     let clamped = mm(stem.length_mm);
-    v.across((-half, half), (ro, ro), row, &format!("L₀ {}", mm(2.0 * half)));
+    v.across(
+        (-half, half),
+        (ro, ro),
+        row,
+        &format!("L₀ {}", mm(2.0 * half)),
+    );
     v.across((-end, -half), (outer, ro), row, &clamped);
     v.across((half, end), (ro, outer), row, &clamped);
     let (left, right) = (half + body.left, half + body.right);
-    v.across((-left, right), (0.0, 0.0), row + 7.0, &format!("({})", mm(left + right)));
+    v.across(
+        (-left, right),
+        (0.0, 0.0),
+        row + 7.0,
+        &format!("({})", mm(left + right)),
+    );
     // The plane of the section.
     let plane = 0.5 * half;
     for sign in [-1.0, 1.0] {
         let edge = sign * body.sleeve;
         let [x, y] = v.at(plane, edge);
-        v.sheet.line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
-        v.sheet.text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
+        v.sheet
+            .line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
+        v.sheet
+            .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
     }
     let low = v.origin[1] - v.scale * body.widest - 6.5;
-    let groove = stem.groove_starts_mm().first().map_or(0.5 * stem.length_mm, |g| g + 1.0);
+    let groove = stem
+        .groove_starts_mm()
+        .first()
+        .map_or(0.5 * stem.length_mm, |g| g + 1.0);
     let targets = [
         ([-half - 0.5 * body.left, -0.3 * stem.collar_diameter_mm], 3),
         ([-half - groove, -outer - 0.5], 5),
         ([-0.45 * half, 0.5 * (ri + ro)], 1),
         ([-0.15 * half, -0.7 * body.sleeve], 2),
-        ([half + plan.eye_plug.stem.top_mm() + 0.3, -0.35 * plan.eye_plug.width_mm], 4),
+        (
+            [
+                half + plan.eye_plug.stem.top_mm() + 0.3,
+                -0.35 * plan.eye_plug.width_mm,
+            ],
+            4,
+        ),
     ];
     for (to, number) in targets {
         let beside = match number {
@@ -146,7 +217,8 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     label(v, body.widest, 15.5, "At rest, without pressure");
 }
 
-/// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end moved by `shift`.
+/// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end
+/// moved by `shift`.
 fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
     let (half, stem) = (body.half, &body.plan.air_plug.stem);
     let collar = 0.5 * stem.collar_diameter_mm;
@@ -155,12 +227,27 @@ fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
     let head = body.plan.air_plug.head();
     for sign in sides {
         for [a, b] in [[-from, -top], [from - shift, top - shift]] {
-            v.line(Pen::Outline, &[[a, 0.0], [a, sign * collar], [b, sign * collar], [b, 0.0]]);
+            v.line(
+                Pen::Outline,
+                &[[a, 0.0], [a, sign * collar], [b, sign * collar], [b, 0.0]],
+            );
         }
-        let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) { 4 } else { 2 };
-        let outside: Vec<[f64; 2]> = head.iter().take(outer).map(|[r, z]| [-(half + z), sign * r]).collect();
+        let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) {
+            4
+        } else {
+            2
+        };
+        let outside: Vec<[f64; 2]> = head
+            .iter()
+            .take(outer)
+            .map(|[r, z]| [-(half + z), sign * r])
+            .collect();
         let last = outside.last().map(|p| [p[0], 0.0]);
-        let points: Vec<[f64; 2]> = [[-top, sign * collar]].into_iter().chain(outside).chain(last).collect();
+        let points: Vec<[f64; 2]> = [[-top, sign * collar]]
+            .into_iter()
+            .chain(outside)
+            .chain(last)
+            .collect();
         v.line(Pen::Outline, &points);
     }
     v.eye(&body.plan.eye_plug, top - shift, 0.75);
@@ -178,7 +265,10 @@ fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
     let bands: Vec<(f64, f64)> = match plan.clamps {
         Clamps::Ties { width_mm, .. } => {
             let start = |s: f64| s + 0.5 * (stem.groove_width_mm - width_mm);
-            stem.groove_starts_mm().into_iter().map(|s| (start(s), start(s) + width_mm)).collect()
+            stem.groove_starts_mm()
+                .into_iter()
+                .map(|s| (start(s), start(s) + width_mm))
+                .collect()
         }
         Clamps::Crimped => vec![(0.1 * stem.length_mm, 0.9 * stem.length_mm)],
     };
@@ -190,7 +280,12 @@ fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
                 true => v.cut(x, (outer, outer + 1.2), true),
                 false => v.outline(
                     Pen::Outline,
-                    &[[x.0, 0.0], [x.0, -outer - 1.2], [x.1, -outer - 1.2], [x.1, 0.0]],
+                    &[
+                        [x.0, 0.0],
+                        [x.0, -outer - 1.2],
+                        [x.1, -outer - 1.2],
+                        [x.1, 0.0],
+                    ],
                 ),
             }
         }
@@ -202,7 +297,12 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
     let tan = body.plan.muscle.braid().angle_rad().tan();
     let radius = body.sleeve;
     let along = TAU * radius / tan;
-    let count = body.plan.cut.sleeve.strands.map_or(24.0, |n| 0.5 * f64::from(n));
+    let count = body
+        .plan
+        .cut
+        .sleeve
+        .strands
+        .map_or(24.0, |n| 0.5 * f64::from(n));
     // Not nearer than 5 mm on paper.
     let count = count.min((v.scale * along / 5.0).floor()).max(1.0);
     let step = along / count;
@@ -217,7 +317,10 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
                 let turn = if family > 0.0 { share } else { 1.0 - share };
                 [x, -radius * (FRAC_PI_2 * turn).sin()]
             };
-            let points: Vec<[f64; 2]> = (0..=12).map(place).filter(|p| p[0].abs() <= body.half).collect();
+            let points: Vec<[f64; 2]> = (0..=12)
+                .map(place)
+                .filter(|p| p[0].abs() <= body.half)
+                .collect();
             if points.len() > 1 {
                 v.line(Pen::Thin, &points);
             }
@@ -234,8 +337,15 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     axis(v, half + body.left, half + body.right - stroke);
     let middle = -0.5 * stroke;
     for sign in [-1.0, 1.0] {
-        let right = operating.contour_mm.iter().map(|[z, r]| [middle + z.abs(), sign * (r + thickness)]);
-        let left = operating.contour_mm.iter().rev().map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
+        let right = operating
+            .contour_mm
+            .iter()
+            .map(|[z, r]| [middle + z.abs(), sign * (r + thickness)]);
+        let left = operating
+            .contour_mm
+            .iter()
+            .rev()
+            .map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
         let outer = sign * 0.5 * plan.clamped_diameter_mm;
         let end = half + plan.air_plug.stem.length_mm;
         let all: Vec<[f64; 2]> = [[-end, outer], [-half, outer]]
@@ -248,11 +358,25 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     }
     heads(body, v, stroke, false);
     let widest = 0.5 * operating.bulged_diameter_mm + thickness;
-    v.inside(middle + 0.35 * half, (-widest, widest), &diameter(2.0 * widest));
+    v.inside(
+        middle + 0.35 * half,
+        (-widest, widest),
+        &diameter(2.0 * widest),
+    );
     let row = -(v.scale * widest.max(body.widest) + 6.0);
     let clamp = -0.5 * plan.clamped_diameter_mm;
-    v.across((-half, half - stroke), (clamp, clamp), row, &trimmed(2.0 * half - stroke, 1));
-    v.across((half - stroke, half), (clamp, 0.0), row, &format!("stroke {}", trimmed(stroke, 1)));
+    v.across(
+        (-half, half - stroke),
+        (clamp, clamp),
+        row,
+        &trimmed(2.0 * half - stroke, 1),
+    );
+    v.across(
+        (half - stroke, half),
+        (clamp, 0.0),
+        row,
+        &format!("stroke {}", trimmed(stroke, 1)),
+    );
     let text = format!(
         "At {} without load: contracted by {}",
         operating.pressure(operating.pressure_mpa),
@@ -269,13 +393,19 @@ fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
 
 /// The section A–A.
 fn cross_section(plan: &Plan, v: &mut View<'_>) {
-    let (d0, bore) = (plan.muscle.outer_diameter_mm(), plan.muscle.inner_diameter_mm());
+    let (d0, bore) = (
+        plan.muscle.outer_diameter_mm(),
+        plan.muscle.inner_diameter_mm(),
+    );
     let over = plan.over_sleeve_mm;
     for diameter in [bore, d0, over] {
         v.circle(Pen::Outline, diameter);
     }
     let ring = |d: f64| -> Vec<[f64; 2]> {
-        (0..72).map(|i| TAU * f64::from(i) / 72.0).map(|a| [0.5 * d * a.cos(), 0.5 * d * a.sin()]).collect()
+        (0..72)
+            .map(|i| TAU * f64::from(i) / 72.0)
+            .map(|a| [0.5 * d * a.cos(), 0.5 * d * a.sin()])
+            .collect()
     };
     v.hatch(&[ring(d0), ring(bore)], true);
     v.circle(Pen::Thin, 0.5 * (d0 + over));
@@ -284,7 +414,12 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
     let column = v.scale * 0.5 * over;
     for (i, d) in [bore, d0, over].into_iter().enumerate() {
-        v.beside((-0.5 * d, 0.5 * d), 0.0, column + 8.0 + 7.0 * i as f64, &diameter(d));
+        v.beside(
+            (-0.5 * d, 0.5 * d),
+            0.0,
+            column + 8.0 + 7.0 * i as f64,
+            &diameter(d),
+        );
     }
     let [x, y] = v.at(0.0, 0.5 * over);
     let text = format!("A–A  ({})", ratio(v.scale));
@@ -296,19 +431,33 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
     let (muscle, operating, safety) = (&plan.muscle, &plan.operating, &plan.safety);
     let x = 104.0;
     let mut y = LOWER_MM - 6.0;
-    let known =
-        |value: Option<f64>| value.map_or_else(|| "not known".into(), |p| operating.pressure_alone(p));
-    let strands = plan.cut.sleeve.strands.map_or_else(|| "not stated".into(), |n| n.to_string());
+    let known = |value: Option<f64>| {
+        value.map_or_else(|| "not known".into(), |p| operating.pressure_alone(p))
+    };
+    let strands = plan
+        .cut
+        .sleeve
+        .strands
+        .map_or_else(|| "not stated".into(), |n| n.to_string());
     let rows = [
         format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
         format!("Strands {strands}"),
         format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
-        format!("Working pressure {}", operating.pressure_alone(safety.pressure_mpa)),
-        format!("Blocked force {} N", significant(operating.blocked_force_n, 3)),
+        format!(
+            "Working pressure {}",
+            operating.pressure_alone(safety.pressure_mpa)
+        ),
+        format!(
+            "Blocked force {} N",
+            significant(operating.blocked_force_n, 3)
+        ),
         format!("Free contraction {}", percent(operating.free_contraction)),
         format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
         format!("Allowed pressure {}", known(operating.allowed_mpa)),
-        format!("Proof test {}, water", operating.pressure_alone(safety.proof_pressure_mpa)),
+        format!(
+            "Proof test {}, water",
+            operating.pressure_alone(safety.proof_pressure_mpa)
+        ),
         format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
@@ -323,10 +472,20 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
     let mut y = TITLE_MM.1;
     let (row, height) = (4.6, 2.0);
     for part in &plan.parts {
-        sheet.text([left + 4.0, y + 1.3], height, Anchor::Middle, part.number.to_string());
+        sheet.text(
+            [left + 4.0, y + 1.3],
+            height,
+            Anchor::Middle,
+            part.number.to_string(),
+        );
         let amount = shortened(&part.amount, 36);
         let room = 76 - amount.chars().count();
-        sheet.text([left + 9.5, y + 1.3], height, Anchor::Start, shortened(&part.part, room));
+        sheet.text(
+            [left + 9.5, y + 1.3],
+            height,
+            Anchor::Start,
+            shortened(&part.part, room),
+        );
         sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
         y += row;
         sheet.line(Pen::Thin, [[left, y], [right, y]]);

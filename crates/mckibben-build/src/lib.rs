@@ -1,8 +1,10 @@
-//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL), a cut list, a bill of materials, steps with the
-//! numbers of this muscle, and a sheet for its first test, which `identify` reads back.
+//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL), a cut list, a
+//! bill of materials, steps with the numbers of this muscle, and a sheet for its first test, which
+//! `identify` reads back.
 //!
-//! [`Plan::new`] makes all numbers from the muscle and from the results of a model ([`Operating`]); [`files`] writes them down. A choice of
-//! practice that no source states is a constant with a comment.
+//! [`Plan::new`] makes all numbers from the muscle and from the results of a model ([`Operating`]);
+//! [`files`] writes them down. A choice of practice that no source states is a constant with a
+//! comment.
 //!
 //! Units: mm, MPa, N.
 
@@ -52,16 +54,39 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let mut out = vec![
         text("drawing.svg", "drawing of the muscle", drawing.to_svg()?),
         #[cfg(feature = "pdf")]
-        bytes("drawing.pdf", "the same for printing, A4", drawing.to_pdf()?),
+        bytes(
+            "drawing.pdf",
+            "the same for printing, A4",
+            drawing.to_pdf()?,
+        ),
         text("plugs.svg", "drawing of both plugs", plugs.to_svg()?),
         #[cfg(feature = "pdf")]
         bytes("plugs.pdf", "the same for printing, A4", plugs.to_pdf()?),
-        bytes("air-plug.stl", "plug with the air passage, for the printer", air.to_stl(MARK)),
-        bytes("eye-plug.stl", "closed plug with the eye, for the printer", eye.to_stl(MARK)),
-        text("test.csv", "sheet for the first test; `identify` reads it", test_points::csv(plan)),
-        text("muscle.toml", "the muscle itself", mckibben::muscle::file::to_toml(&plan.muscle)),
+        bytes(
+            "air-plug.stl",
+            "plug with the air passage, for the printer",
+            air.to_stl(MARK),
+        ),
+        bytes(
+            "eye-plug.stl",
+            "closed plug with the eye, for the printer",
+            eye.to_stl(MARK),
+        ),
+        text(
+            "test.csv",
+            "sheet for the first test; `identify` reads it",
+            test_points::csv(plan),
+        ),
+        text(
+            "muscle.toml",
+            "the muscle itself",
+            mckibben::muscle::file::to_toml(&plan.muscle),
+        ),
     ];
     let readme = steps::markdown(plan, &out);
-    out.insert(0, text("README.md", "cut list, bill of materials, steps", readme));
+    out.insert(
+        0,
+        text("README.md", "cut list, bill of materials, steps", readme),
+    );
     Ok(out)
 }

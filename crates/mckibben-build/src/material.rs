@@ -44,13 +44,27 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
 }
 
 pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let Plan { muscle, cut, air_plug, eye_plug, .. } = plan;
+    let Plan {
+        muscle,
+        cut,
+        air_plug,
+        eye_plug,
+        ..
+    } = plan;
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
-    let of_rubber = || rubber.and_then(|n| rubbers::entry(n).ok()).and_then(|e| e.density_kg_per_m3);
+    let of_rubber = || {
+        rubber
+            .and_then(|n| rubbers::entry(n).ok())
+            .and_then(|e| e.density_kg_per_m3)
+    };
     let density = muscle.tube().density_kg_per_m3.or_else(of_rubber);
     let bore = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
-    let what = if tube.is_some_and(|t| t.is_cast) { "cast tube" } else { "tube" };
+    let what = if tube.is_some_and(|t| t.is_cast) {
+        "cast tube"
+    } else {
+        "tube"
+    };
     let first = BuildPart {
         number: 1,
         part: format!(
@@ -71,15 +85,30 @@ pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
     };
     let bought = |number, part: String, amount: &str| {
         let amount = amount.into();
-        BuildPart { number, part, amount, ..BuildPart::default() }
+        BuildPart {
+            number,
+            part,
+            amount,
+            ..BuildPart::default()
+        }
     };
     let printed = plan.is_printed();
     let plug = |number, part: &str, volume_mm3: f64| BuildPart {
         mass_g: printed.then_some(PRINTED_G_PER_MM3 * volume_mm3),
-        ..bought(number, part.into(), if printed { "1, printed solid" } else { "1, turned from metal" })
+        ..bought(
+            number,
+            part.into(),
+            if printed {
+                "1, printed solid"
+            } else {
+                "1, turned from metal"
+            },
+        )
     };
     let fitting = match air_plug.fitting {
-        Fitting::Barb { bore_mm } => format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm)),
+        Fitting::Barb { bore_mm } => {
+            format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm))
+        }
         thread => format!("push-in fitting with thread {thread}, with its seal"),
     };
     vec![
@@ -96,21 +125,30 @@ pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
 fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
     let shape = muscle.braid().sleeve.as_ref();
     let entry = shape.and_then(|s| sleeves::entry(&s.name).ok());
-    let density = entry.and_then(|e| e.modulus_of).and_then(|material| material.density_kg_per_m3);
+    let density = entry
+        .and_then(|e| e.modulus_of)
+        .and_then(|material| material.density_kg_per_m3);
     let rubber_free = cut.strands.zip(cut.strand_area_mm2);
     let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
     let angle = mm(muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
-        (Some(length), Some(diameter)) => format!("{} mm at ⌀ {} mm", trimmed(length, 1), mm(diameter)),
+        (Some(length), Some(diameter)) => {
+            format!("{} mm at ⌀ {} mm", trimmed(length, 1), mm(diameter))
+        }
         _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
     };
-    let strands = cut.strands.map_or_else(String::new, |n| format!(", {n} strands"));
+    let strands = cut
+        .strands
+        .map_or_else(String::new, |n| format!(", {n} strands"));
     BuildPart {
         number: 2,
         part: match entry {
             Some(entry) => format!("{}{strands}", entry.title),
             None => {
-                format!("braided sleeve, {angle}° on {} mm{strands}", mm(muscle.outer_diameter_mm()))
+                format!(
+                    "braided sleeve, {angle}° on {} mm{strands}",
+                    mm(muscle.outer_diameter_mm())
+                )
             }
         },
         amount,

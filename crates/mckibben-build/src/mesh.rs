@@ -25,27 +25,33 @@ impl Mesh {
     /// A circle about the z axis.
     pub(crate) fn ring(&mut self, [radius, z]: [f64; 2]) -> Ring {
         let angle = |i: usize| TAU * i as f64 / FACETS as f64;
-        (0..FACETS).map(|i| self.corner([radius * angle(i).cos(), radius * angle(i).sin(), z])).collect()
+        (0..FACETS)
+            .map(|i| self.corner([radius * angle(i).cos(), radius * angle(i).sin(), z]))
+            .collect()
     }
 
-    /// The surface between two rings of as many corners; its outer side is to the right of the way from `a` to `b` as a section shows it with
-    /// the axis on the left.
+    /// The surface between two rings of as many corners; its outer side is to the right of the way
+    /// from `a` to `b` as a section shows it with the axis on the left.
     pub(crate) fn band(&mut self, a: &[usize], b: &[usize]) {
         for i in 0..a.len() {
             let j = (i + 1) % a.len();
-            self.triangles.extend([[a[i], a[j], b[i]], [b[i], a[j], b[j]]]);
+            self.triangles
+                .extend([[a[i], a[j], b[i]], [b[i], a[j], b[j]]]);
         }
     }
 
     /// Bands between rings at radii and heights, one after another.
     pub(crate) fn bands(&mut self, profile: &[[f64; 2]]) -> Option<(Ring, Ring)> {
         let rings: Vec<Ring> = profile.iter().map(|at| self.ring(*at)).collect();
-        rings.windows(2).for_each(|pair| self.band(&pair[0], &pair[1]));
+        rings
+            .windows(2)
+            .for_each(|pair| self.band(&pair[0], &pair[1]));
         Some((rings.first()?.clone(), rings.last()?.clone()))
     }
 
-    /// A flat face between two loops, the inner of which it leaves open. Both run counter-clockwise as seen from outside, and each ray from `centre`
-    /// meets each of them once. `flat` gives a corner's place in the face.
+    /// A flat face between two loops, the inner of which it leaves open. Both run counter-clockwise
+    /// as seen from outside, and each ray from `centre` meets each of them once. `flat` gives a
+    /// corner's place in the face.
     pub(crate) fn face(
         &mut self,
         outer: &[usize],
@@ -59,7 +65,8 @@ impl Mesh {
         };
         // Each loop from its least angle on, with the angle of its first corner again at the end.
         let sorted = |ring: &[usize]| -> Vec<(f64, usize)> {
-            let first = (0..ring.len()).min_by(|a, b| angle(&ring[*a]).total_cmp(&angle(&ring[*b])));
+            let first =
+                (0..ring.len()).min_by(|a, b| angle(&ring[*a]).total_cmp(&angle(&ring[*b])));
             let first = first.unwrap_or(0);
             let turn = |i: usize| if i == ring.len() { TAU } else { 0.0 };
             (0..=ring.len())
@@ -77,10 +84,12 @@ impl Mesh {
                 (outer, _) => outer.is_some(),
             };
             if takes_outer {
-                self.triangles.push([outer[i].1, outer[i + 1].1, inner[j].1]);
+                self.triangles
+                    .push([outer[i].1, outer[i + 1].1, inner[j].1]);
                 i += 1;
             } else {
-                self.triangles.push([outer[i].1, inner[j + 1].1, inner[j].1]);
+                self.triangles
+                    .push([outer[i].1, inner[j + 1].1, inner[j].1]);
                 j += 1;
             }
         }
@@ -90,13 +99,18 @@ impl Mesh {
     pub fn volume_mm3(&self) -> f64 {
         let volume = |t: &[usize; 3]| {
             let [a, b, c] = t.map(|i| self.corners[i]);
-            let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+            let cross = [
+                b[1] * c[2] - b[2] * c[1],
+                b[2] * c[0] - b[0] * c[2],
+                b[0] * c[1] - b[1] * c[0],
+            ];
             (a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]) / 6.0
         };
         self.triangles.iter().map(volume).sum()
     }
 
-    /// The surface as binary STL: a header of 80 bytes, then normal and corners of each triangle in 32 bits.
+    /// The surface as binary STL: a header of 80 bytes, then normal and corners of each triangle in
+    /// 32 bits.
     pub fn to_stl(&self, header: &str) -> Vec<u8> {
         let mut out = vec![b' '; 80];
         let used = header.len().min(80);
@@ -104,11 +118,28 @@ impl Mesh {
         out.extend((self.triangles.len() as u32).to_le_bytes());
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| self.corners[i]);
-            let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
-            let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-            let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+            let (u, v) = (
+                [0, 1, 2].map(|k| b[k] - a[k]),
+                [0, 1, 2].map(|k| c[k] - a[k]),
+            );
+            let normal = [
+                u[1] * v[2] - u[2] * v[1],
+                u[2] * v[0] - u[0] * v[2],
+                u[0] * v[1] - u[1] * v[0],
+            ];
+            let length = normal
+                .iter()
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt()
+                .max(f64::MIN_POSITIVE);
             let numbers = [normal.map(|x| x / length), a, b, c];
-            out.extend(numbers.iter().flatten().flat_map(|x| (*x as f32).to_le_bytes()));
+            out.extend(
+                numbers
+                    .iter()
+                    .flatten()
+                    .flat_map(|x| (*x as f32).to_le_bytes()),
+            );
             out.extend([0, 0]);
         }
         out

@@ -1,7 +1,9 @@
 //! All numbers of a build.
 
 use crate::clamps::Tie;
-use crate::{AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint};
+use crate::{
+    AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
+};
 use crate::{material, plug, test_points};
 use mckibben::analysis::burst::ends::clamp_load_n;
 use mckibben::muscle::Muscle;
@@ -30,7 +32,8 @@ pub struct Plan {
     pub over_sleeve_mm: f64,
     /// Diameter over tube and sleeve on a plug in mm, on which a clamp closes.
     pub clamped_diameter_mm: f64,
-    /// Inner diameter in mm of a crimped ferrule: the wall is pressed to three quarters of its thickness (a choice).
+    /// Inner diameter in mm of a crimped ferrule: the wall is pressed to three quarters of its
+    /// thickness (a choice).
     pub crimp_diameter_mm: f64,
     /// The load of an end in N: the blocked force and the pressure on the bore.
     pub end_load_n: f64,
@@ -56,24 +59,35 @@ impl Plan {
         let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
         Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
             format!(
-                "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)"
+                "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` \
+                 of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)"
             )
         })?;
-        let bolt_fits = wishes.bolt_mm.is_none_or(|bolt_mm| (2.0..=64.0).contains(&bolt_mm));
+        let bolt_fits = wishes
+            .bolt_mm
+            .is_none_or(|bolt_mm| (2.0..=64.0).contains(&bolt_mm));
         Refused::unless(bolt_fits, ["bolt_mm"], || {
             let bolt_mm = wishes.bolt_mm.unwrap_or_default();
             format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm")
         })?;
         let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm);
         let diameter_mm = wishes.sleeve_diameter_mm.or(cut.sleeve.relaxed_diameter_mm);
-        Refused::unless(cut.sleeve.relaxed_diameter_mm == diameter_mm, ["sleeve_diameter_mm"], || {
-            format!(
-                "a sleeve of {}\u{a0}mm cannot be pulled over this tube: its strands allow diameters up to {:.1}\u{a0}mm",
-                diameter_mm.unwrap_or_default(),
-                muscle.strand_length_per_turn_mm() / PI
-            )
-        })?;
-        let strand_mm = cut.sleeve.strand_area_mm2.map(|area| (4.0 * area / PI).sqrt());
+        Refused::unless(
+            cut.sleeve.relaxed_diameter_mm == diameter_mm,
+            ["sleeve_diameter_mm"],
+            || {
+                format!(
+                    "a sleeve of {}\u{a0}mm cannot be pulled over this tube: its strands allow \
+                     diameters up to {:.1}\u{a0}mm",
+                    diameter_mm.unwrap_or_default(),
+                    muscle.strand_length_per_turn_mm() / PI
+                )
+            },
+        )?;
+        let strand_mm = cut
+            .sleeve
+            .strand_area_mm2
+            .map(|area| (4.0 * area / PI).sqrt());
         let sleeve_mm = if muscle.braid().thickness_mm > 0.0 {
             muscle.braid().thickness_mm
         } else {
@@ -81,13 +95,25 @@ impl Plan {
         };
         let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
         let bore_mm = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
-        let end_load_n = clamp_load_n(&muscle, operating.blocked_force_n.max(0.0), operating.pressure_mpa);
+        let end_load_n = clamp_load_n(
+            &muscle,
+            operating.blocked_force_n.max(0.0),
+            operating.pressure_mpa,
+        );
         let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
         let tie = Tie::around(bore_mm);
         let foot_mm = plug::foot_mm(bolt_mm);
-        let stem = Stem::new(muscle.terminals(), bore_mm, over_sleeve_mm, tie.width_mm, foot_mm);
+        let stem = Stem::new(
+            muscle.terminals(),
+            bore_mm,
+            over_sleeve_mm,
+            tie.width_mm,
+            foot_mm,
+        );
         let clamps = Clamps::for_load(tie, stem.grooves, end_load_n);
-        let fitting = wishes.fitting.unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
+        let fitting = wishes
+            .fitting
+            .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
         let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
@@ -119,9 +145,14 @@ impl Plan {
         self.parts.iter().filter_map(|p| p.mass_g).sum()
     }
 
-    /// Pressures in MPa for the test sheet: shares of the working pressure, to 0.01 MPa where they then differ.
+    /// Pressures in MPa for the test sheet: shares of the working pressure, to 0.01 MPa where they
+    /// then differ.
     pub fn test_pressures_mpa(working_mpa: f64) -> [f64; 5] {
-        let step = if working_mpa >= 0.1 { 0.01 } else { working_mpa / 100.0 };
+        let step = if working_mpa >= 0.1 {
+            0.01
+        } else {
+            working_mpa / 100.0
+        };
         [0.3, 0.5, 0.7, 0.85, 1.0].map(|share| match share {
             1.0 => working_mpa,
             share => (share * working_mpa / step).round() * step,
@@ -134,20 +165,23 @@ impl Plan {
         let bore_mm = self.air_plug.stem.bore_mm();
         if bore_mm < 4.0 {
             out.push(format!(
-                "a plug for a bore of {}\u{a0}mm is too thin for most printers; a turned plug, or a needle with a knot of thread, takes its place",
+                "a plug for a bore of {}\u{a0}mm is too thin for most printers; a turned plug, or \
+                 a needle with a knot of thread, takes its place",
                 crate::text::mm(bore_mm)
             ));
         }
         if !self.is_printed() {
             out.push(format!(
-                "the stem of the air plug carries {} MPa; printed layers are taken to bear {} MPa across: turn both plugs from metal, or take wider ones",
+                "the stem of the air plug carries {} MPa; printed layers are taken to bear {} MPa \
+                 across: turn both plugs from metal, or take wider ones",
                 crate::text::significant(self.air_plug.stress_mpa(self.end_load_n), 2),
                 crate::plug::PRINTED_MPA
             ));
         }
         if self.clamps == Clamps::Crimped {
             out.push(format!(
-                "each end must hold about {}\u{a0}N, more than cable ties do by estimate: crimp a ferrule, or clamp with a hose clamp",
+                "each end must hold about {}\u{a0}N, more than cable ties do by estimate: crimp a \
+                 ferrule, or clamp with a hose clamp",
                 crate::text::significant(self.end_load_n, 2)
             ));
         }

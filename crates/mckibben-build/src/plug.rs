@@ -1,4 +1,5 @@
-//! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a bolt.
+//! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a
+//! bolt.
 
 use crate::Mesh;
 use crate::mesh::{FACETS, Ring};
@@ -8,8 +9,8 @@ use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice: sellers of barbs say only that a barb is "a
-/// little larger" than the bore.
+/// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
+/// sellers of barbs say only that a barb is "a little larger" than the bore.
 const INTERFERENCE: (f64, f64, f64) = (0.05, 0.2, 1.5);
 /// A groove is so much wider than a cable tie, in mm: room for the sleeve.
 const GROOVE_ROOM_MM: f64 = 1.0;
@@ -19,7 +20,8 @@ const GROOVE_DEPTH: (f64, f64) = (0.06, 1.5);
 const LAND_MM: f64 = 2.0;
 /// Thickness of the collar in mm, and how far it is wider than the sleeve. A choice.
 const COLLAR_MM: (f64, f64) = (3.0, 1.5);
-/// Bearing pressure that the eye of a printed plug may carry, in MPa. A choice, about a third of what solid PETG yields at.
+/// Bearing pressure that the eye of a printed plug may carry, in MPa. A choice, about a third of
+/// what solid PETG yields at.
 const BEARING_MPA: f64 = 15.0;
 /// Bolts and their holes (ISO 273, medium), in mm.
 const BOLTS_MM: [(f64, f64); 9] = [
@@ -34,7 +36,8 @@ const BOLTS_MM: [(f64, f64); 9] = [
     (20.0, 22.0),
 ];
 
-/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a choice.
+/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a
+/// choice.
 pub(crate) const PRINTED_MPA: f64 = 10.0;
 
 /// The stem of both plugs.
@@ -58,8 +61,15 @@ pub struct Stem {
 }
 
 impl Stem {
-    /// The stem for a bore, under a sleeve of an outer diameter, for ties of a width; the collar has room for a foot.
-    pub(crate) fn new(ends: &Terminals, bore_mm: f64, outer_mm: f64, tie_mm: f64, foot_mm: f64) -> Self {
+    /// The stem for a bore, under a sleeve of an outer diameter, for ties of a width; the collar
+    /// has room for a foot.
+    pub(crate) fn new(
+        ends: &Terminals,
+        bore_mm: f64,
+        outer_mm: f64,
+        tie_mm: f64,
+        foot_mm: f64,
+    ) -> Self {
         let length_mm = ends.insertion_mm();
         let (share, least, most) = INTERFERENCE;
         let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
@@ -72,7 +82,10 @@ impl Stem {
             interference_mm,
             length_mm,
             // Builders: two narrow ties hold where a wide one leaked.
-            grooves: [2, 1].into_iter().find(|n| fits(f64::from(*n))).unwrap_or(0) as usize,
+            grooves: [2, 1]
+                .into_iter()
+                .find(|n| fits(f64::from(*n)))
+                .unwrap_or(0) as usize,
             groove_width_mm,
             groove_depth_mm: (GROOVE_DEPTH.0 * diameter_mm).min(GROOVE_DEPTH.1),
             collar_diameter_mm: (outer_mm + 2.0 * COLLAR_MM.1).max(foot_mm + 1.0),
@@ -85,7 +98,8 @@ impl Stem {
         self.diameter_mm - self.interference_mm
     }
 
-    /// How exact its diameter must be, in mm: a quarter of the interference, to which the tolerance of lengths would be as large.
+    /// How exact its diameter must be, in mm: a quarter of the interference, to which the tolerance
+    /// of lengths would be as large.
     pub fn tolerance_mm(&self) -> f64 {
         (0.25 * self.interference_mm.abs()).max(0.05)
     }
@@ -94,18 +108,26 @@ impl Stem {
     pub fn groove_starts_mm(&self) -> Vec<f64> {
         let lands = self.grooves as f64 + 1.0;
         let land = (self.length_mm - self.grooves as f64 * self.groove_width_mm) / lands;
-        (0..self.grooves).map(|i| land + i as f64 * (land + self.groove_width_mm)).collect()
+        (0..self.grooves)
+            .map(|i| land + i as f64 * (land + self.groove_width_mm))
+            .collect()
     }
 
     /// Length of the bevel of the inner end in mm, and the radius there.
     pub(crate) fn bevel_mm(&self) -> (f64, f64) {
-        let bevel = (0.1 * self.length_mm).min(0.2 * self.diameter_mm).min(0.5 * LAND_MM);
+        let bevel = (0.1 * self.length_mm)
+            .min(0.2 * self.diameter_mm)
+            .min(0.5 * LAND_MM);
         (bevel, 0.5 * self.diameter_mm - 0.5 * bevel)
     }
 
     /// Radii and heights from the inner end to the outer edge of the collar.
     pub fn profile(&self) -> Vec<[f64; 2]> {
-        let (radius, depth, width) = (0.5 * self.diameter_mm, self.groove_depth_mm, self.groove_width_mm);
+        let (radius, depth, width) = (
+            0.5 * self.diameter_mm,
+            self.groove_depth_mm,
+            self.groove_width_mm,
+        );
         let (bevel, tip) = self.bevel_mm();
         let mut out = vec![[tip, 0.0], [radius, bevel]];
         for start in self.groove_starts_mm() {
@@ -118,7 +140,11 @@ impl Stem {
             ]);
         }
         let collar = 0.5 * self.collar_diameter_mm;
-        out.extend([[radius, self.length_mm], [collar, self.length_mm], [collar, self.top_mm()]]);
+        out.extend([
+            [radius, self.length_mm],
+            [collar, self.length_mm],
+            [collar, self.top_mm()],
+        ]);
         out
     }
 
@@ -146,7 +172,11 @@ impl AirPlug {
             _ => fitting.thread_mm().map_or(4.0, |t| 0.8 * t.0),
         };
         // Two thirds of the stem are its wall.
-        Self { stem, fitting, passage_mm: (root / 3.0).min(4.0).min(hole) }
+        Self {
+            stem,
+            fitting,
+            passage_mm: (root / 3.0).min(4.0).min(hole),
+        }
     }
 
     /// Whether printed layers bear a load in N of its end.
@@ -156,7 +186,11 @@ impl AirPlug {
 
     /// Tension in MPa in the thinnest section of the stem, around the passage, at a load in N.
     pub(crate) fn stress_mpa(&self, load_n: f64) -> f64 {
-        let depth_mm = if self.stem.grooves > 0 { self.stem.groove_depth_mm } else { 0.0 };
+        let depth_mm = if self.stem.grooves > 0 {
+            self.stem.groove_depth_mm
+        } else {
+            0.0
+        };
         let root_mm = self.stem.diameter_mm - 2.0 * depth_mm;
         4.0 * load_n / (PI * (root_mm * root_mm - self.passage_mm * self.passage_mm))
     }
@@ -180,7 +214,13 @@ impl AirPlug {
                 // One sharp barb with a cylinder behind it holds better than several.
                 let (neck, edge, tip) = (0.5 * bore_mm, 0.6 * bore_mm, 0.45 * bore_mm);
                 let (start, end) = (top + 1.5 * bore_mm, top + 2.5 * bore_mm);
-                vec![[neck, top], [neck, start], [edge, start], [tip, end], [hole, end]]
+                vec![
+                    [neck, top],
+                    [neck, start],
+                    [edge, start],
+                    [tip, end],
+                    [hole, end],
+                ]
             }
             // Threads are above.
             _ => vec![],
@@ -189,7 +229,10 @@ impl AirPlug {
 
     /// Whole length in mm.
     pub fn length_mm(&self) -> f64 {
-        self.head().iter().map(|p| p[1]).fold(self.stem.top_mm(), f64::max)
+        self.head()
+            .iter()
+            .map(|p| p[1])
+            .fold(self.stem.top_mm(), f64::max)
     }
 
     /// The whole section, closed.
@@ -237,10 +280,15 @@ fn eye_mm(bolt_mm: f64) -> (f64, f64, f64, f64) {
     (hole, bolt_mm.max(4.0), 2.5 * hole, 1.5 * hole)
 }
 
-/// The bolt in mm that a pull in N needs at [`BEARING_MPA`] in an eye as thick as the bolt: d = √(F/p), the next standard one.
+/// The bolt in mm that a pull in N needs at [`BEARING_MPA`] in an eye as thick as the bolt: d =
+/// √(F/p), the next standard one.
 pub(crate) fn bolt_mm(pull_n: f64) -> f64 {
     let least = (pull_n.max(0.0) / BEARING_MPA).sqrt();
-    BOLTS_MM.iter().map(|b| b.0).find(|d| *d >= least).unwrap_or((least / 4.0).ceil() * 4.0)
+    BOLTS_MM
+        .iter()
+        .map(|b| b.0)
+        .find(|d| *d >= least)
+        .unwrap_or((least / 4.0).ceil() * 4.0)
 }
 
 /// Diameter in mm that an eye for a bolt needs on the collar.
@@ -252,7 +300,14 @@ pub(crate) fn foot_mm(bolt_mm: f64) -> f64 {
 impl EyePlug {
     pub(crate) fn new(stem: Stem, bolt_mm: f64) -> Self {
         let (hole_mm, thickness_mm, width_mm, centre_mm) = eye_mm(bolt_mm);
-        Self { stem, bolt_mm, hole_mm, thickness_mm, width_mm, centre_mm }
+        Self {
+            stem,
+            bolt_mm,
+            hole_mm,
+            thickness_mm,
+            width_mm,
+            centre_mm,
+        }
     }
 
     /// Whole length in mm.
@@ -260,7 +315,8 @@ impl EyePlug {
         self.stem.top_mm() + self.centre_mm + 0.5 * self.width_mm
     }
 
-    /// Outline of the eye from its foot, and its hole, both about the hole's centre and counter-clockwise.
+    /// Outline of the eye from its foot, and its hole, both about the hole's centre and
+    /// counter-clockwise.
     pub(crate) fn eye(&self) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
         let (w, h) = (0.5 * self.width_mm, self.centre_mm);
         let arc = |i: usize| PI * i as f64 / (FACETS / 2) as f64;
@@ -275,24 +331,36 @@ impl EyePlug {
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
         let (top, t) = (self.stem.top_mm(), 0.5 * self.thickness_mm);
-        let Some((first, last)) = mesh.bands(&self.stem.profile()) else { return mesh };
+        let Some((first, last)) = mesh.bands(&self.stem.profile()) else {
+            return mesh;
+        };
         let end = mesh.corner([0.0, 0.0, 0.0]);
         for i in 0..first.len() {
-            mesh.triangles.push([end, first[(i + 1) % first.len()], first[i]]);
+            mesh.triangles
+                .push([end, first[(i + 1) % first.len()], first[i]]);
         }
         let (outline, hole) = self.eye();
         let mut side = |points: &[[f64; 2]], y: f64| -> Ring {
-            points.iter().map(|[x, z]| mesh.corner([*x, y, top + z])).collect()
+            points
+                .iter()
+                .map(|[x, z]| mesh.corner([*x, y, top + z]))
+                .collect()
         };
         let (front, back) = (side(&outline, -t), side(&outline, t));
         let (front_hole, back_hole) = (side(&hole, -t), side(&hole, t));
         let centre = self.centre_mm + top;
         mesh.face(&front, &front_hole, |[x, _, z]| [x, z], [0.0, centre]);
         let turned = |ring: &[usize]| ring.iter().rev().copied().collect::<Ring>();
-        mesh.face(&turned(&back), &turned(&back_hole), |[x, _, z]| [-x, z], [0.0, centre]);
+        mesh.face(
+            &turned(&back),
+            &turned(&back_hole),
+            |[x, _, z]| [-x, z],
+            [0.0, centre],
+        );
         for i in 1..front.len() {
             let j = (i + 1) % front.len();
-            mesh.triangles.extend([[front[i], back[i], front[j]], [front[j], back[i], back[j]]]);
+            mesh.triangles
+                .extend([[front[i], back[i], front[j]], [front[j], back[i], back[j]]]);
         }
         // The wall of the hole.
         mesh.band(&front_hole, &back_hole);
@@ -321,25 +389,35 @@ pub enum Fitting {
 /// A word that names no fitting.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
-    "\"{0}\" is not a fitting; expected m5, g1/8 or g1/4 (a thread), or barb:4 (a barb for a hose with a bore of 4 mm, from 1 to 25)"
+    "\"{0}\" is not a fitting; expected m5, g1/8 or g1/4 (a thread), or barb:4 (a barb for a hose \
+     with a bore of 4 mm, from 1 to 25)"
 )]
 pub struct UnknownFitting(String);
 
 impl Fitting {
     /// Hoses for which a barb can be made, in mm.
     const HOSES_MM: (f64, f64) = (1.0, 25.0);
-    /// Below this outer diameter of the tube in mm the thread M5 is chosen, above it G1/8. A choice: the boss is then about as wide as the muscle.
+    /// Below this outer diameter of the tube in mm the thread M5 is chosen, above it G1/8. A
+    /// choice: the boss is then about as wide as the muscle.
     const SMALL_MM: f64 = 15.0;
 
     /// The default for a tube of an outer diameter.
     pub(crate) fn usual(outer_diameter_mm: f64) -> Self {
-        if outer_diameter_mm < Self::SMALL_MM { Self::M5 } else { Self::G18 }
+        if outer_diameter_mm < Self::SMALL_MM {
+            Self::M5
+        } else {
+            Self::G18
+        }
     }
 
-    /// Diameter of the hole for the tap (ISO 2306), depth of the thread, diameter of the boss around it, in mm; none for a barb. Depth and boss
-    /// are choices: about as long as the threads of fittings on sale, and a wall of 0.35 to 0.7 of the thread.
+    /// Diameter of the hole for the tap (ISO 2306), depth of the thread, diameter of the boss
+    /// around it, in mm; none for a barb. Depth and boss are choices: about as long as the threads
+    /// of fittings on sale, and a wall of 0.35 to 0.7 of the thread.
     pub(crate) fn thread_mm(self) -> Option<(f64, f64, f64)> {
-        THREADS.iter().find(|thread| thread.0 == self).map(|thread| thread.2)
+        THREADS
+            .iter()
+            .find(|thread| thread.0 == self)
+            .map(|thread| thread.2)
     }
 }
 
@@ -365,10 +443,15 @@ impl FromStr for Fitting {
     fn from_str(text: &str) -> Result<Self, UnknownFitting> {
         let word: String = text.chars().take(40).collect();
         let plain = word.trim().to_lowercase();
-        if let Some(thread) = THREADS.iter().find(|thread| thread.1.eq_ignore_ascii_case(&plain)) {
+        if let Some(thread) = THREADS
+            .iter()
+            .find(|thread| thread.1.eq_ignore_ascii_case(&plain))
+        {
             return Ok(thread.0);
         }
-        let bore = plain.strip_prefix("barb:").map(|bore| bore.trim_end_matches("mm").trim().parse());
+        let bore = plain
+            .strip_prefix("barb:")
+            .map(|bore| bore.trim_end_matches("mm").trim().parse());
         match bore {
             Some(Ok(bore_mm)) if (Self::HOSES_MM.0..=Self::HOSES_MM.1).contains(&bore_mm) => {
                 Ok(Self::Barb { bore_mm })

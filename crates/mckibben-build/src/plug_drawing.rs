@@ -12,15 +12,27 @@ const ROOM_MM: (f64, f64) = (165.0, 70.0);
 /// The drawing on paper; all bodies have one scale.
 pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let (air, eye) = (&plan.air_plug, &plan.eye_plug);
-    let head = air.head().iter().map(|p| 2.0 * p[0]).fold(air.stem.collar_diameter_mm, f64::max);
-    let scale = largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
+    let head = air
+        .head()
+        .iter()
+        .map(|p| 2.0 * p[0])
+        .fold(air.stem.collar_diameter_mm, f64::max);
+    let scale =
+        largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
     let mut sheet = frame::sheet(plan, "Plugs of the muscle", 2, scale);
     let [left, _, right, top] = FRAME_MM;
-    let (widths, y) = ([scale * air.length_mm(), scale * eye.length_mm()], 0.5 * (top + 66.0) - 4.0);
+    let (widths, y) = (
+        [scale * air.length_mm(), scale * eye.length_mm()],
+        0.5 * (top + 66.0) - 4.0,
+    );
     let gap = (right - left - widths[0] - widths[1]) / 3.0;
     let places = [left + gap, left + 2.0 * gap + widths[0]];
 
-    let mut v = View { sheet: &mut sheet, origin: [places[0], y], scale };
+    let mut v = View {
+        sheet: &mut sheet,
+        origin: [places[0], y],
+        scale,
+    };
     let across = |profile: Vec<[f64; 2]>, sign: f64| -> Vec<[f64; 2]> {
         profile.into_iter().map(|[r, z]| [z, sign * r]).collect()
     };
@@ -33,7 +45,11 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let mut behind = vec![0.0, air.length_mm()];
     behind.extend(air.head().iter().skip(2).map(|p| p[1]));
     for x in behind {
-        let inner = if x == 0.0 { 0.5 * air.passage_mm } else { hole_at(plan, x) };
+        let inner = if x == 0.0 {
+            0.5 * air.passage_mm
+        } else {
+            hole_at(plan, x)
+        };
         v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
     }
     stem(&mut v, &air.stem, air.length_mm());
@@ -60,7 +76,11 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     };
     names(&mut v, head, &["3  air plug", &what]);
 
-    let mut v = View { sheet: &mut sheet, origin: [places[1], y], scale };
+    let mut v = View {
+        sheet: &mut sheet,
+        origin: [places[1], y],
+        scale,
+    };
     let top = eye.stem.top_mm();
     let mut all = across(eye.stem.profile(), 1.0);
     all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
@@ -86,12 +106,30 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
 
     let stem = &air.stem;
     let notes = [
-        format!("Stem: bore {} and {}", mm(stem.bore_mm()), mm(stem.interference_mm)),
-        format!("Grooves {} wide, {} deep, sides at 45°", mm(stem.groove_width_mm), mm(stem.groove_depth_mm)),
-        if plan.is_printed() { "Print solid; seal the surface" } else { "Turn from metal" }.into(),
+        format!(
+            "Stem: bore {} and {}",
+            mm(stem.bore_mm()),
+            mm(stem.interference_mm)
+        ),
+        format!(
+            "Grooves {} wide, {} deep, sides at 45°",
+            mm(stem.groove_width_mm),
+            mm(stem.groove_depth_mm)
+        ),
+        if plan.is_printed() {
+            "Print solid; seal the surface"
+        } else {
+            "Turn from metal"
+        }
+        .into(),
     ];
     for (i, note) in notes.iter().enumerate() {
-        sheet.text([left + 6.0, 34.0 - 5.2 * i as f64], SMALL_MM, Anchor::Start, note);
+        sheet.text(
+            [left + 6.0, 34.0 - 5.2 * i as f64],
+            SMALL_MM,
+            Anchor::Start,
+            note,
+        );
     }
     sheet
 }
@@ -99,7 +137,12 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
 /// Radius of the hole of the air plug at the edges of its section, in mm.
 fn hole_at(plan: &Plan, x: f64) -> f64 {
     let air = &plan.air_plug;
-    let inner = air.head().into_iter().skip(2).filter(|p| p[1] == x).map(|p| p[0]);
+    let inner = air
+        .head()
+        .into_iter()
+        .skip(2)
+        .filter(|p| p[1] == x)
+        .map(|p| p[0]);
     match air.fitting.thread_mm() {
         Some(_) => inner.fold(0.5 * air.passage_mm, f64::max),
         None => 0.5 * air.passage_mm,
@@ -112,21 +155,50 @@ fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
     let beyond = 4.0 / v.scale;
     v.line(Pen::Axis, &[[-beyond, 0.0], [length_mm + beyond, 0.0]]);
     let above = v.scale * collar + 6.0;
-    v.across((0.0, stem.length_mm), (half, collar), above, &mm(stem.length_mm));
-    v.across((stem.length_mm, stem.top_mm()), (collar, collar), above, &mm(stem.collar_mm));
+    v.across(
+        (0.0, stem.length_mm),
+        (half, collar),
+        above,
+        &mm(stem.length_mm),
+    );
+    v.across(
+        (stem.length_mm, stem.top_mm()),
+        (collar, collar),
+        above,
+        &mm(stem.collar_mm),
+    );
     v.across((0.0, length_mm), (half, 0.0), above + 7.0, &mm(length_mm));
-    let fit = format!("{} ±{}", diameter(stem.diameter_mm), mm(stem.tolerance_mm()));
+    let fit = format!(
+        "{} ±{}",
+        diameter(stem.diameter_mm),
+        mm(stem.tolerance_mm())
+    );
     v.beside((-half, half), stem.bevel_mm().0, -9.0, &fit);
     for (i, start) in stem.groove_starts_mm().into_iter().enumerate() {
-        v.across((0.0, start), (-half, -half), -above - 6.0 * i as f64, &mm(start));
+        v.across(
+            (0.0, start),
+            (-half, -half),
+            -above - 6.0 * i as f64,
+            &mm(start),
+        );
     }
-    v.beside((-collar, collar), stem.length_mm, -17.0, &diameter(stem.collar_diameter_mm));
+    v.beside(
+        (-collar, collar),
+        stem.length_mm,
+        -17.0,
+        &diameter(stem.collar_diameter_mm),
+    );
 }
 
 /// The names of a view, below it.
 fn names(v: &mut View<'_>, height_mm: f64, lines: &[&str]) {
     let y = v.origin[1] - 0.5 * v.scale * height_mm - 24.0;
     for (i, line) in lines.iter().enumerate() {
-        v.sheet.text([v.origin[0], y - 5.0 * i as f64], 3.0 - 0.5 * i as f64, Anchor::Start, *line);
+        v.sheet.text(
+            [v.origin[0], y - 5.0 * i as f64],
+            3.0 - 0.5 * i as f64,
+            Anchor::Start,
+            *line,
+        );
     }
 }

@@ -35,19 +35,30 @@ impl Operating {
     /// A pressure as people read it: `2.5 bar`; `0.25 MPa (2.5 bar)` in the default unit.
     pub(crate) fn pressure(&self, mpa: f64) -> String {
         let bar = format!(" ({} bar)", significant(10.0 * mpa, 3));
-        self.pressure_alone(mpa) + if self.pressure_unit.name == "MPa" { &bar } else { "" }
+        self.pressure_alone(mpa)
+            + if self.pressure_unit.name == "MPa" {
+                &bar
+            } else {
+                ""
+            }
     }
 
     /// The same where there is little room.
     pub(crate) fn pressure_alone(&self, mpa: f64) -> String {
         let (by, over) = self.pressure_unit.outside();
-        format!("{} {}", significant(mpa * by / over, 3), self.pressure_unit.name)
+        format!(
+            "{} {}",
+            significant(mpa * by / over, 3),
+            self.pressure_unit.name
+        )
     }
 }
 
-/// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses for compressed air (RMA, Hose Handbook, IP-2, 2003).
+/// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses
+/// for compressed air (RMA, Hose Handbook, IP-2, 2003).
 const PROOF_TO_WORKING: f64 = 2.0;
-/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle: a choice.
+/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle:
+/// a choice.
 const PROOF_TO_BURST: f64 = 0.75;
 
 /// Pressures of the tests, and the energy of their air.
@@ -55,7 +66,8 @@ const PROOF_TO_BURST: f64 = 0.75;
 pub struct Safety {
     /// Working pressure, MPa.
     pub pressure_mpa: f64,
-    /// Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure.
+    /// Pressure of the proof test with water, MPa: twice the working pressure, at most three
+    /// quarters of the burst pressure.
     pub proof_pressure_mpa: f64,
     /// Pressure of the leak test, MPa.
     pub leak_pressure_mpa: f64,
@@ -87,7 +99,8 @@ pub fn highest_mpa(burst_mpa: f64) -> f64 {
 /// A relief valve opens at this multiple of the pressure that is set.
 const RELIEF: f64 = 1.1;
 
-/// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above the highest that the muscle may have.
+/// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above
+/// the highest that the muscle may have.
 pub fn relief_mpa(pressure_mpa: f64, highest_mpa: f64) -> f64 {
     let relief = highest_mpa.min(RELIEF * pressure_mpa);
     rounded(relief * (1.0 + 1e-9), 3, f64::floor).max(pressure_mpa.min(highest_mpa))
@@ -98,8 +111,8 @@ pub fn proof_mpa(pressure_mpa: f64, burst_mpa: Option<f64>) -> f64 {
     (PROOF_TO_WORKING * pressure_mpa).min(burst_mpa.map_or(f64::INFINITY, highest_mpa))
 }
 
-/// Energy in J of air at a gauge pressure: E = p V ln(p/p₀), p absolute. It is the work of an isothermal expansion to the atmosphere, an upper
-/// bound of the work of the air.
+/// Energy in J of air at a gauge pressure: E = p V ln(p/p₀), p absolute. It is the work of an
+/// isothermal expansion to the atmosphere, an upper bound of the work of the air.
 pub fn energy_j(gauge_mpa: f64, volume_mm3: f64) -> f64 {
     let absolute = gauge_mpa.max(0.0) + ATMOSPHERE_MPA;
     1e-3 * absolute * volume_mm3 * (absolute / ATMOSPHERE_MPA).ln()
@@ -110,10 +123,15 @@ mod tests {
     use super::*;
     use mckibben::analysis::SAFETY;
 
-    /// By hand: 0.5 L at 6 bar gauge, 0.701325 MPa · 500 000 mm³ = 350.66 J, ln(6.92154) = 1.934638, together 678.4 J.
+    /// By hand: 0.5 L at 6 bar gauge, 0.701325 MPa · 500 000 mm³ = 350.66 J, ln(6.92154) =
+    /// 1.934638, together 678.4 J.
     #[test]
     fn the_energy_of_air_is_that_of_an_isothermal_expansion() {
-        assert!((energy_j(0.6, 5e5) - 678.4).abs() < 0.05, "{}", energy_j(0.6, 5e5));
+        assert!(
+            (energy_j(0.6, 5e5) - 678.4).abs() < 0.05,
+            "{}",
+            energy_j(0.6, 5e5)
+        );
         assert_eq!(energy_j(0.0, 5e5), 0.0);
     }
 

@@ -22,11 +22,17 @@ pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
         ("pressure", operating.pressure(operating.pressure_mpa)),
         ("blocked", significant(operating.blocked_force_n, 3)),
         ("percent", percent(operating.free_contraction)),
-        ("stroke", trimmed(operating.free_contraction * muscle.length_mm(), 1)),
+        (
+            "stroke",
+            trimmed(operating.free_contraction * muscle.length_mm(), 1),
+        ),
         ("points", plan.test.len().to_string()),
         ("files", files.join("\n")),
     ];
-    if operating.allowed_mpa.is_some_and(|allowed| operating.pressure_mpa > allowed * (1.0 + 1e-9)) {
+    if operating
+        .allowed_mpa
+        .is_some_and(|allowed| operating.pressure_mpa > allowed * (1.0 + 1e-9))
+    {
         values.push(("above", String::new()));
     }
     values.extend(cut_list(plan));
@@ -34,8 +40,11 @@ pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
     values.extend(clamping(plan));
     values.extend(tests(plan));
     // Texts of others come last: they have no places.
-    let warnings: Vec<String> =
-        plan.warnings().iter().map(|w| format!("**Warning:** {}.", clean::markdown(w))).collect();
+    let warnings: Vec<String> = plan
+        .warnings()
+        .iter()
+        .map(|w| format!("**Warning:** {}.", clean::markdown(w)))
+        .collect();
     values.extend((!warnings.is_empty()).then(|| ("warned", warnings.join("\n\n"))));
     values.extend(bill(plan));
     values.push(("model", clean::markdown(&operating.model)));
@@ -53,16 +62,28 @@ fn cut_list(plan: &Plan) -> Values {
         ("tube", mm(cut.tube_mm)),
         ("cut_outer", mm(cut.tube_outer_diameter_mm)),
         ("insertion", mm(plan.muscle.terminals().insertion_mm())),
-        if stretch == 1.0 { ("slack", String::new()) } else { ("stretch", significant(stretch, 4)) },
+        if stretch == 1.0 {
+            ("slack", String::new())
+        } else {
+            ("stretch", significant(stretch, 4))
+        },
         ("strand", trimmed(sleeve.strand_mm, 1)),
-        ("strands", sleeve.strands.map_or_else(String::new, |n| format!(" It has {n} strands."))),
+        (
+            "strands",
+            sleeve
+                .strands
+                .map_or_else(String::new, |n| format!(" It has {n} strands.")),
+        ),
         ("diameters", row(&|r| mm(r.diameter_mm))),
         ("columns", "|---".repeat(sleeve.by_diameter.len())),
         ("lengths", row(&|r| trimmed(r.length_mm, 0))),
     ];
     values.extend(match (sleeve.relaxed_mm, sleeve.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {
-            vec![("relaxed", trimmed(length, 1)), ("relaxed_diameter", mm(diameter))]
+            vec![
+                ("relaxed", trimmed(length, 1)),
+                ("relaxed_diameter", mm(diameter)),
+            ]
         }
         _ => vec![("mounted", mm(sleeve.mounted_mm))],
     });
@@ -77,15 +98,25 @@ fn bill(plan: &Plan) -> Values {
             part.number,
             clean::markdown(&part.part),
             clean::markdown(&part.amount),
-            part.sold_as.as_ref().map_or_else(dash, |name| format!("`{}`", clean::markdown(name))),
-            part.mass_g.map_or_else(dash, |mass| format!("{} g", significant(mass, 3))),
-            part.price.as_ref().map_or_else(dash, |price| clean::markdown(price))
+            part.sold_as
+                .as_ref()
+                .map_or_else(dash, |name| format!("`{}`", clean::markdown(name))),
+            part.mass_g
+                .map_or_else(dash, |mass| format!("{} g", significant(mass, 3))),
+            part.price
+                .as_ref()
+                .map_or_else(dash, |price| clean::markdown(price))
         )
     };
     let rows: Vec<String> = plan.parts.iter().map(row).collect();
     let sources = plan.parts.iter().filter_map(|p| p.source.as_ref());
-    let sources: Vec<String> = sources.map(|source| format!("- {}", clean::markdown(source))).collect();
-    let mut values = vec![("mass", significant(plan.mass_g(), 3)), ("parts", rows.join("\n"))];
+    let sources: Vec<String> = sources
+        .map(|source| format!("- {}", clean::markdown(source)))
+        .collect();
+    let mut values = vec![
+        ("mass", significant(plan.mass_g(), 3)),
+        ("parts", rows.join("\n")),
+    ];
     values.extend((!sources.is_empty()).then(|| ("sources", sources.join("\n"))));
     values
 }
@@ -94,14 +125,21 @@ fn plugs(plan: &Plan) -> Values {
     let (air, eye) = (&plan.air_plug, &plan.eye_plug);
     let stem = &air.stem;
     let (made, change) = if plan.is_printed() {
-        ("printed", "scale the plug in the printer's program, across its axis")
+        (
+            "printed",
+            "scale the plug in the printer's program, across its axis",
+        )
     } else {
         ("turned", "change the diameter of the stem")
     };
     let is_stated = plan.muscle.terminals().plug_diameter_mm.is_some();
     let mut values = vec![
         (made, String::new()),
-        if is_stated { ("stated", String::new()) } else { ("chosen", change.into()) },
+        if is_stated {
+            ("stated", String::new())
+        } else {
+            ("chosen", change.into())
+        },
         ("stem", mm(stem.diameter_mm)),
         ("stem_length", mm(stem.length_mm)),
         ("bore", mm(stem.bore_mm())),
@@ -111,12 +149,19 @@ fn plugs(plan: &Plan) -> Values {
         ("bolt", mm(eye.bolt_mm)),
         ("thickness", mm(eye.thickness_mm)),
         ("load", significant(plan.end_load_n, 2)),
-        ("bearing", significant(plan.end_load_n / (eye.bolt_mm * eye.thickness_mm), 2)),
+        (
+            "bearing",
+            significant(plan.end_load_n / (eye.bolt_mm * eye.thickness_mm), 2),
+        ),
     ];
     match (air.fitting, air.fitting.thread_mm()) {
         (Fitting::Barb { bore_mm }, _) => values.push(("hose", mm(bore_mm))),
         (thread, Some((drill, depth, _))) => {
-            values.extend([("thread", thread.to_string()), ("drill", mm(drill)), ("depth", mm(depth))]);
+            values.extend([
+                ("thread", thread.to_string()),
+                ("drill", mm(drill)),
+                ("depth", mm(depth)),
+            ]);
         }
         // Every fitting without a thread is a barb.
         _ => {}
@@ -125,10 +170,15 @@ fn plugs(plan: &Plan) -> Values {
 }
 
 fn clamping(plan: &Plan) -> Values {
-    let mut values =
-        vec![("clamped", mm(plan.clamped_diameter_mm)), ("tie_holds", significant(plan.tie_holds_n, 2))];
+    let mut values = vec![
+        ("clamped", mm(plan.clamped_diameter_mm)),
+        ("tie_holds", significant(plan.tie_holds_n, 2)),
+    ];
     values.extend(match plan.clamps {
-        Clamps::Ties { width_mm, at_each_end } => {
+        Clamps::Ties {
+            width_mm,
+            at_each_end,
+        } => {
             vec![("tie", mm(width_mm)), ("grooves", at_each_end.to_string())]
         }
         Clamps::Crimped => vec![("crimp", mm(plan.crimp_diameter_mm))],
@@ -145,11 +195,23 @@ fn tests(plan: &Plan) -> Values {
     vec![
         ("working", operating.pressure(safety.pressure_mpa)),
         ("burst", burst),
-        ("allowed", allowed.map_or_else(|| "not known".into(), |mpa| operating.pressure(mpa))),
-        ("relief", operating.pressure(relief_mpa(safety.pressure_mpa, allowed.unwrap_or(f64::INFINITY)))),
+        (
+            "allowed",
+            allowed.map_or_else(|| "not known".into(), |mpa| operating.pressure(mpa)),
+        ),
+        (
+            "relief",
+            operating.pressure(relief_mpa(
+                safety.pressure_mpa,
+                allowed.unwrap_or(f64::INFINITY),
+            )),
+        ),
         ("proof", operating.pressure(safety.proof_pressure_mpa)),
         ("leak", operating.pressure(safety.leak_pressure_mpa)),
         ("energy", significant(safety.air_energy_j, 2)),
-        ("energy_at_proof", significant(safety.air_energy_at_proof_j, 2)),
+        (
+            "energy_at_proof",
+            significant(safety.air_energy_at_proof_j, 2),
+        ),
     ]
 }

@@ -17,7 +17,8 @@ pub struct TestPoint {
 
 /// Contractions of the test, as shares of the free contraction at the working pressure.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
-/// Points are kept up to this share of the free contraction at their pressure: beyond it the pull is small.
+/// Points are kept up to this share of the free contraction at their pressure: beyond it the pull
+/// is small.
 const PULLS: f64 = 0.85;
 
 /// The points in the order of the test: at each length the pressure rises, then falls.
@@ -27,17 +28,34 @@ pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
         // To half a percent, which one can set.
         let contraction = (200.0 * share * operating.free_contraction).round() / 200.0;
         let pulls = |at: &&(f64, f64)| contraction <= PULLS * at.1;
-        let all: Vec<f64> = operating.free_contractions.iter().filter(pulls).map(|at| at.0).collect();
+        let all: Vec<f64> = operating
+            .free_contractions
+            .iter()
+            .filter(pulls)
+            .map(|at| at.0)
+            .collect();
         // The lowest, the middle and the highest pressure.
         let mut up = match all[..] {
             [first, .., last] => vec![first, all[all.len() / 2], last],
             _ => all,
         };
         up.dedup();
-        let point = |branch| move |pressure_mpa| TestPoint { pressure_mpa, contraction, branch };
+        let point = |branch| {
+            move |pressure_mpa| TestPoint {
+                pressure_mpa,
+                contraction,
+                branch,
+            }
+        };
         out.extend(up.iter().copied().map(point(Direction::Contraction)));
         // Where it turns there is one point.
-        out.extend(up.iter().rev().skip(1).copied().map(point(Direction::Elongation)));
+        out.extend(
+            up.iter()
+                .rev()
+                .skip(1)
+                .copied()
+                .map(point(Direction::Elongation)),
+        );
     }
     out
 }
@@ -45,8 +63,10 @@ pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
 pub(crate) fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
     let mut out = format!(
-        "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N) in each row; leave rows out that you do not measure.\n\
-         # Set the distance between the clamps, then the pressure, row by row, without going back: contraction is while the pressure rises,\n\
+        "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N) in each row; leave rows \
+         out that you do not measure.\n\
+         # Set the distance between the clamps, then the pressure, row by row, without going back: \
+         contraction is while the pressure rises,\n\
          # elongation while it falls. The pressure stays at or below {}.\n\
          # Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
          pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n",
@@ -55,7 +75,10 @@ pub(crate) fn csv(plan: &Plan) -> String {
         plan.operating.pressure(plan.operating.pressure_mpa)
     );
     for point in &plan.test {
-        let (p, e) = (trimmed(point.pressure_mpa, 5), trimmed(point.contraction, 4));
+        let (p, e) = (
+            trimmed(point.pressure_mpa, 5),
+            trimmed(point.contraction, 4),
+        );
         let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
         out.push_str(&format!("{p},{e},,{},{distance}\n", point.branch));
     }

@@ -27,7 +27,10 @@ pub(crate) struct View<'a> {
 impl View<'_> {
     /// Where a point of the body lies on the sheet.
     pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
-        [self.origin[0] + self.scale * x, self.origin[1] + self.scale * y]
+        [
+            self.origin[0] + self.scale * x,
+            self.origin[1] + self.scale * y,
+        ]
     }
 
     pub(crate) fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
@@ -41,18 +44,27 @@ impl View<'_> {
     }
 
     pub(crate) fn circle(&mut self, pen: Pen, diameter: f64) {
-        self.sheet.circle(pen, self.origin, 0.5 * diameter * self.scale);
+        self.sheet
+            .circle(pen, self.origin, 0.5 * diameter * self.scale);
     }
 
-    /// The eye of a plug from its foot on, with the hole and the axis of the bolt, which reaches beyond by a share of the width.
+    /// The eye of a plug from its foot on, with the hole and the axis of the bolt, which reaches
+    /// beyond by a share of the width.
     pub(crate) fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
         let (outline, _) = eye.eye();
         let around = outline.iter().skip(1).chain(outline.first());
         let tab: Vec<[f64; 2]> = around.map(|[x, z]| [foot + z, *x]).collect();
         self.line(Pen::Outline, &tab);
         let x = foot + eye.centre_mm;
-        self.sheet.circle(Pen::Outline, self.at(x, 0.0), 0.5 * eye.hole_mm * self.scale);
-        self.line(Pen::Axis, &[[x, -reach * eye.width_mm], [x, reach * eye.width_mm]]);
+        self.sheet.circle(
+            Pen::Outline,
+            self.at(x, 0.0),
+            0.5 * eye.hole_mm * self.scale,
+        );
+        self.line(
+            Pen::Axis,
+            &[[x, -reach * eye.width_mm], [x, reach * eye.width_mm]],
+        );
     }
 
     /// A cut rectangle: its edge, and a hatch; filled where it is thin.
@@ -92,11 +104,13 @@ impl View<'_> {
                 }
             }
             cuts.sort_by(|a, b| a[0].total_cmp(&b[0]));
-            cuts.chunks_exact(2).for_each(|pair| self.sheet.line(Pen::Thin, [pair[0], pair[1]]));
+            cuts.chunks_exact(2)
+                .for_each(|pair| self.sheet.line(Pen::Thin, [pair[0], pair[1]]));
         }
     }
 
-    /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from the axis. Extension lines begin at `from` of the body.
+    /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from
+    /// the axis. Extension lines begin at `from` of the body.
     pub(crate) fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
         self.extended([self.at(x.0, from.0), self.at(x.1, from.1)], 1, row, text);
     }
@@ -107,19 +121,28 @@ impl View<'_> {
         dimension(self.sheet, a, b, text);
     }
 
-    /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the origin.
+    /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the
+    /// origin.
     pub(crate) fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
         self.extended([self.at(from, y.0), self.at(from, y.1)], 0, column, text);
     }
 
-    /// A dimension whose line lies at `offset` from the origin along a coordinate, with extension lines from both ends.
+    /// A dimension whose line lies at `offset` from the origin along a coordinate, with extension
+    /// lines from both ends.
     fn extended(&mut self, ends: [[f64; 2]; 2], along: usize, offset: f64, text: &str) {
         let place = self.origin[along] + offset;
-        let moved = |end: [f64; 2], to: f64| if along == 0 { [to, end[1]] } else { [end[0], to] };
+        let moved = |end: [f64; 2], to: f64| {
+            if along == 0 {
+                [to, end[1]]
+            } else {
+                [end[0], to]
+            }
+        };
         for end in ends {
             let gap = GAP_MM * (place - end[along]).signum();
             let last = moved(end, place + BEYOND_MM * offset.signum());
-            self.sheet.line(Pen::Thin, [moved(end, end[along] + gap), last]);
+            self.sheet
+                .line(Pen::Thin, [moved(end, end[along] + gap), last]);
         }
         let [a, b] = ends.map(|end| moved(end, place));
         dimension(self.sheet, a, b, text);
@@ -134,12 +157,17 @@ impl View<'_> {
         self.sheet.circle(Pen::Thin, at, radius);
         self.sheet.line(Pen::Thin, [edge, to]);
         self.sheet.circle(Pen::Outline, to, 0.3);
-        self.sheet.text([at[0], at[1] - 0.5 * SMALL_MM], SMALL_MM, Anchor::Middle, number.to_string());
+        self.sheet.text(
+            [at[0], at[1] - 0.5 * SMALL_MM],
+            SMALL_MM,
+            Anchor::Middle,
+            number.to_string(),
+        );
     }
 }
 
-/// A dimension line with arrows and its text: above a horizontal one, to the left of an upright one. Where arrows have no room inside they point from
-/// outside.
+/// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
+/// one. Where arrows have no room inside they point from outside.
 fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
     let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
     let along = [0, 1].map(|k| (b[k] - a[k]) / length);
@@ -150,7 +178,11 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
     for (tip, sign) in [(a, inward), (b, -inward)] {
         let foot = move_by(tip, sign * ARROW_MM.0);
         let side = [-along[1] * ARROW_MM.1, along[0] * ARROW_MM.1];
-        sheet.fill([tip, [foot[0] + side[0], foot[1] + side[1]], [foot[0] - side[0], foot[1] - side[1]]]);
+        sheet.fill([
+            tip,
+            [foot[0] + side[0], foot[1] + side[1]],
+            [foot[0] - side[0], foot[1] - side[1]],
+        ]);
     }
     let width = width_of(text);
     let room = fits && width + 2.0 < length;
@@ -159,13 +191,19 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
         sheet.line(Pen::Thin, [a, b]);
         let middle = move_by(a, 0.5 * length);
         match upright {
-            true => sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text),
+            true => {
+                sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
+            }
             false => sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text),
         }
         return;
     }
     // Beyond the end, on a shelf.
-    let end = if upright { move_by(b, out.max(3.5)) } else { move_by(b, out) };
+    let end = if upright {
+        move_by(b, out.max(3.5))
+    } else {
+        move_by(b, out)
+    };
     let shelf = [end[0] + width + 1.5, end[1]];
     sheet.line(Pen::Thin, [move_by(a, -out), end, shelf]);
     sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);

@@ -1,4 +1,5 @@
-//! First muscle: build one, ask several models, search for one that does a job, write its deformed shape for ParaView.
+//! First muscle: build one, ask several models, search for one that does a job, write its deformed
+//! shape for ParaView.
 //!
 //! `cargo run --release -p mckibben-campaign --example 1_first_muscle`
 
@@ -24,11 +25,22 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     let models: [&dyn ForceModel; 3] = [&fe, &thick_wall, &ideal];
     for model in models {
         let pull = model.response(workspace, 0.25, 0.0)?;
-        println!("{:<12} {:7.1} N   source: {}", model.info().name, pull.force_n, model.info().source);
+        println!(
+            "{:<12} {:7.1} N   source: {}",
+            model.info().name,
+            pull.force_n,
+            model.info().source
+        );
     }
 
     // Which muscle pulls 700 N at a contraction of 15 % with 0.25 MPa? The smallest comes first.
-    let spec = Spec::new(vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }], 0.25);
+    let spec = Spec::new(
+        vec![OperatingPoint {
+            force_n: 700.0,
+            contraction: 0.15,
+        }],
+        0.25,
+    );
     let outcome = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
     let best = outcome.candidates.first().ok_or("no muscle fits")?;
     println!(
@@ -38,7 +50,8 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
         best.pressure_mpa
     );
 
-    // The thick wall leaves the ends out; finite elements say what they cost, and give the shape for ParaView.
+    // The thick wall leaves the ends out; finite elements say what they cost, and give the shape
+    // for ParaView.
     let folder = std::env::temp_dir().join("mckibben-first-muscle");
     let fe = Axisymmetric::new(&best.muscle)?;
     let pull = fe.response(workspace, 0.25, 0.15)?;
@@ -47,7 +60,11 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     for file in VtuSeries::new("the best muscle").add(Shape::of_section(&section), &pull)? {
         std::fs::write(folder.join(file.name), file.text)?;
     }
-    println!("by finite elements {:.0} N; shape in {}", pull.force_n, folder.display());
+    println!(
+        "by finite elements {:.0} N; shape in {}",
+        pull.force_n,
+        folder.display()
+    );
     Ok(ideal.response(workspace, 0.25, 0.0)?.force_n)
 }
 

@@ -17,31 +17,55 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Returns the shear modulus of the neo-Hookean law that fits up to 200 % strain, in MPa.
 fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     let points = read_tension(TEST)?;
-    let fit = fit_tension(&points, &FitSettings { up_to_stretch: Some(3.0), ..FitSettings::default() })?;
+    let fit = fit_tension(
+        &points,
+        &FitSettings {
+            up_to_stretch: Some(3.0),
+            ..FitSettings::default()
+        },
+    )?;
     for fitted in &fit.laws {
-        let constants: Vec<String> =
-            fitted.parameters.iter().map(|p| format!("{} {:.4} {}", p.name, p.value, p.unit)).collect();
-        println!("{:<14} R² {:.4}   {}", fitted.law.name(), fitted.quality.r_squared, constants.join(", "));
+        let constants: Vec<String> = fitted
+            .parameters
+            .iter()
+            .map(|p| format!("{} {:.4} {}", p.name, p.value, p.unit))
+            .collect();
+        println!(
+            "{:<14} R² {:.4}   {}",
+            fitted.law.name(),
+            fitted.quality.r_squared,
+            constants.join(", ")
+        );
     }
     for warning in &fit.warnings {
         println!("mind: {warning}");
     }
 
-    // The recommended law goes into a muscle: what does the prototype pull if it is cast from this silicone?
+    // The recommended law goes into a muscle: what does the prototype pull if it is cast from this
+    // silicone?
     let law = &fit.laws[fit.recommended.ok_or("no law is stable in a muscle")?].law;
     let mut tube = Muscle::prototype().tube().clone();
     tube.rubber = Rubber::new(law.clone());
     let muscle = Muscle::prototype().with_tube(tube)?;
     let pull = ThickWall::new(&muscle).response(&mut Workspace::new(), 0.2, 0.10)?;
-    println!("with {} it pulls {:.0} N at 0.2 MPa and 10 %", law.name(), pull.force_n);
+    println!(
+        "with {} it pulls {:.0} N at 0.2 MPa and 10 %",
+        law.name(),
+        pull.force_n
+    );
 
-    let neo_hookean = fit.laws.iter().find(|l| l.law.name() == "neo-hookean").ok_or("not among the laws")?;
+    let neo_hookean = fit
+        .laws
+        .iter()
+        .find(|l| l.law.name() == "neo-hookean")
+        .ok_or("not among the laws")?;
     Ok(neo_hookean.law.shear_modulus_mpa())
 }
 
 #[test]
 fn the_modulus_is_the_published_one() {
-    // Marechal et al. 2021 [marechal2021]: 0.2866 MPa up to 200 %, on the full curve; ours is thinned.
+    // Marechal et al. 2021 [marechal2021]: 0.2866 MPa up to 200 %, on the full curve; ours is
+    // thinned.
     let mu_mpa = shear_modulus().unwrap();
     assert!((mu_mpa / 0.2866 - 1.0).abs() < 0.01, "{mu_mpa}");
 }

@@ -1,4 +1,5 @@
-//! Own formula: a campaign of finite-element tests, a formula fitted to it, and the formula used as a model.
+//! Own formula: a campaign of finite-element tests, a formula fitted to it, and the formula used as
+//! a model.
 //!
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
@@ -10,7 +11,8 @@ use mckibben_campaign::fit::{Method, Request, data, made_for, make};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 
-/// Muscles of one length, angle, rubber and braid; diameter and wall vary. `plans/` has larger ones.
+/// Muscles of one length, angle, rubber and braid; diameter and wall vary. `plans/` has larger
+/// ones.
 const PLAN: &str = r#"
 [tube]
 length = "200 mm"
@@ -36,12 +38,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     error_between_the_points().map(drop)
 }
 
-/// Returns the formula's error on a muscle that is not in the campaign, as a share of its blocked force.
+/// Returns the formula's error on a muscle that is not in the campaign, as a share of its blocked
+/// force.
 fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let plan = Plan::parse(PLAN)?;
     let folder = tempfile::tempdir()?;
     let table = folder.path().join("campaign.parquet");
-    run(&plan, &table, &RunOptions::default(), &mckibben::progress::Silent)?;
+    run(
+        &plan,
+        &table,
+        &RunOptions::default(),
+        &mckibben::progress::Silent,
+    )?;
     let rows = read(&table)?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());
 
@@ -51,7 +59,10 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
         method: Method::Global,
         hold_out: &[],
         name: "own".into(),
-        from: Provenance { plan_hash: Some(plan.hash()), ..Provenance::default() },
+        from: Provenance {
+            plan_hash: Some(plan.hash()),
+            ..Provenance::default()
+        },
     })?;
     println!("{}", fitted.formula.equation());
 
@@ -60,8 +71,13 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let formula = FormulaModel::new(&fitted.formula, &muscle);
     let fe = Axisymmetric::new(&muscle)?;
     let workspace = &mut Workspace::new();
-    let (ours, theirs) = (formula.force_n(workspace, 0.18, 0.12)?, fe.force_n(workspace, 0.18, 0.12)?);
-    println!("D0 26, s 1.75 at 0.18 MPa and 12 %: formula {ours:.1} N, finite elements {theirs:.1} N");
+    let (ours, theirs) = (
+        formula.force_n(workspace, 0.18, 0.12)?,
+        fe.force_n(workspace, 0.18, 0.12)?,
+    );
+    println!(
+        "D0 26, s 1.75 at 0.18 MPa and 12 %: formula {ours:.1} N, finite elements {theirs:.1} N"
+    );
     Ok((ours - theirs).abs() / fe.force_n(workspace, 0.25, 0.0)?)
 }
 

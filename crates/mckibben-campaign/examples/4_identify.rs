@@ -21,7 +21,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS)?;
-    // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the braid.
+    // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the
+    // braid.
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),
@@ -29,18 +30,26 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let request = Request::new(&muscle, &[], &points, &build);
     let result = identify_default(&request)?;
     for p in &result.parameters {
-        println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
+        println!(
+            "{:<18} {:8.3} ± {:.3} {}",
+            p.name, p.value, p.half_width, p.unit
+        );
     }
     for note in &result.notes {
         println!("mind: {note}");
     }
     println!("rms {:.1} N on {} points", result.rms_n, points.len());
-    let modulus = result.parameter(Target::Law(0)).ok_or("the modulus was not free")?;
+    let modulus = result
+        .parameter(Target::Law(0))
+        .ok_or("the modulus was not free")?;
     Ok((modulus.value, modulus.half_width))
 }
 
 #[test]
 fn the_interval_holds_the_modulus_with_which_the_points_were_made() {
     let (mu_mpa, half_width) = modulus_with_half_width().unwrap();
-    assert!((mu_mpa - 0.4).abs() < half_width && half_width < 0.03, "{mu_mpa} ± {half_width}");
+    assert!(
+        (mu_mpa - 0.4).abs() < half_width && half_width < 0.03,
+        "{mu_mpa} ± {half_width}"
+    );
 }

@@ -1,10 +1,11 @@
-//! The columns of a campaign's table, declared once: Parquet's schema, its encoding and `campaign show` follow from [`COLUMNS`]. What each
-//! means is in [`PointRow`] and, for users, in `docs/commands.md`.
+//! The columns of a campaign's table, declared once: Parquet's schema, its encoding and
+//! `campaign show` follow from [`COLUMNS`]. What each means is in [`PointRow`] and, for users, in
+//! `docs/commands.md`.
 
 use mckibben::status::Status;
 
-/// A row of a campaign's table: a muscle, a point, and its answer. Failures are rows too. Their names in
-/// tables, and units, are in [`crate::columns`].
+/// A row of a campaign's table: a muscle, a point, and its answer. Failures are rows too. Their
+/// names in tables, and units, are in [`crate::columns`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointRow {
     /// Number of the muscle in the plan, from 0.
@@ -100,25 +101,41 @@ pub static COLUMNS: [Column; 23] = {
     use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
         column(Note, "muscle", |r| Whole(&mut r.muscle)),
-        column(Question, "outer_diameter_mm", |r| Number(&mut r.outer_diameter_mm)),
+        column(Question, "outer_diameter_mm", |r| {
+            Number(&mut r.outer_diameter_mm)
+        }),
         column(Question, "wall_mm", |r| Number(&mut r.wall_mm)),
         column(Question, "length_mm", |r| Number(&mut r.length_mm)),
         column(Question, "angle_deg", |r| Number(&mut r.angle_deg)),
         column(Note, "law", |r| Text(&mut r.law)),
         column(Question, "c10_mpa", |r| Constants(&mut r.constants)),
-        column(Question, "braid_stiffness_n_per_mm", |r| Optional(&mut r.stiffness_of_braid_n_per_mm)),
+        column(Question, "braid_stiffness_n_per_mm", |r| {
+            Optional(&mut r.stiffness_of_braid_n_per_mm)
+        }),
         column(Question, "seating_mm", |r| Measures(&mut r.measures)),
         column(Question, "pressure_mpa", |r| Number(&mut r.pressure_mpa)),
         column(Question, "contraction", |r| Number(&mut r.contraction)),
         column(Answer, "force_n", |r| Optional(&mut r.force_n)),
         column(Answer, "volume_mm3", |r| Optional(&mut r.volume_mm3)),
-        column(Answer, "stiffness_n_per_mm", |r| Optional(&mut r.stiffness_n_per_mm)),
-        column(Answer, "force_per_pressure_n_per_mpa", |r| Optional(&mut r.force_per_pressure_n_per_mpa)),
-        column(Answer, "braid_tension_n", |r| Optional(&mut r.braid_tension_n)),
-        column(Answer, "strand_tension_n", |r| Optional(&mut r.strand_tension_n)),
-        column(Answer, "bulged_diameter_mm", |r| Optional(&mut r.bulged_diameter_mm)),
+        column(Answer, "stiffness_n_per_mm", |r| {
+            Optional(&mut r.stiffness_n_per_mm)
+        }),
+        column(Answer, "force_per_pressure_n_per_mpa", |r| {
+            Optional(&mut r.force_per_pressure_n_per_mpa)
+        }),
+        column(Answer, "braid_tension_n", |r| {
+            Optional(&mut r.braid_tension_n)
+        }),
+        column(Answer, "strand_tension_n", |r| {
+            Optional(&mut r.strand_tension_n)
+        }),
+        column(Answer, "bulged_diameter_mm", |r| {
+            Optional(&mut r.bulged_diameter_mm)
+        }),
         column(Answer, "max_stretch", |r| Optional(&mut r.max_stretch)),
-        column(Answer, "d_force_d_tube_outer_diameter", |r| Sensitivities(&mut r.sensitivities)),
+        column(Answer, "d_force_d_tube_outer_diameter", |r| {
+            Sensitivities(&mut r.sensitivities)
+        }),
         column(Note, "status", |r| Slot::Status(&mut r.status)),
         column(Note, "cause", |r| Text(&mut r.cause)),
         column(Note, "iterations", |r| Count(&mut r.iterations)),
@@ -132,7 +149,10 @@ mod tests {
     #[test]
     fn the_documentation_has_every_column_in_its_order() {
         let text = include_str!("../../../docs/commands.md");
-        let table = text.split_once("| column | unit | |\n|---|---|---|\n").unwrap().1;
+        let table = text
+            .split_once("| column | unit | |\n|---|---|---|\n")
+            .unwrap()
+            .1;
         let group = |c: &Column| {
             matches!(
                 (c.slot)(&mut PointRow::default()),
@@ -141,7 +161,10 @@ mod tests {
         };
         for (row, column) in table.lines().zip(&COLUMNS) {
             let more = if group(column) { ", …" } else { "" };
-            assert!(row.starts_with(&format!("| `{}`{more} | ", column.name)), "{row}");
+            assert!(
+                row.starts_with(&format!("| `{}`{more} | ", column.name)),
+                "{row}"
+            );
         }
     }
 }

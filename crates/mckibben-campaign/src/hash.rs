@@ -4,7 +4,10 @@ use sha2::{Digest, Sha256};
 
 /// The hash of some bytes in hexadecimal digits.
 pub fn hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+    Sha256::digest(bytes)
+        .iter()
+        .map(|b| format!("{b:02x}"))
+        .collect()
 }
 
 /// The hash of the bits of numbers, in their order: `sha256:` and its hexadecimal digits.

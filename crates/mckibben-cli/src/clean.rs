@@ -18,7 +18,8 @@ fn escaped(text: &str, steers: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// A name, an argument, a sentence: on one line, with `\u{1b}` in the place of what steers a terminal.
+/// A name, an argument, a sentence: on one line, with `\u{1b}` in the place of what steers a
+/// terminal.
 pub fn line(text: &str) -> Cow<'_, str> {
     escaped(text, is_unseen)
 }
@@ -35,7 +36,10 @@ mod tests {
     #[test]
     fn what_steers_a_terminal_is_shown_and_all_else_stands() {
         let hostile = "a\u{1b}[31mb\u{202e}c\nd\te\u{9b}f\u{7}";
-        assert_eq!(line(hostile), "a\\u{1b}[31mb\\u{202e}c\\nd\\te\\u{9b}f\\u{7}");
+        assert_eq!(
+            line(hostile),
+            "a\\u{1b}[31mb\\u{202e}c\\nd\\te\\u{9b}f\\u{7}"
+        );
         assert_eq!(lines("a\u{1b}\nb"), "a\\u{1b}\nb");
         for plain in ["", "C10 0.112 MPa · θ0 = 28° ± 1 %", "é 測試 ελ 🙂"] {
             assert!(matches!(line(plain), Cow::Borrowed(text) if text == plain));

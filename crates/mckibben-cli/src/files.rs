@@ -7,6 +7,7 @@ use std::path::Path;
 pub fn formula(word: &str) -> Result<Option<TextFile>, Problem> {
     let word = word.trim();
     let path = Path::new(word);
-    let is_file = word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file());
+    let is_file =
+        word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file());
     is_file.then(|| TextFile::formula(path)).transpose()
 }

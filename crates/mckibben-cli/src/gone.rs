@@ -9,7 +9,8 @@ const GONE: [(&str, &str); 16] = [
     ("muscle show", "`mckibben check MUSCLE.toml`"),
     (
         "muscle measures",
-        "`mckibben schema --file muscle` has all keys of a muscle, `mckibben force --help` the flags",
+        "`mckibben schema --file muscle` has all keys of a muscle, `mckibben force --help` the \
+         flags",
     ),
     ("formula show", "`mckibben check FILE.json`"),
     ("braid list", "`mckibben parts list sleeves`"),
@@ -19,18 +20,32 @@ const GONE: [(&str, &str); 16] = [
     ("rubber fit", "`mckibben rubber TABLE.csv`"),
     ("library list", "`mckibben parts list muscles`"),
     ("library show", "`mckibben parts show NAME`"),
-    ("library check", "`mckibben validate --measured DIR` holds the muscles of folders against their points"),
-    ("models", "`mckibben parts list models`, `mckibben parts show NAME`"),
+    (
+        "library check",
+        "`mckibben validate --measured DIR` holds the muscles of folders against their points",
+    ),
+    (
+        "models",
+        "`mckibben parts list models`, `mckibben parts show NAME`",
+    ),
     ("report", "`mckibben build MUSCLE.toml --report FILE.html`"),
-    ("life", "`mckibben simulate` has the stretches and strand tensions of a cycle"),
+    (
+        "life",
+        "`mckibben simulate` has the stretches and strand tensions of a cycle",
+    ),
     ("mcp", "`mckibben serve` answers programs over HTTP"),
 ];
 
-/// A command line that begins with a word that is gone is an error with its successor, and so is a force for `force`.
+/// A command line that begins with a word that is gone is an error with its successor, and so is a
+/// force for `force`.
 pub fn check(args: &[String]) -> Result<(), Problem> {
     let typed = args.get(1..).unwrap_or_default();
-    let begins =
-        |words: &str| words.split(' ').enumerate().all(|(i, word)| typed.get(i).is_some_and(|w| w == word));
+    let begins = |words: &str| {
+        words
+            .split(' ')
+            .enumerate()
+            .all(|(i, word)| typed.get(i).is_some_and(|w| w == word))
+    };
     let takes_force = |word: &String| word.starts_with("-F") || word.starts_with("--force");
     if begins("force") && typed.iter().any(takes_force) {
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";
@@ -54,12 +69,21 @@ mod tests {
     #[test]
     fn a_word_that_is_gone_names_its_successor_which_is_a_command() {
         for (words, instead) in GONE {
-            let args: Vec<String> = format!("mckibben {words} x").split(' ').map(str::to_owned).collect();
+            let args: Vec<String> = format!("mckibben {words} x")
+                .split(' ')
+                .map(str::to_owned)
+                .collect();
             let problem = check(&args).unwrap_err();
             assert_eq!(exit_code(Some(&problem)), 2);
             let text = as_text(&problem);
             assert!(text.contains(instead), "{text}");
-            let new = instead.split_once("`mckibben ").unwrap().1.split([' ', '`']).next().unwrap();
+            let new = instead
+                .split_once("`mckibben ")
+                .unwrap()
+                .1
+                .split([' ', '`'])
+                .next()
+                .unwrap();
             assert!(command().find_subcommand(new).is_some(), "{words}: {new}");
             assert!(check(&args[1..]).is_ok());
         }

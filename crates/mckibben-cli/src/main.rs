@@ -1,7 +1,7 @@
 //! `mckibben`: design McKibben pneumatic muscles from the command line.
 //!
-//! `main` parses; the flags of a command (`spec`) become a request of the application layer (`args`), whose answer a command turns into text,
-//! JSON or CSV (`output`) and files (`plot`).
+//! `main` parses; the flags of a command (`spec`) become a request of the application layer
+//! (`args`), whose answer a command turns into text, JSON or CSV (`output`) and files (`plot`).
 
 mod args;
 mod clean;
@@ -26,8 +26,12 @@ use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{Units, columns, half_width, number, pairs, percent, percents, place, table, understood};
-use output::{FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn};
+use output::text::{
+    Units, columns, half_width, number, pairs, percent, percents, place, table, understood,
+};
+use output::{
+    FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
+};
 use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted};
 use progress::Bar;
 use quantities::{quantity, values};
@@ -36,9 +40,18 @@ use std::{borrow::Cow, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let args: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
+    let args: Vec<String> = std::env::args_os()
+        .map(|arg| arg.to_string_lossy().into_owned())
+        .collect();
     if let Err(problem) = gone::check(&args).and_then(|()| quotes::check_quotes(&args)) {
-        return report(problem, if json_wanted() { Format::Json } else { Format::Text });
+        return report(
+            problem,
+            if json_wanted() {
+                Format::Json
+            } else {
+                Format::Text
+            },
+        );
     }
     progress::no_signal_for_long_files();
     let parsed = cli::command()
@@ -62,7 +75,9 @@ fn main() -> ExitCode {
     };
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        let Some((name, args, run)) = cli::typed_command(&matches, cli.format) else { return Ok(0) };
+        let Some((name, args, run)) = cli::typed_command(&matches, cli.format) else {
+            return Ok(0);
+        };
         shown::take(&args);
         problem::take_flags(&args.flags);
         // A server ends by itself, when its requests have ended.
@@ -79,10 +94,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// Whether `--format json` is on a command line that could not be parsed: the error is then JSON as well.
+/// Whether `--format json` is on a command line that could not be parsed: the error is then JSON as
+/// well.
 fn json_wanted() -> bool {
     let args: Vec<_> = std::env::args_os().skip(1).collect();
-    args.iter().any(|a| a == "--format=json") || args.windows(2).any(|w| w[0] == "--format" && w[1] == "json")
+    args.iter().any(|a| a == "--format=json")
+        || args
+            .windows(2)
+            .any(|w| w[0] == "--format" && w[1] == "json")
 }
 
 fn report(problem: Problem, format: Format) -> ExitCode {

@@ -1,5 +1,5 @@
-//! Flags that take the name of something, or more than the names: completion offers the names, and what else is typed is judged by
-//! whoever reads it.
+//! Flags that take the name of something, or more than the names: completion offers the names, and
+//! what else is typed is judged by whoever reads it.
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command, error::Error};
@@ -15,21 +15,38 @@ pub struct Names(Vec<String>);
 /// The names for a flag.
 pub fn for_flag(flag: &str) -> Option<Names> {
     Some(Names(match flag {
-        "model" | "models" => Model::all().into_iter().map(|m| m.name.to_owned()).collect(),
+        "model" | "models" => Model::all()
+            .into_iter()
+            .map(|m| m.name.to_owned())
+            .collect(),
         "target" => {
             let all = export_list(&ExportListRequest {}).ok()?;
             all.targets.iter().map(|t| t.name.to_owned()).collect()
         }
-        "rubber" | "rubbers" => rubber::library::entries().ok()?.iter().map(|e| e.name.clone()).collect(),
-        "braid" | "braids" => {
-            sleeve::library::entries().ok()?.iter().map(|e| e.sleeve.shape.name.clone()).collect()
-        }
-        "laws" => Form::words().into_iter().chain(["all".to_owned()]).collect(),
+        "rubber" | "rubbers" => rubber::library::entries()
+            .ok()?
+            .iter()
+            .map(|e| e.name.clone())
+            .collect(),
+        "braid" | "braids" => sleeve::library::entries()
+            .ok()?
+            .iter()
+            .map(|e| e.sleeve.shape.name.clone())
+            .collect(),
+        "laws" => Form::words()
+            .into_iter()
+            .chain(["all".to_owned()])
+            .collect(),
         // Everything with a name.
         "any" => {
-            let tubes = mckibben_design::tubes::catalogue().ok()?.iter().map(|t| t.name.clone());
-            let lists =
-                ["braid", "rubber", "model"].into_iter().filter_map(for_flag).flat_map(|names| names.0);
+            let tubes = mckibben_design::tubes::catalogue()
+                .ok()?
+                .iter()
+                .map(|t| t.name.clone());
+            let lists = ["braid", "rubber", "model"]
+                .into_iter()
+                .filter_map(for_flag)
+                .flat_map(|names| names.0);
             tubes.chain(lists).chain(library::names()).collect()
         }
         _ => return None,
@@ -39,7 +56,12 @@ pub fn for_flag(flag: &str) -> Option<Names> {
 impl TypedValueParser for Names {
     type Value = String;
 
-    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, Error> {
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<String, Error> {
         StringValueParser::new().parse_ref(command, arg, value)
     }
 
@@ -62,8 +84,15 @@ mod tests {
             ("any", "dmsp-20-300"),
         ] {
             let names = for_flag(flag).unwrap();
-            assert!(names.possible_values().unwrap().any(|v| v.get_name() == one), "{one}");
-            let parsed = names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));
+            assert!(
+                names
+                    .possible_values()
+                    .unwrap()
+                    .any(|v| v.get_name() == one),
+                "{one}"
+            );
+            let parsed =
+                names.parse_ref(&Command::new("mckibben"), None, OsStr::new("formula.json"));
             assert_eq!(parsed.unwrap(), "formula.json");
         }
     }

@@ -9,7 +9,9 @@ use mckibben_report::{Figure, FigureError};
 /// Refuses a figure that could not be written, before any work is done for it.
 pub fn check(args: &Args) -> Result<(), Problem> {
     width_mm(args)?;
-    let Some(path) = args.path("plot") else { return Ok(()) };
+    let Some(path) = args.path("plot") else {
+        return Ok(());
+    };
     if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
@@ -18,7 +20,9 @@ pub fn check(args: &Args) -> Result<(), Problem> {
 
 /// Writes a figure, where there is one and a file is named for it.
 pub fn save(figure: Option<Figure>, args: &Args) -> Result<(), Problem> {
-    let (Some(mut figure), Some(path)) = (figure, args.path("plot")) else { return Ok(()) };
+    let (Some(mut figure), Some(path)) = (figure, args.path("plot")) else {
+        return Ok(());
+    };
     if let Some(width_mm) = width_mm(args)? {
         figure = figure.width_mm(width_mm);
     }
@@ -26,7 +30,9 @@ pub fn save(figure: Option<Figure>, args: &Args) -> Result<(), Problem> {
 }
 
 fn width_mm(args: &Args) -> Result<Option<f64>, Problem> {
-    let Some(text) = args.text("plot_width") else { return Ok(None) };
+    let Some(text) = args.text("plot_width") else {
+        return Ok(None);
+    };
     let width = quantity("--plot-width", &text, Dimension::Length)?;
     if (20.0..=2000.0).contains(&width) {
         return Ok(Some(width));

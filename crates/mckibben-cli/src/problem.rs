@@ -1,4 +1,5 @@
-//! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
+//! What a command ends with when it does not end well: kind, message, hint, exit code, in the words
+//! of the command line.
 
 use crate::{Flag, clean, output::plain, quantities::unit_hint, shown, spec};
 use mckibben_app::{Ending, Problem, ProblemKind};
@@ -26,12 +27,21 @@ pub fn bad_flag(flag: &str, kind: ProblemKind, error: impl std::fmt::Display) ->
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
     // The sentence and the indented lines below it; usage follows after an empty line.
-    let lines: Vec<&str> = text.lines().take_while(|l| !l.trim().is_empty()).map(str::trim).collect();
+    let lines: Vec<&str> = text
+        .lines()
+        .take_while(|l| !l.trim().is_empty())
+        .map(str::trim)
+        .collect();
     let message = lines.join(" ");
-    Problem::new(ProblemKind::Usage, message.trim_start_matches("error: "), "see `mckibben --help`")
+    Problem::new(
+        ProblemKind::Usage,
+        message.trim_start_matches("error: "),
+        "see `mckibben --help`",
+    )
 }
 
-/// Standard output that cannot be written. Where only its reader went away (`| head`) there is nothing to say.
+/// Standard output that cannot be written. Where only its reader went away (`| head`) there is
+/// nothing to say.
 pub fn unprinted(error: &std::io::Error) -> Problem {
     let message = match error.kind() {
         ErrorKind::BrokenPipe => String::new(),
@@ -40,15 +50,19 @@ pub fn unprinted(error: &std::io::Error) -> Problem {
     Problem::new(ProblemKind::Output, message, "")
 }
 
-/// A problem in the words of the command line: flags in place of fields, and what to do where the layers below do not say it. A note on the unit of
-/// a pressure comes first, unless a text was not understood.
+/// A problem in the words of the command line: flags in place of fields, and what to do where the
+/// layers below do not say it. A note on the unit of a pressure comes first, unless a text was not
+/// understood.
 pub fn in_words(mut problem: Problem) -> Problem {
     // What is in backquotes there are keys of a file.
     if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
         problem.message = in_flags(&problem.message);
     }
     let flags = FLAGS.get().map_or(&[][..], Vec::as_slice);
-    let flag = problem.field.as_deref().and_then(|field| spec::flag_of(field, flags));
+    let flag = problem
+        .field
+        .as_deref()
+        .and_then(|field| spec::flag_of(field, flags));
     if let Some(flag) = flag.filter(|flag| !problem.message.starts_with(flag)) {
         problem.message = format!("{flag}: {}", problem.message);
     }
@@ -60,8 +74,10 @@ pub fn in_words(mut problem: Problem) -> Problem {
         ("", ProblemKind::Parameter) => "`mckibben identify --help` shows the forms".into(),
         (hint, _) => in_flags(hint),
     };
-    let is_understood =
-        !matches!(problem.kind, ProblemKind::Usage | ProblemKind::Quantity | ProblemKind::File);
+    let is_understood = !matches!(
+        problem.kind,
+        ProblemKind::Usage | ProblemKind::Quantity | ProblemKind::File
+    );
     problem.hint = match (&*problem.hint, unit_hint().filter(|_| is_understood)) {
         (hint, None) => hint.into(),
         ("", Some(note)) => note.into(),
@@ -74,7 +90,11 @@ pub fn in_words(mut problem: Problem) -> Problem {
 pub fn as_text(problem: &Problem) -> String {
     let [message, hint] = [&problem.message, &problem.hint].map(|text| shown::sentence(text));
     let (message, hint) = (clean::line(&message), clean::line(&hint));
-    if hint.is_empty() { format!("error: {message}") } else { format!("error: {message}\n  hint: {hint}") }
+    if hint.is_empty() {
+        format!("error: {message}")
+    } else {
+        format!("error: {message}\n  hint: {hint}")
+    }
 }
 
 /// `{"error": {"kind", "message", "hint"}}` on one line.
@@ -103,8 +123,11 @@ mod tests {
             "pressures_mpa=pressure two_sided",
             &serde_json::json!({ "properties": fields }),
         ));
-        let problem =
-            Problem::new(ProblemKind::Quantity, "`strand_length_mm` and `turns`, not `paper`", "`two_sided`");
+        let problem = Problem::new(
+            ProblemKind::Quantity,
+            "`strand_length_mm` and `turns`, not `paper`",
+            "`two_sided`",
+        );
         let problem = in_words(problem.in_field("pressures_mpa"));
         assert_eq!(
             as_text(&problem),
@@ -121,9 +144,15 @@ mod tests {
         let problem = mckibben_app::guarded(work).unwrap_err();
         assert_eq!(exit_code(Some(&problem)), 4);
         let text = as_text(&problem);
-        assert!(text.contains(": index out of bounds: the len is 2"), "{text}");
+        assert!(
+            text.contains(": index out of bounds: the len is 2"),
+            "{text}"
+        );
         assert!(text.contains("hint: please report"), "{text}");
         let json = as_json(&problem);
-        assert!(json.starts_with("{\"error\":{\"kind\":\"internal\""), "{json}");
+        assert!(
+            json.starts_with("{\"error\":{\"kind\":\"internal\""),
+            "{json}"
+        );
     }
 }

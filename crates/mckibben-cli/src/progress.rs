@@ -30,7 +30,8 @@ pub fn cancel() -> Cancel {
     Arc::clone(&STOPPED).into()
 }
 
-/// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not written.
+/// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not
+/// written.
 pub fn ended() -> Result<(), Problem> {
     Ok(cancel().check()?)
 }
@@ -43,23 +44,28 @@ pub fn last_word(done: Result<u8, Problem>) -> Result<u8, Problem> {
     }
 }
 
-/// A file that grows beyond a limit of the system is an error of writing, and not the end of the process: what is unfinished is removed.
+/// A file that grows beyond a limit of the system is an error of writing, and not the end of the
+/// process: what is unfinished is removed.
 pub fn no_signal_for_long_files() {
     // The flag is never read: that somebody listens is enough.
     #[cfg(unix)]
     let _ = flag::register(consts::SIGXFSZ, Arc::default());
 }
 
-/// Whether a signal came that ends a process. From the first call on the first signal no longer ends the program by itself; the
-/// second one does.
+/// Whether a signal came that ends a process. From the first call on the first signal no longer
+/// ends the program by itself; the second one does.
 pub fn stopped() -> bool {
     static TAKEN: Once = Once::new();
     TAKEN.call_once(|| {
         for signal in ENDING {
-            // In this order: the first one sets the flag, and a later one finds it set. Where signals cannot be taken over, they
-            // end the program as ever.
-            let _ = flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), Arc::clone(&STOPPED))
-                .and_then(|_| flag::register(signal, Arc::clone(&STOPPED)));
+            // In this order: the first one sets the flag, and a later one finds it set. Where
+            // signals cannot be taken over, they end the program as ever.
+            let _ = flag::register_conditional_shutdown(
+                signal,
+                i32::from(INTERRUPTED),
+                Arc::clone(&STOPPED),
+            )
+            .and_then(|_| flag::register(signal, Arc::clone(&STOPPED)));
         }
     });
     STOPPED.load(Ordering::Relaxed)
@@ -82,8 +88,8 @@ fn watch() {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// A bar with rate and remaining time, to standard error, on a terminal only, of work that takes longer than a moment. The first Ctrl-C ends
-/// the work, the second the program.
+/// A bar with rate and remaining time, to standard error, on a terminal only, of work that takes
+/// longer than a moment. The first Ctrl-C ends the work, the second the program.
 pub struct Bar {
     bar: ProgressBar,
     /// From when on it is drawn; no longer set once it is.
@@ -94,7 +100,8 @@ impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
+        let template =
+            format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             let rate = |s: &ProgressState, to: &mut dyn Write| {
                 // Nothing better can be done if the message cannot be shown.
@@ -102,7 +109,10 @@ impl Bar {
             };
             bar.set_style(style.with_key("rate", rate));
         }
-        Self { bar, from: Mutex::new(Some(Instant::now() + SOON)) }
+        Self {
+            bar,
+            from: Mutex::new(Some(Instant::now() + SOON)),
+        }
     }
 
     /// Draws it from its time on.
@@ -110,7 +120,8 @@ impl Bar {
         let mut from = self.from.lock().unwrap_or_else(PoisonError::into_inner);
         if from.is_some_and(|from| Instant::now() >= from) {
             *from = None;
-            self.bar.set_draw_target(ProgressDrawTarget::stderr_with_hz(5));
+            self.bar
+                .set_draw_target(ProgressDrawTarget::stderr_with_hz(5));
         }
     }
 }

@@ -6,12 +6,17 @@ use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
 
 pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Problem> {
-    let value = parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
+    let value =
+        parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
     let text = text.trim();
     if dimension == Dimension::Volume && value != 0.0 && text.parse::<f64>().is_ok() {
         // Volumes are read in mL, and the unit inside is a thousandth of it.
         let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
-        return Err(Problem::new(ProblemKind::Quantity, message, format!("write {text}mL or {text}mm3")));
+        return Err(Problem::new(
+            ProblemKind::Quantity,
+            message,
+            format!("write {text}mL or {text}mm3"),
+        ));
     }
     check_unit(flag, text, dimension);
     Ok(value)
@@ -33,16 +38,23 @@ fn check_unit(flag: &str, text: &str, dimension: Dimension) {
     }
     let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
     let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
-    if let Some(high) = numbers.ok().and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA)) {
+    if let Some(high) = numbers
+        .ok()
+        .and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA))
+    {
         UNIT_NOTE.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
     }
 }
 
-/// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was meant as 15 %.
+/// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was
+/// meant as 15 %.
 pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Problem> {
-    let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else { return Ok(()) };
+    let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else {
+        return Ok(());
+    };
     let text = text.trim();
-    let message = format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
+    let message =
+        format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
     let hint = if list.len() == 1 && e > 1.0 && e < 100.0 && !text.contains('%') {
         format!("write {e}% or {}", e / 100.0)
     } else {
@@ -55,7 +67,15 @@ pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Pr
 pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Problem> {
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
-        bad_flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
+        bad_flag(
+            flag,
+            if quantity {
+                ProblemKind::Quantity
+            } else {
+                ProblemKind::Range
+            },
+            e,
+        )
     };
     let values = parse_values(text, dimension).map_err(wrong)?;
     check_unit(flag, text, dimension);
@@ -68,8 +88,10 @@ fn meant(mpa: f64) -> String {
     const USUAL: std::ops::RangeInclusive<f64> = 0.08..=1.2;
     let units = ["bar", "psi", "kPa", "mbar", "Pa"];
     let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
-    let likely: Vec<&str> =
-        units.into_iter().filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))).collect();
+    let likely: Vec<&str> = units
+        .into_iter()
+        .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p)))
+        .collect();
     let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
     let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
     match likely[..] {
@@ -77,7 +99,11 @@ fn meant(mpa: f64) -> String {
         [one] => format!("{said}; was {one} meant? write {mpa}{one}"),
         _ => {
             let write: Vec<String> = likely.iter().map(|unit| format!("{mpa}{unit}")).collect();
-            format!("{said}; was {} meant? write {}", likely.join(" or "), write.join(" or "))
+            format!(
+                "{said}; was {} meant? write {}",
+                likely.join(" or "),
+                write.join(" or ")
+            )
         }
     }
 }
@@ -91,7 +117,10 @@ mod tests {
         for (mpa, said) in [
             (6.0, "6 MPa = 60 bar; was bar meant? write 6bar"),
             (36.0, "36 MPa = 360 bar; was psi meant? write 36psi"),
-            (100.0, "100 MPa = 1000 bar; was psi or kPa meant? write 100psi or 100kPa"),
+            (
+                100.0,
+                "100 MPa = 1000 bar; was psi or kPa meant? write 100psi or 100kPa",
+            ),
             (250.0, "was kPa meant? write 250kPa"),
             (250_000.0, "was Pa meant? write 250000Pa"),
             (40.0e6, "for bar write 40000000bar"),

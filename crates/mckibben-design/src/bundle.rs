@@ -1,9 +1,11 @@
 //! Equal muscles side by side: the circle around them, and when they touch.
 //!
-//! The smallest circle around n equal circles of radius r has the radius R = ρ(n) r. ρ up to n = 20 is that of the best packings known
-//! (Graham, Lubachevsky, Nurmela & Östergård 1998 \[graham1998\]; proven to be the best up to 13, and of 19). Of more circles it is that of
-//! the n points of a hexagonal lattice which are nearest to one of its centres of symmetry: ρ = 1 + d/r, d the distance of the farthest of them.
-//! Such a bundle is up to a tenth wider than the best one that is known.
+//! The smallest circle around n equal circles of radius r has the radius R = ρ(n) r. ρ up to n = 20
+//! is that of the best packings known (Graham, Lubachevsky, Nurmela & Östergård 1998
+//! \[graham1998\]; proven to be the best up to 13, and of 19). Of more circles it is that of the n
+//! points of a hexagonal lattice which are nearest to one of its centres of symmetry: ρ = 1 + d/r,
+//! d the distance of the farthest of them. Such a bundle is up to a tenth wider than the best one
+//! that is known.
 
 use mckibben::analysis::{Evaluation, Options, bisect};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
@@ -43,7 +45,8 @@ pub fn envelope_ratio(count: u32) -> f64 {
     }
 }
 
-/// ρ of points of a hexagonal lattice with unit distances 2 around a point, the middle of an edge, or that of a triangle.
+/// ρ of points of a hexagonal lattice with unit distances 2 around a point, the middle of an edge,
+/// or that of a triangle.
 fn hexagonal(count: u32) -> f64 {
     let height = 3f64.sqrt();
     // Rings of the lattice that hold them all, and one more for centres beside a point.
@@ -51,17 +54,25 @@ fn hexagonal(count: u32) -> f64 {
     let centres = [(0.0, 0.0), (1.0, 0.0), (1.0, height / 3.0)];
     let around = |(x, y): (f64, f64)| {
         let lattice = (-rings..=rings).flat_map(|j| (-rings..=rings).map(move |i| (i, j)));
-        let distance =
-            |(i, j): (i32, i32)| (2.0 * f64::from(i) + f64::from(j) - x).hypot(height * f64::from(j) - y);
+        let distance = |(i, j): (i32, i32)| {
+            (2.0 * f64::from(i) + f64::from(j) - x).hypot(height * f64::from(j) - y)
+        };
         let mut all: Vec<f64> = lattice.map(distance).collect();
         all.sort_by(f64::total_cmp);
-        1.0 + all.get(count as usize - 1).copied().unwrap_or(f64::INFINITY)
+        1.0 + all
+            .get(count as usize - 1)
+            .copied()
+            .unwrap_or(f64::INFINITY)
     };
-    centres.map(around).into_iter().fold(f64::INFINITY, f64::min)
+    centres
+        .map(around)
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
 }
 
-/// The smallest contraction at which muscles touch whose axes lie `pitch_mm` apart: where the bulged diameter at that pressure reaches the pitch.
-/// `None` where they do not touch up to the free contraction, or where the model has no answer.
+/// The smallest contraction at which muscles touch whose axes lie `pitch_mm` apart: where the
+/// bulged diameter at that pressure reaches the pitch. `None` where they do not touch up to the
+/// free contraction, or where the model has no answer.
 pub fn touches_at(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
@@ -70,18 +81,33 @@ pub fn touches_at(
 ) -> Option<f64> {
     let thick_wall = ThickWall::new(model.muscle());
     let mut diameter = |contraction: f64| {
-        let own = model.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm;
-        own.or_else(|| thick_wall.response(workspace, pressure_mpa, contraction).ok()?.bulged_diameter_mm)
+        let own = model
+            .response(workspace, pressure_mpa, contraction)
+            .ok()?
+            .bulged_diameter_mm;
+        own.or_else(|| {
+            thick_wall
+                .response(workspace, pressure_mpa, contraction)
+                .ok()?
+                .bulged_diameter_mm
+        })
     };
     if diameter(0.0)? >= pitch_mm {
         return Some(0.0);
     }
     let workspace = &mut Workspace::new();
-    let free = Evaluation::new(model, workspace, Options::default()).free_contraction(pressure_mpa).ok()?;
+    let free = Evaluation::new(model, workspace, Options::default())
+        .free_contraction(pressure_mpa)
+        .ok()?;
     if diameter(free)? < pitch_mm {
         return None;
     }
-    Some(bisect(0.0, free, 40, |contraction| diameter(contraction).is_none_or(|mm| mm < pitch_mm)).1)
+    Some(
+        bisect(0.0, free, 40, |contraction| {
+            diameter(contraction).is_none_or(|mm| mm < pitch_mm)
+        })
+        .1,
+    )
 }
 
 #[cfg(test)]
@@ -90,7 +116,8 @@ mod tests {
     use mckibben::muscle::{Braid, BraidStiffness, Muscle};
     use std::f64::consts::PI;
 
-    /// Closed forms: Kravitz 1967 (Math. Mag. 40, 65–70), as Graham et al. 1998 and others print them.
+    /// Closed forms: Kravitz 1967 (Math. Mag. 40, 65–70), as Graham et al. 1998 and others print
+    /// them.
     #[test]
     fn known_packings_are_their_closed_forms() {
         let csc = |n: f64| 1.0 / (PI / n).sin();
@@ -107,41 +134,68 @@ mod tests {
             (9, 1.0 + root(2.0 * (2.0 + root(2.0)))),
             (11, 1.0 + csc(9.0)),
             (13, 2.0 + root(5.0)),
-            (15, 1.0 + root(6.0 + 2.0 / root(5.0) + 4.0 * root(1.0 + 2.0 / root(5.0)))),
+            (
+                15,
+                1.0 + root(6.0 + 2.0 / root(5.0) + 4.0 * root(1.0 + 2.0 / root(5.0))),
+            ),
             (18, 1.0 + root(2.0) + root(6.0)),
             (19, 1.0 + root(2.0) + root(6.0)),
         ] {
-            assert!((envelope_ratio(count) - exact).abs() < 1e-7, "{count}: {exact}");
+            assert!(
+                (envelope_ratio(count) - exact).abs() < 1e-7,
+                "{count}: {exact}"
+            );
         }
     }
 
-    /// Identities: full hexagons of 7 and 37 have ρ = 3 and 7; no bundle is denser than π/√12, none of the table wider than the lattice.
+    /// Identities: full hexagons of 7 and 37 have ρ = 3 and 7; no bundle is denser than π/√12, none
+    /// of the table wider than the lattice.
     #[test]
     fn a_lattice_is_no_better_than_the_table_and_no_bundle_denser_than_the_plane() {
         assert!((hexagonal(7) - 3.0).abs() < 1e-12 && (hexagonal(37) - 7.0).abs() < 1e-12);
         assert!(
-            (hexagonal(3) - (1.0 + 2.0 / 3f64.sqrt())).abs() < 1e-12 && (hexagonal(2) - 2.0).abs() < 1e-12
+            (hexagonal(3) - (1.0 + 2.0 / 3f64.sqrt())).abs() < 1e-12
+                && (hexagonal(2) - 2.0).abs() < 1e-12
         );
         let mut last = 0.0;
         for count in 1..=200 {
             let ratio = envelope_ratio(count);
-            assert!(f64::from(count) / (ratio * ratio) <= 1.0 && ratio >= last, "{count}: {ratio}");
-            assert!(f64::from(count) <= ratio * ratio * PI / 12f64.sqrt() || count == 1, "{count}: {ratio}");
+            assert!(
+                f64::from(count) / (ratio * ratio) <= 1.0 && ratio >= last,
+                "{count}: {ratio}"
+            );
+            assert!(
+                f64::from(count) <= ratio * ratio * PI / 12f64.sqrt() || count == 1,
+                "{count}: {ratio}"
+            );
             assert!(ratio <= hexagonal(count) + 1e-7, "{count}");
             last = ratio;
         }
         // So many circles are known to fit into so many radii: OEIS A023393.
-        for (count, radii) in
-            [(27, 6.0), (38, 7.0), (50, 8.0), (64, 9.0), (80, 10.0), (98, 11.0), (118, 12.0)]
-        {
-            assert!((1.0..1.1).contains(&(envelope_ratio(count) / radii)), "{count}");
+        for (count, radii) in [
+            (27, 6.0),
+            (38, 7.0),
+            (50, 8.0),
+            (64, 9.0),
+            (80, 10.0),
+            (98, 11.0),
+            (118, 12.0),
+        ] {
+            assert!(
+                (1.0..1.1).contains(&(envelope_ratio(count) / radii)),
+                "{count}"
+            );
         }
     }
 
-    /// By hand: strands that keep their length on the outer diameter, D = D0 √(1 − (1−ε)² cos²θ0)/sin θ0.
+    /// By hand: strands that keep their length on the outer diameter, D = D0 √(1 − (1−ε)²
+    /// cos²θ0)/sin θ0.
     #[test]
     fn muscles_touch_where_the_braid_is_as_wide_as_the_pitch() {
-        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+        let braid = Braid {
+            stiffness: BraidStiffness::Inextensible,
+            ..Braid::paper()
+        };
         let muscle = Muscle::prototype().with_braid(braid).unwrap();
         let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
         let (sin, cos) = muscle.braid().angle_deg.to_radians().sin_cos();

@@ -13,7 +13,8 @@ use std::collections::HashSet;
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
-    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted, and more where the lower end of its ± is.
+    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted,
+    /// and more where the lower end of its ± is.
     #[serde(flatten)]
     pub response: Response,
     /// What is wanted.
@@ -55,9 +56,11 @@ pub struct Candidate {
     pub points: Vec<CandidatePoint>,
     /// Pressure to set, in MPa: the largest that any point needs.
     pub pressure_mpa: f64,
-    /// Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and muscle allow it.
+    /// Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and
+    /// muscle allow it.
     pub sure_pressure_mpa: Option<f64>,
-    /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
+    /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum
+    /// pressure is of this one.
     pub highest_pressure_mpa: f64,
     /// Least margin over the points.
     pub margin: f64,
@@ -99,12 +102,18 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
         response.pressure_mpa = pressure_mpa;
         response.force_n = match spec.guaranteed {
             None => point.force_n,
-            Some(_) => trial.evaluation().force_n(pressure_mpa, point.contraction)?,
+            Some(_) => trial
+                .evaluation()
+                .force_n(pressure_mpa, point.contraction)?,
         };
         from_thick_wall.extend(filled);
         let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
         if helped {
-            from_thick_wall.push(if spec.liquid.is_some() { "liquid volume" } else { "air" });
+            from_thick_wall.push(if spec.liquid.is_some() {
+                "liquid volume"
+            } else {
+                "air"
+            });
         }
         points.push(CandidatePoint {
             force_at_max_pressure_n: available_n,
@@ -120,7 +129,9 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     let max = trial.highest_mpa;
     let free = trial.evaluation().free_contraction(max).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options()).free_contraction(max).ok()
+        Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options())
+            .free_contraction(max)
+            .ok()
     });
     let failures = burst(&*trial.model).unwrap_or(trial.burst);
     if failures.from_thick_wall {
@@ -128,8 +139,15 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
-    let pressure_mpa = points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max);
-    let mut spare: Vec<(Limit, f64)> = probe.checks.iter().map(|c| (c.limit, -c.excess())).collect();
+    let pressure_mpa = points
+        .iter()
+        .map(|p| p.response.pressure_mpa)
+        .fold(0.0, f64::max);
+    let mut spare: Vec<(Limit, f64)> = probe
+        .checks
+        .iter()
+        .map(|c| (c.limit, -c.excess()))
+        .collect();
     spare.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut known = HashSet::new();
     spare.retain(|(limit, _)| known.insert(*limit));
@@ -137,13 +155,26 @@ pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
     Ok(Candidate {
         pressure_mpa,
-        margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
+        margin: points
+            .iter()
+            .map(|p| p.margin)
+            .fold(f64::INFINITY, f64::min),
         blocked_force_n,
         free_contraction: free,
-        work_j: trial.evaluation().work_per_stroke_j(max, 0.0, furthest).ok(),
-        burst: Burst { safety: trial.burst.safety, ..failures },
+        work_j: trial
+            .evaluation()
+            .work_per_stroke_j(max, 0.0, furthest)
+            .ok(),
+        burst: Burst {
+            safety: trial.burst.safety,
+            ..failures
+        },
         // Of a pull that is guaranteed it is the pressure to set.
-        sure_pressure_mpa: if spec.guaranteed.is_some() { Some(pressure_mpa) } else { trial.sure_mpa() },
+        sure_pressure_mpa: if spec.guaranteed.is_some() {
+            Some(pressure_mpa)
+        } else {
+            trial.sure_mpa()
+        },
         highest_pressure_mpa: max,
         below: trial.below,
         spare,

@@ -59,11 +59,13 @@ impl Lift {
     }
 }
 
-/// Torques wanted of one of two equal muscles that turn a joint against each other on a pulley, the other one without pressure.
+/// Torques wanted of one of two equal muscles that turn a joint against each other on a pulley, the
+/// other one without pressure.
 ///
-/// At an angle φ from the neutral one the muscle is contracted by ε = ε0 + r φ/L0 and pulls F = τ/r. It is contracted by
-/// ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint, so that the other one is at its length at rest there, without a
-/// pull, and slack at every smaller angle.
+/// At an angle φ from the neutral one the muscle is contracted by ε = ε0 + r φ/L0 and pulls F =
+/// τ/r. It is contracted by ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint,
+/// so that the other one is at its length at rest there, without a pull, and slack at every smaller
+/// angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointDemand {
     pub torques: Vec<TorqueWanted>,
@@ -80,7 +82,10 @@ impl JointDemand {
     }
 
     fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {
-        let point = |&TorqueWanted { torque_nm, angle_deg }: &TorqueWanted| OperatingPoint {
+        let point = |&TorqueWanted {
+                         torque_nm,
+                         angle_deg,
+                     }: &TorqueWanted| OperatingPoint {
             force_n: 1e3 * torque_nm / self.radius_mm,
             contraction: self.contraction_at_neutral(length_mm)
                 + self.radius_mm * angle_deg.to_radians() / length_mm,
@@ -102,9 +107,16 @@ impl Demand {
             Self::Joint(joint) => Cow::Owned(joint.points(length_mm)),
             Self::Load { load, way } => {
                 let end = way.end_mm(length_mm);
-                // A muscle pulls less the more it is contracted: where the load grows, the end decides.
-                let grows = SHARES.windows(2).all(|s| load.force_n(s[0] * end) <= load.force_n(s[1] * end));
-                let shares = if grows { &SHARES[SHARES.len() - 1..] } else { &SHARES };
+                // A muscle pulls less the more it is contracted: where the load grows, the end
+                // decides.
+                let grows = SHARES
+                    .windows(2)
+                    .all(|s| load.force_n(s[0] * end) <= load.force_n(s[1] * end));
+                let shares = if grows {
+                    &SHARES[SHARES.len() - 1..]
+                } else {
+                    &SHARES
+                };
                 let at = |share: &f64| OperatingPoint {
                     force_n: load.force_n(share * end),
                     contraction: share * end / length_mm,
@@ -127,7 +139,10 @@ impl Demand {
     fn scaled(&self, factor: f64, share: f64) -> Self {
         match self {
             Self::Points(points) => {
-                let one = |&OperatingPoint { force_n, contraction }: &OperatingPoint| OperatingPoint {
+                let one = |&OperatingPoint {
+                               force_n,
+                               contraction,
+                           }: &OperatingPoint| OperatingPoint {
                     force_n: factor * force_n,
                     contraction: share * contraction,
                 };
@@ -141,18 +156,28 @@ impl Demand {
                 },
             },
             Self::Joint(joint) => {
-                let one = |t: &TorqueWanted| TorqueWanted { torque_nm: factor * t.torque_nm, ..*t };
+                let one = |t: &TorqueWanted| TorqueWanted {
+                    torque_nm: factor * t.torque_nm,
+                    ..*t
+                };
                 let torques = joint.torques.iter().map(one).collect();
-                Self::Joint(JointDemand { torques, ..joint.clone() })
+                Self::Joint(JointDemand {
+                    torques,
+                    ..joint.clone()
+                })
             }
         }
     }
 
-    /// The number that says how far: the first contraction, or the stroke in mm; `None` of a joint, and of a muscle that does not shorten.
+    /// The number that says how far: the first contraction, or the stroke in mm; `None` of a joint,
+    /// and of a muscle that does not shorten.
     pub(super) fn way(&self) -> Option<f64> {
         let way = match self {
             Self::Points(points) => points.first()?.contraction,
-            Self::Load { way: Lift::Stroke(way) | Lift::Contraction(way), .. } => *way,
+            Self::Load {
+                way: Lift::Stroke(way) | Lift::Contraction(way),
+                ..
+            } => *way,
             Self::Joint(_) => return None,
         };
         Some(way).filter(|way| *way != 0.0)
@@ -176,18 +201,28 @@ impl Demand {
                         && t.torque_nm.is_finite()
                         && t.angle_deg.abs() <= j.largest_angle_deg)
                 };
-                if let Some(&TorqueWanted { torque_nm, angle_deg }) = j.torques.iter().find(senseless) {
+                if let Some(&TorqueWanted {
+                    torque_nm,
+                    angle_deg,
+                }) = j.torques.iter().find(senseless)
+                {
                     let largest_deg = j.largest_angle_deg;
                     return Err(SpecError::Refused(format!(
-                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
+                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero \
+                         and the angle within ±{largest_deg}°"
                     )));
                 }
                 let bounds = [
                     ("the largest angle of the joint", j.largest_angle_deg),
                     ("the radius of the pulley", j.radius_mm),
                 ];
-                if let Some((name, value)) = bounds.into_iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
-                    return Err(SpecError::Refused(format!("{name} is {value}; it must be above zero")));
+                if let Some((name, value)) = bounds
+                    .into_iter()
+                    .find(|(_, v)| !(v.is_finite() && *v > 0.0))
+                {
+                    return Err(SpecError::Refused(format!(
+                        "{name} is {value}; it must be above zero"
+                    )));
                 }
             }
             Self::Load { load, way } => {
@@ -195,7 +230,8 @@ impl Demand {
                 let (low, high) = load.reach_mm();
                 if !(low <= 0.0 && end <= high) {
                     return Err(SpecError::Refused(format!(
-                        "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
+                        "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, \
+                         and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
                     )));
                 }
             }
@@ -203,7 +239,11 @@ impl Demand {
         }
         let points = self.points(length_mm);
         if points.is_empty() {
-            return Err(SpecError::Refused("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls".into()));
+            return Err(SpecError::Refused(
+                "no operating point: give `force_n` and `contraction`, \
+                or `points`, each a pull at a contraction, or a load that pulls"
+                    .into(),
+            ));
         }
         let sign = if self.extends() { -1.0 } else { 1.0 };
         let senseless = |p: &&OperatingPoint| {
@@ -212,7 +252,10 @@ impl Demand {
         };
         match points.iter().find(senseless) {
             Some(p) => Err(SpecError::Refused(format!(
-                "the operating point {force_n}\u{a0}N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a push of a muscle that extends, the force below 0 N and the contraction from above -1 to 0",
+                "the operating point {force_n}\u{a0}N at a contraction of {contraction} is \
+                 invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a \
+                 push of a muscle that extends, the force below 0 N and the contraction from above \
+                 -1 to 0",
                 force_n = p.force_n,
                 contraction = p.contraction
             ))),
@@ -236,15 +279,23 @@ mod tests {
     fn a_joint_asks_for_pulls_at_contractions() {
         let joint = JointDemand {
             torques: vec![
-                TorqueWanted { torque_nm: 8.0, angle_deg: 45.0 },
-                TorqueWanted { torque_nm: 3.0, angle_deg: -60.0 },
+                TorqueWanted {
+                    torque_nm: 8.0,
+                    angle_deg: 45.0,
+                },
+                TorqueWanted {
+                    torque_nm: 3.0,
+                    angle_deg: -60.0,
+                },
             ],
             largest_angle_deg: 60.0,
             radius_mm: 25.0,
         };
         let demand = Demand::Joint(joint);
         let points = demand.points(250.0);
-        assert!((points[0].force_n - 320.0).abs() < 1e-12 && (points[1].force_n - 120.0).abs() < 1e-12);
+        assert!(
+            (points[0].force_n - 320.0).abs() < 1e-12 && (points[1].force_n - 120.0).abs() < 1e-12
+        );
         assert!((points[0].contraction - 25.0 * 105f64.to_radians() / 250.0).abs() < 1e-15);
         assert!(points[1].contraction.abs() < 1e-15);
         assert!(demand.check(250.0).is_ok());
@@ -253,11 +304,27 @@ mod tests {
     #[test]
     fn a_load_that_falls_is_looked_at_all_along_the_way() {
         let way = Lift::Stroke(40.0);
-        let spring = Load::Spring { rate_n_per_mm: 5.0, preload_n: 50.0 };
-        let points = Demand::Load { load: spring, way }.points(285.0).into_owned();
-        assert_eq!(points, [OperatingPoint { force_n: 250.0, contraction: 40.0 / 285.0 }]);
-        let falling = Load::Spring { rate_n_per_mm: -2.0, preload_n: 100.0 };
-        let points = Demand::Load { load: falling, way }.points(285.0).into_owned();
+        let spring = Load::Spring {
+            rate_n_per_mm: 5.0,
+            preload_n: 50.0,
+        };
+        let points = Demand::Load { load: spring, way }
+            .points(285.0)
+            .into_owned();
+        assert_eq!(
+            points,
+            [OperatingPoint {
+                force_n: 250.0,
+                contraction: 40.0 / 285.0
+            }]
+        );
+        let falling = Load::Spring {
+            rate_n_per_mm: -2.0,
+            preload_n: 100.0,
+        };
+        let points = Demand::Load { load: falling, way }
+            .points(285.0)
+            .into_owned();
         let forces: Vec<f64> = points.iter().map(|q| q.force_n).collect();
         assert_eq!(forces, [100.0, 80.0, 60.0, 40.0, 20.0]);
     }
@@ -266,28 +333,82 @@ mod tests {
     #[test]
     fn a_share_of_a_demand_is_that_share_of_its_pulls() {
         let seventh = |demand: Demand| demand.times(1.0 / 7.0).points(250.0)[0].force_n;
-        let points = vec![OperatingPoint { force_n: 700.0, contraction: 0.1 }];
+        let points = vec![OperatingPoint {
+            force_n: 700.0,
+            contraction: 0.1,
+        }];
         assert!((seventh(points.into()) - 100.0).abs() < 1e-12);
-        let load = Load::Mass { mass_kg: 7.0, level: false };
-        assert!((seventh(Demand::Load { load, way: Lift::Stroke(20.0) }) - 9.80665).abs() < 1e-9);
-        let torques = vec![TorqueWanted { torque_nm: 14.0, angle_deg: 30.0 }];
-        let joint = JointDemand { torques, largest_angle_deg: 30.0, radius_mm: 20.0 };
+        let load = Load::Mass {
+            mass_kg: 7.0,
+            level: false,
+        };
+        assert!(
+            (seventh(Demand::Load {
+                load,
+                way: Lift::Stroke(20.0)
+            }) - 9.80665)
+                .abs()
+                < 1e-9
+        );
+        let torques = vec![TorqueWanted {
+            torque_nm: 14.0,
+            angle_deg: 30.0,
+        }];
+        let joint = JointDemand {
+            torques,
+            largest_angle_deg: 30.0,
+            radius_mm: 20.0,
+        };
         assert!((seventh(Demand::Joint(joint)) - 100.0).abs() < 1e-12);
     }
 
     #[test]
     fn what_makes_no_sense_is_refused() {
         let joint = |torque, angle, most, radius| {
-            let torques = vec![TorqueWanted { torque_nm: torque, angle_deg: angle }];
-            Demand::Joint(JointDemand { torques, largest_angle_deg: most, radius_mm: radius }).check(250.0)
+            let torques = vec![TorqueWanted {
+                torque_nm: torque,
+                angle_deg: angle,
+            }];
+            Demand::Joint(JointDemand {
+                torques,
+                largest_angle_deg: most,
+                radius_mm: radius,
+            })
+            .check(250.0)
         };
-        assert!(matches!(joint(8.0, 70.0, 60.0, 25.0), Err(SpecError::Refused(_))));
-        assert!(matches!(joint(0.0, 10.0, 60.0, 25.0), Err(SpecError::Refused(_))));
-        assert!(matches!(joint(8.0, 45.0, 60.0, 0.0), Err(SpecError::Refused(_))));
+        assert!(matches!(
+            joint(8.0, 70.0, 60.0, 25.0),
+            Err(SpecError::Refused(_))
+        ));
+        assert!(matches!(
+            joint(0.0, 10.0, 60.0, 25.0),
+            Err(SpecError::Refused(_))
+        ));
+        assert!(matches!(
+            joint(8.0, 45.0, 60.0, 0.0),
+            Err(SpecError::Refused(_))
+        ));
         // More than the muscle's length.
-        assert!(matches!(joint(8.0, 60.0, 60.0, 250.0), Err(SpecError::Refused(_))));
-        let level = Load::Mass { mass_kg: 3.0, level: true };
-        let nothing = Demand::Load { load: level, way: Lift::Stroke(10.0) };
-        assert_eq!(nothing.check(285.0), Err(SpecError::Refused("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls".into())));
+        assert!(matches!(
+            joint(8.0, 60.0, 60.0, 250.0),
+            Err(SpecError::Refused(_))
+        ));
+        let level = Load::Mass {
+            mass_kg: 3.0,
+            level: true,
+        };
+        let nothing = Demand::Load {
+            load: level,
+            way: Lift::Stroke(10.0),
+        };
+        assert_eq!(
+            nothing.check(285.0),
+            Err(SpecError::Refused(
+                "no operating point: give \
+            `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that \
+            pulls"
+                    .into()
+            ))
+        );
     }
 }

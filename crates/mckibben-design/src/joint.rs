@@ -16,12 +16,14 @@ use std::cmp::Ordering;
 /// Samples of an interval of radii, and golden sections after them.
 const RADII: (usize, usize) = (10, 8);
 
-/// Searches with the model that settles about the best radius of the other one, and the ratio of neighbours.
+/// Searches with the model that settles about the best radius of the other one, and the ratio of
+/// neighbours.
 const NEAR: usize = 7;
 const BESIDE: f64 = 1.15;
 
-/// Tubes in sleeves that are followed over the radius: so many of the best of each sample and of those that miss by least, how many of them by the model
-/// that decides, and over which ratio of radii.
+/// Tubes in sleeves that are followed over the radius: so many of the best of each sample and of
+/// those that miss by least, how many of them by the model that decides, and over which ratio of
+/// radii.
 const BEST: usize = 8;
 const SETTLED: usize = 5;
 const CLOSE: f64 = 1.06;
@@ -29,10 +31,12 @@ const CLOSE: f64 = 1.06;
 /// A radius with what it gave.
 type Tried = (f64, Merit);
 
-/// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was found with it.
+/// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was
+/// found with it.
 ///
-/// The radius of the demand in `spec` is not used; `radius_mm` says which are looked at. Of a long lever the muscle must
-/// shorten more, of a short one it must pull more: between them lies the smallest muscle.
+/// The radius of the demand in `spec` is not used; `radius_mm` says which are looked at. Of a long
+/// lever the muscle must shorten more, of a short one it must pull more: between them lies the
+/// smallest muscle.
 pub fn design_joint(
     spec: &Spec,
     radius_mm: &Values,
@@ -44,23 +48,39 @@ pub fn design_joint(
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
     };
-    let (by_parts, quiet) = (!spec.tubes.is_empty() && sections > 0, &CancelOnly(progress));
+    let (by_parts, quiet) = (
+        !spec.tubes.is_empty() && sections > 0,
+        &CancelOnly(progress),
+    );
     let coarse = models.settle.is_some() && sections > 0;
     let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;
     let mut first_error = None;
-    // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
-    let roughly = if coarse { Models { search: THICK_WALL, settle: None } } else { models };
+    // The best radius hardly depends on the model: where another one settles, the infinitely long
+    // muscle says about where it lies.
+    let roughly = if coarse {
+        Models {
+            search: THICK_WALL,
+            settle: None,
+        }
+    } else {
+        models
+    };
     let mut tried = |radius_mm: f64, models: Models<'_>| -> (Merit, Vec<Pick>) {
         progress.report(done, total);
         done += 1;
-        let spec = Spec { extrapolate: true, ..with(radius_mm) };
+        let spec = Spec {
+            extrapolate: true,
+            ..with(radius_mm)
+        };
         match spec.check() {
             _ if progress.cancelled() => (Merit::NONE, vec![]),
             Ok(()) => {
                 let result = Search::new(&spec, models, quiet).run();
                 let fits = result.fits.iter().take(BEST).map(|fit| fit.1);
-                let near = fits.chain(result.misses.iter().take(BEST).map(|miss| miss.1)).collect();
+                let near = fits
+                    .chain(result.misses.iter().take(BEST).map(|miss| miss.1))
+                    .collect();
                 (result.merit().0, near)
             }
             Err(error) => {
@@ -70,7 +90,11 @@ pub fn design_joint(
         }
     };
     let looked: Vec<(Merit, Vec<Pick>)> = places.iter().map(|&r| tried(r, roughly)).collect();
-    let samples: Vec<Tried> = places.iter().zip(&looked).map(|(&r, look)| (r, look.0)).collect();
+    let samples: Vec<Tried> = places
+        .iter()
+        .zip(&looked)
+        .map(|(&r, look)| (r, look.0))
+        .collect();
     let best = least(&samples, |t| t.1).filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
@@ -94,19 +118,26 @@ pub fn design_joint(
         }
         chosen = along_radius(&picks, radius_mm.bounds(), spec, models, quiet).unwrap_or(chosen);
     }
-    // Where nothing fits the remedies are those of the radius at which all limits together are missed by least.
+    // Where nothing fits the remedies are those of the radius at which all limits together are
+    // missed by least.
     if sections > 0 && !(by_parts && chosen.1.fits()) {
         let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {
             let (low, high) = radius_mm.bounds();
             let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
             let near = about.map(|r| tried(r, models));
-            let Some(i) = least(&near, |t| t.1) else { return Err(Cancelled.into()) };
+            let Some(i) = least(&near, |t| t.1) else {
+                return Err(Cancelled.into());
+            };
             found = refine(&near, i, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
         }
         // A pulley in tenths of a millimetre.
         let rounded = tried((10.0 * found.0).round() / 10.0, models);
-        chosen = if rounded.1.fits() || !found.1.fits() { rounded } else { found };
+        chosen = if rounded.1.fits() || !found.1.fits() {
+            rounded
+        } else {
+            found
+        };
     }
     let spec = with(chosen.0);
     design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
@@ -120,7 +151,8 @@ fn on_radius(spec: &Spec, radius_mm: f64) -> Spec {
     changed
 }
 
-/// Each muscle alone over all radii, as its windows may be narrower than the step from sample to sample: the radius of the best one.
+/// Each muscle alone over all radii, as its windows may be narrower than the step from sample to
+/// sample: the radius of the best one.
 fn along_radius(
     picks: &[Pick],
     (low, high): (f64, f64),
@@ -131,19 +163,26 @@ fn along_radius(
     let search = Search::new(spec, models, progress);
     let held = searched(&spec.without_parts(), models);
     let at = |radius_mm: f64, build: &Build<'_>, muscle: &Muscle| {
-        Sample::new(radius_mm, probe(&on_radius(&held, radius_mm), build, muscle).ok())
+        Sample::new(
+            radius_mm,
+            probe(&on_radius(&held, radius_mm), build, muscle).ok(),
+        )
     };
     let merit = |s: &Sample| Merit::new(s.violation(), s.score);
     let about = |pick: &Pick| {
         let muscle = search.muscle(*pick).ok()?;
         let mut at = |r: f64| at(r, search.ranks(&muscle).0, &muscle);
         let found = along(low, high, false, &mut at);
-        let fits = found.fitting.iter().filter_map(|(from, to)| best_of(*from, *to, COARSE_STEPS, &mut at));
+        let fits = found
+            .fitting
+            .iter()
+            .filter_map(|(from, to)| best_of(*from, *to, COARSE_STEPS, &mut at));
         let all: Vec<Sample> = fits.chain(found.best).collect();
         let best = &all[least(&all, merit)?];
         Some((merit(best), best.x, muscle))
     };
-    let mut all: Vec<(Merit, f64, Muscle)> = threads::map(picks, about).into_iter().flatten().collect();
+    let mut all: Vec<(Merit, f64, Muscle)> =
+        threads::map(picks, about).into_iter().flatten().collect();
     all.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
     all.truncate(SETTLED);
     let settled = |(_, radius_mm, muscle): &(Merit, f64, Muscle)| {
@@ -152,7 +191,11 @@ fn along_radius(
         let found = refine(&samples, least(&samples, merit)?, NEAR, merit, &mut at);
         let tenths = [f64::floor, f64::ceil].map(|round| at(round(10.0 * found.x) / 10.0));
         let rounded = &tenths[least(&tenths, merit)?];
-        let best = if rounded.fits() || !found.fits() { rounded } else { &found };
+        let best = if rounded.fits() || !found.fits() {
+            rounded
+        } else {
+            &found
+        };
         Some((best.x, merit(best)))
     };
     let settled: Vec<Tried> = threads::map(&all, settled).into_iter().flatten().collect();

@@ -1,8 +1,8 @@
 //! From a specification to muscles: the main job.
 //!
-//! A [`Spec`] says which pull is wanted at which contraction, with which pressure, and within which bounds. [`design`]
-//! answers with ranked [`Candidate`]s, with the [`Reason`] why others fail, and, where nothing fits, with the muscle that
-//! comes closest and what would have to give.
+//! A [`Spec`] says which pull is wanted at which contraction, with which pressure, and within which
+//! bounds. [`design`] answers with ranked [`Candidate`]s, with the [`Reason`] why others fail, and,
+//! where nothing fits, with the muscle that comes closest and what would have to give.
 //!
 //! The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa:
 //!
@@ -42,6 +42,8 @@ pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
-pub use spec::{BraidChoice, Build, Limits, Models, Objective, SAFETY, SearchedMuscles, Spec, SpecError};
+pub use spec::{
+    BraidChoice, Build, Limits, Models, Objective, SAFETY, SearchedMuscles, Spec, SpecError,
+};
 pub use trial::Below;
 pub use tubes::{TubeError, TubePart};

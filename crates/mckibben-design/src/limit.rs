@@ -52,7 +52,14 @@ pub struct Check {
 
 impl Check {
     fn new(limit: Limit, value: f64, bound: f64) -> Self {
-        Self { limit, value, bound, contraction: 0.0, pressure_mpa: 0.0, by: None }
+        Self {
+            limit,
+            value,
+            bound,
+            contraction: 0.0,
+            pressure_mpa: 0.0,
+            by: None,
+        }
     }
 
     /// The share by which the limit is missed; at most 0 where it is met.
@@ -60,17 +67,23 @@ impl Check {
         self.limit.missed_by(self.value, self.bound)
     }
 
-    /// What the muscle has and what it may have, with pressures, forces and lengths written by `show`.
+    /// What the muscle has and what it may have, with pressures, forces and lengths written by
+    /// `show`.
     pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
         let (value, bound) = (self.value, self.bound);
         match self.limit {
             Limit::Force => {
                 let mpa = |p| show(Dimension::Pressure, p);
-                let below = self.by.map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
+                let below = self
+                    .by
+                    .map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
                 let pull = rounded(value, 3, f64::floor).max(value.trunc());
                 format!(
                     "{} at {} and {} %, {} required{below}",
-                    show(Dimension::Force, if value * bound > 0.0 { pull } else { 0.0 }),
+                    show(
+                        Dimension::Force,
+                        if value * bound > 0.0 { pull } else { 0.0 }
+                    ),
                     mpa(self.pressure_mpa),
                     round(100.0 * self.contraction),
                     show(Dimension::Force, bound)
@@ -83,7 +96,8 @@ impl Check {
             }
             Limit::MaxStretch => format!("rubber stretched to {value:.2}, at most {bound} allowed"),
             Limit::Buckling => {
-                let [push, limit] = [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
+                let [push, limit] =
+                    [value.ceil(), bound.floor()].map(|v| show(Dimension::Force, v));
                 format!("buckles at {limit} between two joints, {push} required")
             }
             Limit::LiquidVolume => {
@@ -98,7 +112,8 @@ fn round(v: f64) -> f64 {
     (v * 1e4).round() / 1e4
 }
 
-/// What muscles are ranked by, the smaller the better: the objective, then what decides between two that are equal in it.
+/// What muscles are ranked by, the smaller the better: the objective, then what decides between two
+/// that are equal in it.
 pub(super) type Score = [f64; 2];
 
 /// A muscle held against a specification.
@@ -113,7 +128,9 @@ pub(super) struct Probe {
 impl Probe {
     /// The limit that is missed by most, or met by least.
     pub(super) fn worst(&self) -> Option<&Check> {
-        self.checks.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()))
+        self.checks
+            .iter()
+            .max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
     /// The shares by which limits are missed, summed.
@@ -138,17 +155,34 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
     let max = trial.highest_mpa;
     let mut checks = vec![];
     let points = spec.points(muscle);
-    for &OperatingPoint { force_n, contraction } in points.iter() {
+    for &OperatingPoint {
+        force_n,
+        contraction,
+    } in points.iter()
+    {
         if !spec.extrapolate {
             let info = trial.model.info();
             info.range.check(&info.name, max, contraction)?;
         }
         let pull_n = trial.strongest_n(contraction)?;
-        let check = Check::new(Limit::Force, trial.sure_n(max, contraction, pull_n), force_n);
-        checks.push(Check { contraction, pressure_mpa: max, by: trial.below, ..check });
+        let check = Check::new(
+            Limit::Force,
+            trial.sure_n(max, contraction, pull_n),
+            force_n,
+        );
+        checks.push(Check {
+            contraction,
+            pressure_mpa: max,
+            by: trial.below,
+            ..check
+        });
     }
     let limits = &spec.limits;
-    let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
+    let stretch = limits.stretch.or(muscle
+        .tube()
+        .rubber
+        .fitted_to_stretch
+        .filter(|_| limits.fitted_stretch));
     let most_liquid = limits.liquid_volume_mm3.filter(|_| spec.liquid.is_some());
     let pumped = most_liquid.is_some() || scored && spec.objective == Objective::Air;
     let by_pressure = scored && matches!(spec.objective, Objective::Pressure | Objective::Air);
@@ -157,11 +191,19 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
     let (mut highest, mut fluid, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
     let strong = checks.iter().all(|c| c.excess() <= 0.0);
     let buckles = limits.buckling && spec.wanted.extends();
-    if shaped || by_pressure || pumped || buckles || scored && strong && spec.objective == Objective::Diameter
+    if shaped
+        || by_pressure
+        || pumped
+        || buckles
+        || scored && strong && spec.objective == Objective::Diameter
     {
         for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
-            let p = if checks[i].excess() > 0.0 { max } else { trial.need(point)? };
+            let p = if checks[i].excess() > 0.0 {
+                max
+            } else {
+                trial.need(point)?
+            };
             highest = highest.max(p);
             if buckles {
                 let least_n = ThickWall::new(muscle).buckling_n(p, point.contraction)?;
@@ -171,7 +213,11 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
                 let amount = trial.stroke(p, point.contraction).0;
                 if let Some(bound) = most_liquid {
                     let unknown = || ModelError::NoVolume(trial.model.info().name.to_string());
-                    checks.push(Check::new(Limit::LiquidVolume, amount.ok_or_else(unknown)?, bound));
+                    checks.push(Check::new(
+                        Limit::LiquidVolume,
+                        amount.ok_or_else(unknown)?,
+                        bound,
+                    ));
                 }
                 fluid = fluid.max(amount.unwrap_or(f64::INFINITY));
             }
@@ -179,7 +225,8 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
                 continue;
             }
             let (full, _) = trial.full_response(p, point.contraction)?;
-            if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
+            if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm)
+            {
                 checks.push(Check::new(Limit::BulgedDiameter, value, bound));
             }
             if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
@@ -188,7 +235,10 @@ pub(super) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe, M
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
         }
     }
-    let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
+    let margin = points
+        .iter()
+        .zip(&checks)
+        .map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         _ if !scored => NO_SCORE,
         Objective::Diameter => [muscle.outer_diameter_mm(), highest],

@@ -1,7 +1,8 @@
 //! One measure varied alone: where on a line of muscles do all limits hold?
 //!
-//! Each limit by itself varies slowly along the line, so that a few samples find all of its roots; their intersection may be much
-//! narrower than the step from sample to sample. Between neighbouring roots nothing changes: one muscle in the middle tells.
+//! Each limit by itself varies slowly along the line, so that a few samples find all of its roots;
+//! their intersection may be much narrower than the step from sample to sample. Between
+//! neighbouring roots nothing changes: one muscle in the middle tells.
 
 use super::limit::{Check, Probe, Score};
 use mckibben::analysis::{Abscissa, find_root, golden};
@@ -15,8 +16,8 @@ const TOLERANCE: f64 = 1e-7;
 const NEARLY: f64 = 0.3;
 /// Steps towards a local minimum, or the best score.
 pub(super) const STEPS: usize = 12;
-/// Steps towards the least violation, which as a rule lies where one limit begins to be missed: there the others are known as well as
-/// that place.
+/// Steps towards the least violation, which as a rule lies where one limit begins to be missed:
+/// there the others are known as well as that place.
 const STEPS_TO_LEAST: usize = 30;
 /// Halvings towards the edge of where there is an answer at all.
 const HALVINGS: usize = 14;
@@ -36,7 +37,12 @@ pub(super) struct Sample {
 impl Sample {
     /// Of a muscle that was held against a specification; `None`: without an answer.
     pub(super) fn new(x: f64, probe: Option<Probe>) -> Self {
-        let held = |probe: Probe| (probe.checks.iter().map(Check::excess).collect(), probe.score);
+        let held = |probe: Probe| {
+            (
+                probe.checks.iter().map(Check::excess).collect(),
+                probe.score,
+            )
+        };
         let (excess, score) = probe.map_or((vec![], NO_SCORE), held);
         Self { x, excess, score }
     }
@@ -47,7 +53,11 @@ impl Sample {
 
     /// The sum of the shares by which limits are missed: it is least where as few as possible are.
     pub(super) fn violation(&self) -> f64 {
-        if self.answered() { self.excess.iter().map(|e| e.max(0.0)).sum() } else { f64::INFINITY }
+        if self.answered() {
+            self.excess.iter().map(|e| e.max(0.0)).sum()
+        } else {
+            f64::INFINITY
+        }
     }
 
     pub(super) fn fits(&self) -> bool {
@@ -55,7 +65,8 @@ impl Sample {
     }
 }
 
-/// How good a muscle is: the shares by which it misses its limits, then its score. The smaller the better.
+/// How good a muscle is: the shares by which it misses its limits, then its score. The smaller the
+/// better.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub(super) struct Merit(f64, Score);
 
@@ -64,7 +75,11 @@ impl Merit {
 
     /// Of a muscle that misses by `violation`, or fits.
     pub(super) fn new(violation: f64, score: Score) -> Self {
-        if violation > 0.0 { Self(violation, NO_SCORE) } else { Self(0.0, score) }
+        if violation > 0.0 {
+            Self(violation, NO_SCORE)
+        } else {
+            Self(0.0, score)
+        }
     }
 
     pub(super) fn fits(self) -> bool {
@@ -89,12 +104,17 @@ pub(super) fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) ->
         samples.push(at(x));
         if let [.., before, last] = &samples[..] {
             let next = samples.len() >= 3;
-            let local_minimum = next.then(|| local_minimum(&samples[samples.len() - 3..], &mut at)).flatten();
+            let local_minimum = next
+                .then(|| local_minimum(&samples[samples.len() - 3..], &mut at))
+                .flatten();
             // A local minimum that was found between the last three goes where it belongs.
             let segments = match local_minimum {
                 None => vec![(before.clone(), last.clone())],
                 Some(local_minimum) if local_minimum.x > before.x => {
-                    vec![(before.clone(), local_minimum.clone()), (local_minimum, last.clone())]
+                    vec![
+                        (before.clone(), local_minimum.clone()),
+                        (local_minimum, last.clone()),
+                    ]
                 }
                 Some(local_minimum) => {
                     let oldest = samples[samples.len() - 3].clone();
@@ -116,7 +136,11 @@ pub(super) fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) ->
         }
     }
     found.fitting.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.best = if found.fitting.is_empty() { least_violation(&samples, &mut at) } else { None };
+    found.best = if found.fitting.is_empty() {
+        least_violation(&samples, &mut at)
+    } else {
+        None
+    };
     found
 }
 
@@ -127,11 +151,18 @@ fn places(low: f64, high: f64) -> Vec<f64> {
     }
     let n = ((high / low).ln() / RATIO.ln()).ceil().clamp(1.0, 60.0);
     (0..=n as usize)
-        .map(|i| if i as f64 == n { high } else { low * (high / low).powf(i as f64 / n) })
+        .map(|i| {
+            if i as f64 == n {
+                high
+            } else {
+                low * (high / low).powf(i as f64 / n)
+            }
+        })
         .collect()
 }
 
-/// Between the last three samples, the place where a limit that all of them miss is missed by least, if it is met there.
+/// Between the last three samples, the place where a limit that all of them miss is missed by
+/// least, if it is met there.
 fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
     let [a, b, c] = three else { return None };
     if ![a, b, c].iter().all(|s| s.answered()) {
@@ -143,12 +174,21 @@ fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option
         let dips = m > 0.0 && m < NEARLY && l > m && r >= m;
         let value = |s: &Sample| Merit(s.excess.get(j).copied().unwrap_or(f64::INFINITY), [0.0; 2]);
         let least = dips.then(|| golden(a.x, b.clone(), c.x, STEPS, value, at))?;
-        least.excess.get(j).is_some_and(|e| *e <= 0.0).then_some(least)
+        least
+            .excess
+            .get(j)
+            .is_some_and(|e| *e <= 0.0)
+            .then_some(least)
     })
 }
 
 /// Adds the parts of a segment that fit.
-fn segment(a: &Sample, b: &Sample, at: &mut impl FnMut(f64) -> Sample, fitting: &mut Vec<(f64, f64)>) {
+fn segment(
+    a: &Sample,
+    b: &Sample,
+    at: &mut impl FnMut(f64) -> Sample,
+    fitting: &mut Vec<(f64, f64)>,
+) {
     let (a, b) = match (a.answered(), b.answered()) {
         (true, true) => (a.clone(), b.clone()),
         (false, true) => (edge(a.x, b, at), b.clone()),
@@ -169,7 +209,11 @@ fn segment(a: &Sample, b: &Sample, at: &mut impl FnMut(f64) -> Sample, fitting: 
     ends.sort_by(f64::total_cmp);
     for pair in ends.windows(2) {
         let middle = 0.5 * (pair[0] + pair[1]);
-        let fits = if ends.len() == 2 { a.fits() && b.fits() } else { at(middle).fits() };
+        let fits = if ends.len() == 2 {
+            a.fits() && b.fits()
+        } else {
+            at(middle).fits()
+        };
         if !fits {
             continue;
         }
@@ -185,7 +229,11 @@ fn edge(without: f64, with: &Sample, at: &mut impl FnMut(f64) -> Sample) -> Samp
     let (mut without, mut with) = (without, with.clone());
     for _ in 0..HALVINGS {
         let middle = at(0.5 * (without + with.x));
-        if middle.answered() { with = middle } else { without = middle.x }
+        if middle.answered() {
+            with = middle
+        } else {
+            without = middle.x
+        }
     }
     with
 }
@@ -196,7 +244,13 @@ fn least_violation(samples: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Op
     if !samples[i].answered() || samples[i].violation() > 1.0 {
         return Some(samples[i].clone());
     }
-    Some(refine(samples, i, STEPS_TO_LEAST, |s| Merit(s.violation(), [0.0; 2]), at))
+    Some(refine(
+        samples,
+        i,
+        STEPS_TO_LEAST,
+        |s| Merit(s.violation(), [0.0; 2]),
+        at,
+    ))
 }
 
 /// The best muscle of an interval that fits, by its score, after so many golden sections.
@@ -209,7 +263,9 @@ pub(super) fn best_of(
     let merit = |s: &Sample| Merit::new(s.violation(), s.score);
     let inside = |share: f64| low + share * (high - low);
     // The ends themselves may miss by rounding.
-    let samples: Vec<Sample> = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6].map(|share| at(inside(share))).into();
+    let samples: Vec<Sample> = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6]
+        .map(|share| at(inside(share)))
+        .into();
     let best = refine(&samples, least(&samples, merit)?, steps, merit, at);
     best.fits().then_some(best)
 }
@@ -228,8 +284,18 @@ pub(super) fn refine<S: Abscissa + Clone, M: PartialOrd>(
     merit: impl Fn(&S) -> M,
     at: &mut impl FnMut(f64) -> S,
 ) -> S {
-    let (left, right) = (&samples[i.saturating_sub(1)], &samples[(i + 1).min(samples.len() - 1)]);
-    golden(left.place(), samples[i].clone(), right.place(), steps, merit, at)
+    let (left, right) = (
+        &samples[i.saturating_sub(1)],
+        &samples[(i + 1).min(samples.len() - 1)],
+    );
+    golden(
+        left.place(),
+        samples[i].clone(),
+        right.place(),
+        steps,
+        merit,
+        at,
+    )
 }
 
 impl Abscissa for Sample {
@@ -254,15 +320,25 @@ mod tests {
     fn a_window_much_narrower_than_the_samples_is_found() {
         // From 17.000 to 17.001.
         let result = line(5.0, 80.0, &[|x| 17.0 / x - 1.0, |x| x / 17.001 - 1.0]);
-        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
-        assert!((low - 17.0).abs() < 1e-5 && (high - 17.001).abs() < 1e-5, "{low} {high}");
+        let [(low, high)] = result.fitting[..] else {
+            panic!("{result:?}")
+        };
+        assert!(
+            (low - 17.0).abs() < 1e-5 && (high - 17.001).abs() < 1e-5,
+            "{low} {high}"
+        );
     }
 
     #[test]
     fn a_limit_that_is_met_between_two_samples_alone_is_found() {
         let result = line(5.0, 80.0, &[|x| (x / 31.0 - 1.0).powi(2) - 1e-4]);
-        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
-        assert!((low - 30.69).abs() < 1e-4 && (high - 31.31).abs() < 1e-4, "{low} {high}");
+        let [(low, high)] = result.fitting[..] else {
+            panic!("{result:?}")
+        };
+        assert!(
+            (low - 30.69).abs() < 1e-4 && (high - 31.31).abs() < 1e-4,
+            "{low} {high}"
+        );
     }
 
     #[test]
@@ -271,7 +347,10 @@ mod tests {
         assert!(result.fitting.is_empty());
         // (1 − x/20) + (x/10 − 1) rises from 10 on.
         let best = result.best.unwrap();
-        assert!((best.x - 10.0).abs() < 0.05 && (best.violation() - 0.5).abs() < 5e-3, "{best:?}");
+        assert!(
+            (best.x - 10.0).abs() < 0.05 && (best.violation() - 0.5).abs() < 5e-3,
+            "{best:?}"
+        );
     }
 
     #[test]
@@ -281,13 +360,19 @@ mod tests {
             excess: if x < 30.0 { vec![] } else { vec![-1.0] },
             score: [x, 0.0],
         });
-        let [(low, high)] = result.fitting[..] else { panic!("{result:?}") };
+        let [(low, high)] = result.fitting[..] else {
+            panic!("{result:?}")
+        };
         assert!((low - 30.0).abs() < 2e-3 && high == 80.0, "{low}");
     }
 
     #[test]
     fn the_best_of_an_interval_is_its_minimum() {
-        let mut at = |x: f64| Sample { x, excess: vec![-1.0], score: [(x - 6.3).powi(2), 0.0] };
+        let mut at = |x: f64| Sample {
+            x,
+            excess: vec![-1.0],
+            score: [(x - 6.3).powi(2), 0.0],
+        };
         let best = best_of(1.0, 10.0, STEPS, &mut at).unwrap();
         assert!((best.x - 6.3).abs() < 0.02, "{best:?}");
     }

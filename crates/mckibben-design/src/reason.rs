@@ -16,7 +16,8 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30 mm").
+    /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30
+    /// mm").
     pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
         match self {
             Self::Limit(check) => check.describe(show),
@@ -26,7 +27,11 @@ impl Reason {
 
     /// The limit that is missed; `None` where there is no answer at all.
     pub fn check(&self) -> Option<&Check> {
-        if let Self::Limit(check) = self { Some(check) } else { None }
+        if let Self::Limit(check) = self {
+            Some(check)
+        } else {
+            None
+        }
     }
 }
 

@@ -133,15 +133,19 @@ pub(super) enum Kind {
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
 pub(super) type Change = (f64, Relaxation);
 
-/// Changes of one kind that are proven, at most, and by how much more than the best one they may ask for.
+/// Changes of one kind that are proven, at most, and by how much more than the best one they may
+/// ask for.
 const MOST: usize = 12;
 const WINDOW: f64 = 0.06;
-/// A change is larger by this share than it has to be, so that it holds with three digits and the last bit of an inverse.
+/// A change is larger by this share than it has to be, so that it holds with three digits and the
+/// last bit of an inverse.
 const EASED: f64 = 1e-5;
-/// Where several limits are missed, the share of the way is known to this; it is looked for on so many of the closest muscles.
+/// Where several limits are missed, the share of the way is known to this; it is looked for on so
+/// many of the closest muscles.
 const ROUGH: f64 = 1e-3;
 const NEAREST: usize = 200;
-/// Shares of the way that are looked at together with a share of the pull; muscles that the model of the search is not good for come last.
+/// Shares of the way that are looked at together with a share of the pull; muscles that the model
+/// of the search is not good for come last.
 const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
 const UNSURE: f64 = 100.0;
 
@@ -155,14 +159,23 @@ pub(super) struct Misses<'a> {
 
 impl<'a> Misses<'a> {
     pub(super) fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
-        Self { search, build, picks, spec: search.spec.without_parts() }
+        Self {
+            search,
+            build,
+            picks,
+            spec: search.spec.without_parts(),
+        }
     }
 
-    /// The smallest change of each kind with which one of the muscles fits, those that ask for least first; where there is none, two or more together of the
-    /// closest ones.
+    /// The smallest change of each kind with which one of the muscles fits, those that ask for
+    /// least first; where there is none, two or more together of the closest ones.
     pub(super) fn relaxations(&self) -> Vec<Relaxation> {
         let mut out = self.least(|_| true);
-        if let Some(first) = self.picks.first().filter(|_| self.search.spec.tubes.is_empty()) {
+        if let Some(first) = self
+            .picks
+            .first()
+            .filter(|_| self.search.spec.tubes.is_empty())
+        {
             out.extend(self.proven(first, |miss, _, _| miss.wider()));
         }
         if out.is_empty() {
@@ -172,63 +185,113 @@ impl<'a> Misses<'a> {
         out.into_iter().map(|change| change.1).collect()
     }
 
-    /// Where no change of one kind does: less of the way and of the pull, and all other limits that are missed then, of those that ask for least by a
-    /// quick model.
+    /// Where no change of one kind does: less of the way and of the pull, and all other limits that
+    /// are missed then, of those that ask for least by a quick model.
     fn together(&self) -> Option<Change> {
         let change = |&(pick, share): &(Pick, f64), proven: bool| {
             let muscle = self.search.muscle(pick).ok()?;
-            let (build, unsure) = if proven { (self.build, 0.0) } else { self.search.ranks(&muscle) };
-            let spec = Spec { wanted: self.spec.wanted.shorter(share), ..self.spec.clone() };
-            let miss = Miss { spec: &spec, build, muscle: &muscle, proven };
+            let (build, unsure) = if proven {
+                (self.build, 0.0)
+            } else {
+                self.search.ranks(&muscle)
+            };
+            let spec = Spec {
+                wanted: self.spec.wanted.shorter(share),
+                ..self.spec.clone()
+            };
+            let miss = Miss {
+                spec: &spec,
+                build,
+                muscle: &muscle,
+                proven,
+            };
             let (mut trial, probe) = miss.held()?;
             let (ask, mut changes) = miss.together(&mut trial, &probe)?;
             if share < 1.0 {
                 let points = spec.points(&muscle).into_owned();
                 changes.insert(0, Relaxation::Contraction { share, points });
             }
-            Some((ask - share.ln() + UNSURE * unsure, Relaxation::Together { changes }))
+            Some((
+                ask - share.ln() + UNSURE * unsure,
+                Relaxation::Together { changes },
+            ))
         };
-        let all: Vec<(Pick, f64)> =
-            self.picks.iter().flat_map(|pick| WAYS.map(|share| (*pick, share))).collect();
+        let all: Vec<(Pick, f64)> = self
+            .picks
+            .iter()
+            .flat_map(|pick| WAYS.map(|share| (*pick, share)))
+            .collect();
         let asks = threads::map(&all, |one| Some((change(one, false)?.0, *one)));
         let mut least: Vec<_> = asks.into_iter().flatten().collect();
         least.sort_by(|a, b| a.0.total_cmp(&b.0));
         least.truncate(MOST);
         let proven = threads::map(&least, |(_, one)| change(one, true));
-        proven.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+        proven
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of those that ask for least.
+    /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of
+    /// those that ask for least.
     pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
             let (build, unsure) = self.search.ranks(&muscle);
-            let miss = Miss { spec: &self.spec, build, muscle: &muscle, proven: false };
+            let miss = Miss {
+                spec: &self.spec,
+                build,
+                muscle: &muscle,
+                proven: false,
+            };
             let (mut trial, probe) = miss.held()?;
-            let kinds = miss.kinds(&trial, &probe, *place < NEAREST).into_iter().filter(|kind| wants(*kind));
+            let kinds = miss
+                .kinds(&trial, &probe, *place < NEAREST)
+                .into_iter()
+                .filter(|kind| wants(*kind));
             // What fits by the quick model may miss by little.
             let asks = kinds.map(|kind| {
                 let fits = probe.fits();
-                let ask = if fits { 0.0 } else { miss.change(kind, &mut trial, &probe)?.0 };
+                let ask = if fits {
+                    0.0
+                } else {
+                    miss.change(kind, &mut trial, &probe)?.0
+                };
                 Some((ask + unsure, kind, *pick))
             });
             Some(asks.flatten().collect())
         };
         let places: Vec<(usize, Pick)> = self.picks.iter().copied().enumerate().collect();
-        let mut rough: Vec<_> = threads::map(&places, rough).into_iter().flatten().flatten().collect();
+        let mut rough: Vec<_> = threads::map(&places, rough)
+            .into_iter()
+            .flatten()
+            .flatten()
+            .collect();
         rough.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut known = HashSet::new();
-        let kinds: Vec<Kind> = rough.iter().map(|r| r.1).filter(|kind| known.insert(*kind)).collect();
+        let kinds: Vec<Kind> = rough
+            .iter()
+            .map(|r| r.1)
+            .filter(|kind| known.insert(*kind))
+            .collect();
         let least = |kind: &Kind| {
             let mut best: Option<Change> = None;
-            for (ask, _, pick) in rough.iter().filter(|(_, other, _)| other == kind).take(MOST) {
+            for (ask, _, pick) in rough
+                .iter()
+                .filter(|(_, other, _)| other == kind)
+                .take(MOST)
+            {
                 if best.as_ref().is_some_and(|best| *ask > best.0 + WINDOW)
                     || self.search.progress.cancelled()
                 {
                     break;
                 }
-                let change = self.proven(pick, |miss, trial, probe| miss.change(*kind, trial, probe));
-                best = [best, change].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+                let change =
+                    self.proven(pick, |miss, trial, probe| miss.change(*kind, trial, probe));
+                best = [best, change]
+                    .into_iter()
+                    .flatten()
+                    .min_by(|a, b| a.0.total_cmp(&b.0));
             }
             best
         };
@@ -242,7 +305,12 @@ impl<'a> Misses<'a> {
         change: impl Fn(&Miss<'_>, &mut Trial<'_>, &Probe) -> Option<Change>,
     ) -> Option<Change> {
         let muscle = self.search.muscle(*pick).ok()?;
-        let miss = Miss { spec: &self.spec, build: self.build, muscle: &muscle, proven: true };
+        let miss = Miss {
+            spec: &self.spec,
+            build: self.build,
+            muscle: &muscle,
+            proven: true,
+        };
         let (mut trial, probe) = miss.held()?;
         change(&miss, &mut trial, &probe)
     }
@@ -262,7 +330,8 @@ struct Miss<'a> {
     spec: &'a Spec,
     build: &'a Build<'a>,
     muscle: &'a Muscle,
-    /// Whether a change is held against the changed specification, and left out where the muscle still does not fit.
+    /// Whether a change is held against the changed specification, and left out where the muscle
+    /// still does not fit.
     proven: bool,
 }
 
@@ -273,12 +342,17 @@ impl Miss<'_> {
         Some((trial, probe))
     }
 
-    /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle that is `near` a shorter way where several are.
+    /// The kinds of change that may do alone: where one kind of limit is missed, and of a muscle
+    /// that is `near` a shorter way where several are.
     fn kinds(&self, trial: &Trial<'_>, probe: &Probe, near: bool) -> Vec<Kind> {
         // What fits by a quick model may miss any of them by little.
         let fits = probe.fits();
-        let missed: Vec<Limit> =
-            probe.checks.iter().filter(|c| fits || c.excess() > 0.0).map(|c| c.limit).collect();
+        let missed: Vec<Limit> = probe
+            .checks
+            .iter()
+            .filter(|c| fits || c.excess() > 0.0)
+            .map(|c| c.limit)
+            .collect();
         let alone = fits || missed.iter().all(|limit| *limit == missed[0]);
         let by_pressure = match trial.below {
             None => Some(Kind::Supply),
@@ -287,36 +361,66 @@ impl Miss<'_> {
             Some(Below::Rated | Below::Unanswered(_)) => None,
         };
         let weak = alone && missed.contains(&Limit::Force);
-        let mut kinds: Vec<Kind> = (near || weak).then_some(Kind::Contraction).into_iter().collect();
+        let mut kinds: Vec<Kind> = (near || weak)
+            .then_some(Kind::Contraction)
+            .into_iter()
+            .collect();
         if weak {
             kinds.extend([Kind::Pull].into_iter().chain(by_pressure));
         }
-        let own = [Limit::BulgedDiameter, Limit::MaxStretch, Limit::Buckling, Limit::LiquidVolume];
-        kinds.extend(own.into_iter().filter(|limit| alone && missed.contains(limit)).map(Kind::Limit));
+        let own = [
+            Limit::BulgedDiameter,
+            Limit::MaxStretch,
+            Limit::Buckling,
+            Limit::LiquidVolume,
+        ];
+        kinds.extend(
+            own.into_iter()
+                .filter(|limit| alone && missed.contains(limit))
+                .map(Kind::Limit),
+        );
         kinds
     }
 
     /// The change of a kind.
     fn change(&self, kind: Kind, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
-        let (wanted, limits, supply_mpa) = (&self.spec.wanted, &self.spec.limits, self.spec.max_pressure_mpa);
+        let (wanted, limits, supply_mpa) = (
+            &self.spec.wanted,
+            &self.spec.limits,
+            self.spec.max_pressure_mpa,
+        );
         let points = self.spec.points(self.muscle);
         let (ask, change) = match kind {
             Kind::Pull => {
-                let shares = points.iter().zip(&probe.checks).map(|(q, check)| check.value / q.force_n);
+                let shares = points
+                    .iter()
+                    .zip(&probe.checks)
+                    .map(|(q, check)| check.value / q.force_n);
                 let share = shares.reduce(f64::min).filter(|share| *share > 0.0)?;
                 let share = three_digits(share * wanted.size(), false) / wanted.size();
-                let points = wanted.times(share).points(self.muscle.length_mm()).into_owned();
+                let points = wanted
+                    .times(share)
+                    .points(self.muscle.length_mm())
+                    .into_owned();
                 (-share.ln(), Relaxation::Force { share, points })
             }
             Kind::Contraction => {
-                let (max, length_mm, way) = (trial.highest_mpa, self.muscle.length_mm(), wanted.way()?);
-                let weak = probe.checks.iter().all(|c| c.limit == Limit::Force || c.excess() <= 0.0);
+                let (max, length_mm, way) =
+                    (trial.highest_mpa, self.muscle.length_mm(), wanted.way()?);
+                let weak = probe
+                    .checks
+                    .iter()
+                    .all(|c| c.limit == Limit::Force || c.excess() <= 0.0);
                 // By how much the muscle misses a share of the way: the pull alone, or all limits.
                 let missed = |share: f64| {
                     let nearer = wanted.shorter(share);
                     if !weak {
-                        let spec = Spec { wanted: nearer, ..self.spec.clone() };
-                        let probe = probe_with(&mut Trial::new(&spec, self.build, self.muscle)?, false)?;
+                        let spec = Spec {
+                            wanted: nearer,
+                            ..self.spec.clone()
+                        };
+                        let probe =
+                            probe_with(&mut Trial::new(&spec, self.build, self.muscle)?, false)?;
                         return Ok(probe.worst().map_or(0.0, Check::excess));
                     }
                     let mut least = f64::INFINITY;
@@ -336,50 +440,83 @@ impl Miss<'_> {
             Kind::Supply => {
                 let pressure_mpa = three_digits(self.needed_mpa(trial)?, true);
                 let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
-                ((pressure_mpa / supply_mpa).ln(), Relaxation::MaxPressure { pressure_mpa, extrapolated })
+                (
+                    (pressure_mpa / supply_mpa).ln(),
+                    Relaxation::MaxPressure {
+                        pressure_mpa,
+                        extrapolated,
+                    },
+                )
             }
             Kind::Safety => {
                 let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
                 let failures = trial.burst.modes();
-                let margins =
-                    failures.iter().filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
+                let margins = failures
+                    .iter()
+                    .filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
                 let burst_margin = three_digits(margins.reduce(f64::min)?, false);
-                ((limits.burst_margin? / burst_margin).ln(), Relaxation::MinBurstMargin { burst_margin })
+                (
+                    (limits.burst_margin? / burst_margin).ln(),
+                    Relaxation::MinBurstMargin { burst_margin },
+                )
             }
             Kind::StrandStrain => {
                 let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
                 let places = std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
                 let strains = places.filter_map(|e| trial.strand_strain(needed_mpa, e).ok()?);
                 let strand_strain = three_digits(strains.reduce(f64::max)?, true);
-                ((strand_strain / limits.strand_strain?).ln(), Relaxation::MaxStrandStrain { strand_strain })
+                (
+                    (strand_strain / limits.strand_strain?).ln(),
+                    Relaxation::MaxStrandStrain { strand_strain },
+                )
             }
             Kind::Limit(limit) => {
                 let missed = probe.checks.iter().filter(|c| c.limit == limit);
                 let worst = missed.max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
                 let value = three_digits(worst.value, true);
                 let change = match limit {
-                    Limit::BulgedDiameter => Relaxation::MaxBulgedDiameter { bulged_diameter_mm: value },
+                    Limit::BulgedDiameter => Relaxation::MaxBulgedDiameter {
+                        bulged_diameter_mm: value,
+                    },
                     Limit::MaxStretch => Relaxation::MaxStretch { max_stretch: value },
-                    Limit::LiquidVolume => Relaxation::MaxLiquidVolume { liquid_volume_mm3: value },
+                    Limit::LiquidVolume => Relaxation::MaxLiquidVolume {
+                        liquid_volume_mm3: value,
+                    },
                     Limit::Buckling => Relaxation::Guided {},
                     Limit::Force => return None,
                 };
                 (worst.excess().ln_1p(), change)
             }
         };
-        self.fits(std::slice::from_ref(&change)).then_some((ask, change))
+        self.fits(std::slice::from_ref(&change))
+            .then_some((ask, change))
     }
 
     /// All limits that are missed, changed together.
     fn together(&self, trial: &mut Trial<'_>, probe: &Probe) -> Option<(f64, Vec<Relaxation>)> {
         let mut known = HashSet::new();
-        let missed = probe.checks.iter().filter(|c| c.excess() > 0.0 && known.insert(c.limit));
-        let kinds = missed.map(|c| if c.limit == Limit::Force { Kind::Pull } else { Kind::Limit(c.limit) });
-        let alone = Miss { proven: false, ..*self };
+        let missed = probe
+            .checks
+            .iter()
+            .filter(|c| c.excess() > 0.0 && known.insert(c.limit));
+        let kinds = missed.map(|c| {
+            if c.limit == Limit::Force {
+                Kind::Pull
+            } else {
+                Kind::Limit(c.limit)
+            }
+        });
+        let alone = Miss {
+            proven: false,
+            ..*self
+        };
         let changes = kinds.map(|kind| alone.change(kind, trial, probe));
-        let (asks, changes): (Vec<f64>, Vec<Relaxation>) =
-            changes.collect::<Option<Vec<Change>>>()?.into_iter().unzip();
-        self.fits(&changes).then(|| (asks.into_iter().sum(), changes))
+        let (asks, changes): (Vec<f64>, Vec<Relaxation>) = changes
+            .collect::<Option<Vec<Change>>>()?
+            .into_iter()
+            .unzip();
+        self.fits(&changes)
+            .then(|| (asks.into_iter().sum(), changes))
     }
 
     /// Whether it fits a specification that is changed.
@@ -394,13 +531,25 @@ impl Miss<'_> {
 
     /// The pressure that all points need, where nothing bounds it.
     fn needed_mpa(&self, trial: &mut Trial<'_>) -> Option<f64> {
-        let beyond = Options { extrapolate: true, ..self.spec.options() };
+        let beyond = Options {
+            extrapolate: true,
+            ..self.spec.options()
+        };
         // Where a pull is out of reach, other models search long for its pressure.
-        let model = if self.proven { &*trial.model } else { &*trial.thick_wall };
+        let model = if self.proven {
+            &*trial.model
+        } else {
+            &*trial.thick_wall
+        };
         let mut model = Evaluation::new(model, &mut trial.workspace, beyond);
         let points = self.spec.points(self.muscle);
-        let needs = points.iter().map(|q| model.pressure_at(q.force_n, q.contraction).ok());
-        needs.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
+        let needs = points
+            .iter()
+            .map(|q| model.pressure_at(q.force_n, q.contraction).ok());
+        needs
+            .collect::<Option<Vec<f64>>>()?
+            .into_iter()
+            .reduce(f64::max)
     }
 
     /// The smallest diameter beyond the bound that fits.
@@ -414,6 +563,9 @@ impl Miss<'_> {
         let first = (1..=40).find(|&i| does(wide(i)))?;
         let (_, top) = bisect(wide(first - 1), wide(first), 30, |d0| !does(d0));
         let outer_diameter_mm = three_digits(top, true);
-        Some(((outer_diameter_mm / high).ln(), Relaxation::OuterDiameter { outer_diameter_mm }))
+        Some((
+            (outer_diameter_mm / high).ln(),
+            Relaxation::OuterDiameter { outer_diameter_mm },
+        ))
     }
 }

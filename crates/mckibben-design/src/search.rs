@@ -1,8 +1,10 @@
-//! The search: rubbers, braids, lengths and walls, and for each of them the diameters on which every limit holds.
+//! The search: rubbers, braids, lengths and walls, and for each of them the diameters on which
+//! every limit holds.
 //!
-//! An axis is either a list (every value is tried) or an interval: sampled, then narrowed by golden section around its best
-//! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
-//! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
+//! An axis is either a list (every value is tried) or an interval: sampled, then narrowed by golden
+//! section around its best sample. Where no sample fits, the share by which the limits are missed
+//! leads on, so that a narrow window is found as well. The innermost axis, the diameter, is
+//! searched by the roots of the single limits ([`line`](super::line)).
 
 use crate::limit::{Score, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
@@ -21,14 +23,17 @@ pub(super) const COARSE_STEPS: usize = 4;
 pub(super) const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
 const MOST: usize = 5000;
-/// Muscles that miss by at most this by the model of the search may fit by the other one; of short ones and steep braids the two are further apart.
+/// Muscles that miss by at most this by the model of the search may fit by the other one; of short
+/// ones and steep braids the two are further apart.
 pub(super) const NEARLY: f64 = 0.05;
 pub(super) const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
 const STEEP_DEG: f64 = 42.0;
-/// Tubes are screened by the thick-wall model: what misses its limits by more than this is not computed by another one.
+/// Tubes are screened by the thick-wall model: what misses its limits by more than this is not
+/// computed by another one.
 const FAR: f64 = 0.3;
-/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of that of the thickest tube that is sold.
+/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter: half of
+/// that of the thickest tube that is sold.
 const LEAST_BORE: f64 = 0.25;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
 const WALLS: (usize, usize) = (10, 6);
@@ -92,12 +97,15 @@ pub(super) struct SearchResult {
 }
 
 impl SearchResult {
-    /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
-    /// one is then within reach.
+    /// Of two that are as good the one is better of which a muscle that does not fit misses by
+    /// less: among stock sizes the next better one is then within reach.
     pub(super) fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
-            Some(fit) => (Merit::new(0.0, [(fit.0[0] * 1e4).round() * 1e-4, 0.0]), miss),
+            Some(fit) => (
+                Merit::new(0.0, [(fit.0[0] * 1e4).round() * 1e-4, 0.0]),
+                miss,
+            ),
             None => (Merit::new(miss, NO_SCORE), 0.0),
         }
     }
@@ -113,9 +121,18 @@ impl SearchResult {
     fn add(&mut self, other: SearchResult) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
-        other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, MOST));
-        other.near.into_iter().for_each(|(score, pick)| Self::keep(&mut self.near, score, pick, MOST));
-        other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, MOST));
+        other
+            .fits
+            .into_iter()
+            .for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, MOST));
+        other
+            .near
+            .into_iter()
+            .for_each(|(score, pick)| Self::keep(&mut self.near, score, pick, MOST));
+        other
+            .misses
+            .into_iter()
+            .for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, MOST));
         self.invalid = self.invalid.take().or(other.invalid);
     }
 }
@@ -132,20 +149,40 @@ impl<'a> Search<'a> {
             some => some.to_vec(),
         };
         let is_good = models.settle.map(|settle| settle.1);
-        let steps = if is_good.is_some() { COARSE_STEPS } else { line::STEPS };
+        let steps = if is_good.is_some() {
+            COARSE_STEPS
+        } else {
+            line::STEPS
+        };
         let build = models.search;
-        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), is_good, steps }
+        Search {
+            spec,
+            build,
+            rubbers,
+            progress,
+            done: AtomicUsize::new(0),
+            is_good,
+            steps,
+        }
     }
 
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
         let base = &self.spec.base;
-        let angled = |angle_deg: f64| Braid { angle_deg, ..base.braid().clone() };
+        let angled = |angle_deg: f64| Braid {
+            angle_deg,
+            ..base.braid().clone()
+        };
         let braid = match (pick.choice.braid, &self.spec.braid) {
             (BraidRule::Angle(angle), _) => angled(angle),
-            (BraidRule::PerTurn(length), _) => {
-                angled((std::f64::consts::PI * pick.d0 / length).min(1.0).asin().to_degrees())
+            (BraidRule::PerTurn(length), _) => angled(
+                (std::f64::consts::PI * pick.d0 / length)
+                    .min(1.0)
+                    .asin()
+                    .to_degrees(),
+            ),
+            (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => {
+                list[i].clone().on_diameter(pick.d0)?
             }
-            (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => list[i].clone().on_diameter(pick.d0)?,
             (BraidRule::Sleeve(_), _) => base.braid().clone(),
         };
         let tube = Tube {
@@ -159,7 +196,11 @@ impl<'a> Search<'a> {
             },
             ..base.tube().clone()
         };
-        let parts = Parts { tube, braid, ..base.parts().clone() };
+        let parts = Parts {
+            tube,
+            braid,
+            ..base.parts().clone()
+        };
         let muscle = Muscle::from_parts(parts)?.with_bench_of(base);
         if self.spec.wanted.extends() {
             muscle.check_extends()?;
@@ -174,8 +215,15 @@ impl<'a> Search<'a> {
         self.spec.tubes.get(pick.choice.rubber)
     }
 
-    /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
-    fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
+    /// Holds one muscle of the search against the specification, by the model that `build` makes of
+    /// it.
+    fn sample(
+        &self,
+        pick: Pick,
+        build: &Build<'_>,
+        result: &mut SearchResult,
+        scored: bool,
+    ) -> Sample {
         let none = Sample::new(pick.d0, None);
         if self.progress.cancelled() {
             return none;
@@ -189,7 +237,12 @@ impl<'a> Search<'a> {
             }
         };
         let trial = Trial::new(self.spec, build, &muscle);
-        let sample = Sample::new(pick.d0, trial.and_then(|mut trial| probe_with(&mut trial, scored)).ok());
+        let sample = Sample::new(
+            pick.d0,
+            trial
+                .and_then(|mut trial| probe_with(&mut trial, scored))
+                .ok(),
+        );
         result.fitted += usize::from(sample.fits());
         sample
     }
@@ -200,7 +253,8 @@ impl<'a> Search<'a> {
         if self.progress.cancelled() {
             return result;
         }
-        self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
+        self.progress
+            .report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         let pick = |d0: f64| Pick { choice, d0, s };
         match &self.spec.outer_diameter_mm {
             Values::List(list) => {
@@ -212,7 +266,9 @@ impl<'a> Search<'a> {
                 let (range, steps) = ((*low, *high), self.steps);
                 let (fit, miss) =
                     self.best_diameter_within(pick(*high), range, self.build, steps, &mut result);
-                result.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
+                result
+                    .fits
+                    .extend(fit.map(|sample| (sample.score, pick(sample.x))));
                 if let Some(miss) = miss {
                     self.keep_miss(&miss, pick(miss.x), &mut result);
                 }
@@ -228,7 +284,11 @@ impl<'a> Search<'a> {
             let mut result = SearchResult::default();
             let part = &self.spec.tubes[i];
             let pick = Pick {
-                choice: Choice { rubber: i, braid, length_mm },
+                choice: Choice {
+                    rubber: i,
+                    braid,
+                    length_mm,
+                },
                 d0: part.outer_diameter_mm,
                 s: part.wall_mm,
             };
@@ -240,8 +300,9 @@ impl<'a> Search<'a> {
                     return result;
                 }
             };
-            // The infinitely long muscle pulls harder than a short one: where even it is far from its limits, no better model computes it, and where the model
-            // of the search is not good for it, the one that decides does, if it may be among the best.
+            // The infinitely long muscle pulls harder than a short one: where even it is far from
+            // its limits, no better model computes it, and where the model of the search is not
+            // good for it, the one that decides does, if it may be among the best.
             if !self.progress.cancelled() {
                 let mut screened = SearchResult::default();
                 let sample = self.sample(pick, THICK_WALL, &mut screened, true);
@@ -258,11 +319,13 @@ impl<'a> Search<'a> {
             self.try_one(pick, self.build, &mut result);
             result
         };
-        self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
+        self.progress
+            .report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         self.gather(threads::map(&all, one).into_iter())
     }
 
-    /// The model that ranks a muscle, and by how much more by the model that decides one may miss that it is not good for.
+    /// The model that ranks a muscle, and by how much more by the model that decides one may miss
+    /// that it is not good for.
     pub(super) fn ranks(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
         match self.is_good {
             Some(is_good) if is_good(muscle) => (self.build, 0.0),
@@ -273,7 +336,11 @@ impl<'a> Search<'a> {
 
     /// By how much a muscle that fits by the model that decides may miss by that of the search.
     fn window(pick: Pick, muscle: &Muscle) -> f64 {
-        if pick.is_short() || muscle.braid().angle_deg > STEEP_DEG { NEARLY_SHORT } else { NEARLY }
+        if pick.is_short() || muscle.braid().angle_deg > STEEP_DEG {
+            NEARLY_SHORT
+        } else {
+            NEARLY
+        }
     }
 
     /// Whether a muscle may fit by the model that decides.
@@ -295,7 +362,9 @@ impl<'a> Search<'a> {
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
     fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
-        let Ok(muscle) = self.muscle(pick) else { return };
+        let Ok(muscle) = self.muscle(pick) else {
+            return;
+        };
         if self.is_good.is_some() && sample.violation() <= Self::window(pick, &muscle) {
             SearchResult::keep(&mut result.near, sample.score, pick, MOST);
         }
@@ -323,7 +392,11 @@ impl<'a> Search<'a> {
         let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, true);
         let mut fit: Option<Sample> = None;
         for (from, to) in fitting {
-            let thin = if thinnest { self.buildable(from, to, &mut at) } else { None };
+            let thin = if thinnest {
+                self.buildable(from, to, &mut at)
+            } else {
+                None
+            };
             let sample = thin.or_else(|| {
                 let best = line::best_of(from, to, steps, &mut at)?;
                 Some(self.rounded(best, from, to, &mut at))
@@ -338,18 +411,33 @@ impl<'a> Search<'a> {
         (fit, miss)
     }
 
-    /// The smallest diameter of an interval in hundredths of a millimetre, else the smallest there is.
+    /// The smallest diameter of an interval in hundredths of a millimetre, else the smallest there
+    /// is.
     fn buildable(&self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
         let up = (from * 100.0).ceil() / 100.0;
         let inside = from + 1e-6 * (to - from).max(1e-6 * from);
-        [up, up + 0.01, inside].into_iter().filter(|d0| *d0 <= to).map(at).find(Sample::fits)
+        [up, up + 0.01, inside]
+            .into_iter()
+            .filter(|d0| *d0 <= to)
+            .map(at)
+            .find(Sample::fits)
     }
 
     /// The same muscle with its diameter in hundredths of a millimetre, where that fits.
-    fn rounded(&self, best: Sample, from: f64, to: f64, at: &mut impl FnMut(f64) -> Sample) -> Sample {
+    fn rounded(
+        &self,
+        best: Sample,
+        from: f64,
+        to: f64,
+        at: &mut impl FnMut(f64) -> Sample,
+    ) -> Sample {
         let hundredths = best.x * 100.0;
         let near = [hundredths.round(), hundredths.ceil(), hundredths.floor()].map(|h| h / 100.0);
-        near.into_iter().filter(|d0| (from..=to).contains(d0)).map(at).find(Sample::fits).unwrap_or(best)
+        near.into_iter()
+            .filter(|d0| (from..=to).contains(d0))
+            .map(at)
+            .find(Sample::fits)
+            .unwrap_or(best)
     }
 
     /// Walls of the whole search, as far as they are known before it.
@@ -363,7 +451,11 @@ impl<'a> Search<'a> {
             BraidChoice::Sleeves(list) => list.len(),
             BraidChoice::Angle(angles) => count(angles, ANGLES),
         };
-        let lengths = self.spec.length_mm.as_ref().map_or(1, |v| count(v, LENGTHS));
+        let lengths = self
+            .spec
+            .length_mm
+            .as_ref()
+            .map_or(1, |v| count(v, LENGTHS));
         if !self.spec.tubes.is_empty() {
             return braids * lengths;
         }
@@ -385,7 +477,8 @@ impl<'a> Search<'a> {
         let merit = |t: &Tried| t.1.merit();
         let mut extra = None;
         if let Values::Interval(low, high) = values
-            && let Some(i) = line::least(&tried, merit).filter(|&i| merit(&tried[i]).0 != Merit::NONE)
+            && let Some(i) =
+                line::least(&tried, merit).filter(|&i| merit(&tried[i]).0 != Merit::NONE)
         {
             let best = line::refine(&tried, i, sections, merit, &mut |x| (x, f(x)));
             let round = (best.0 * 100.0).round() / 100.0;
@@ -406,7 +499,11 @@ impl<'a> Search<'a> {
         let lengths = self.spec.length_mm.as_ref().unwrap_or(&length);
         let braided = |braid: BraidRule| {
             self.axis(lengths, LENGTHS, &|length_mm| {
-                let choice = Choice { rubber, braid, length_mm };
+                let choice = Choice {
+                    rubber,
+                    braid,
+                    length_mm,
+                };
                 if !self.spec.tubes.is_empty() {
                     return self.tubes(braid, length_mm);
                 }
@@ -414,17 +511,26 @@ impl<'a> Search<'a> {
             })
         };
         match &self.spec.braid {
-            BraidChoice::StrandLengthPerTurn(list) => {
-                self.gather(list.iter().map(|&length| braided(BraidRule::PerTurn(length))))
+            BraidChoice::StrandLengthPerTurn(list) => self.gather(
+                list.iter()
+                    .map(|&length| braided(BraidRule::PerTurn(length))),
+            ),
+            BraidChoice::Sleeves(list) => {
+                self.gather((0..list.len()).map(|i| braided(BraidRule::Sleeve(i))))
             }
-            BraidChoice::Sleeves(list) => self.gather((0..list.len()).map(|i| braided(BraidRule::Sleeve(i)))),
-            BraidChoice::Angle(angles) => self.axis(angles, ANGLES, &|a| braided(BraidRule::Angle(a))),
+            BraidChoice::Angle(angles) => {
+                self.axis(angles, ANGLES, &|a| braided(BraidRule::Angle(a)))
+            }
         }
     }
 
     pub(super) fn run(&self) -> SearchResult {
         // Tubes have their rubbers.
-        let rubbers = if self.spec.tubes.is_empty() { self.rubbers.len() } else { 1 };
+        let rubbers = if self.spec.tubes.is_empty() {
+            self.rubbers.len()
+        } else {
+            1
+        };
         self.gather((0..rubbers).map(|rubber| self.search_rubber(rubber)))
     }
 
@@ -443,7 +549,12 @@ pub(super) fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
     let step = steps.into_iter().find(|&step| step >= wide).unwrap_or(wide);
     let mut list = vec![low];
     let first = (low / step).floor() as i64 + 1;
-    list.extend((first..).map(|i| i as f64 * step).take_while(|v| *v < high - 1e-9).take(most + 2));
+    list.extend(
+        (first..)
+            .map(|i| i as f64 * step)
+            .take_while(|v| *v < high - 1e-9)
+            .take(most + 2),
+    );
     if high > low {
         list.push(high);
     }
@@ -456,8 +567,14 @@ mod tests {
 
     #[test]
     fn samples_come_at_round_steps_with_both_ends() {
-        assert_eq!(nice_steps(1.0, 3.0, 12), [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]);
-        assert_eq!(nice_steps(0.7, 5.0, 12), [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]);
+        assert_eq!(
+            nice_steps(1.0, 3.0, 12),
+            [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]
+        );
+        assert_eq!(
+            nice_steps(0.7, 5.0, 12),
+            [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]
+        );
         assert_eq!(nice_steps(2.0, 2.0, 12), [2.0]);
     }
 }

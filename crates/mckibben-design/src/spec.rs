@@ -23,7 +23,9 @@ pub type SearchedMuscles = fn(&Muscle) -> bool;
 pub(super) const THICK_WALL: &Build<'static> = &|muscle| ModelKind::ThickWall.build(muscle);
 
 /// What is ranked first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[schemars(rename = "ObjectiveWord")]
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
@@ -47,8 +49,8 @@ pub enum Objective {
 pub enum BraidChoice {
     /// Angles at rest in degrees: a list or an interval.
     Angle(Values),
-    /// A sleeve as sold: the length of strand per turn in mm is fixed, so that the diameter it is pulled over sets the
-    /// angle, sinθ0 = π D0/ℓ.
+    /// A sleeve as sold: the length of strand per turn in mm is fixed, so that the diameter it is
+    /// pulled over sets the angle, sinθ0 = π D0/ℓ.
     StrandLengthPerTurn(Vec<f64>),
     /// Named sleeves: each braid lies on a tube as its sleeve does there ([`Braid::on_diameter`]).
     Sleeves(Vec<Braid>),
@@ -61,19 +63,23 @@ pub enum BraidChoice {
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
     pub bulged_diameter_mm: Option<f64>,
-    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed
+    /// pressure.
     pub burst_margin: Option<f64>,
     /// Safety factor of the tube; half of that of the strands where there is none.
     pub tube_margin: Option<f64>,
     /// Largest principal stretch of the rubber at any operating point.
     pub stretch: Option<f64>,
-    /// Whether a push must be below the load at which the muscle buckles as a column between two joints; not of a muscle that is guided.
+    /// Whether a push must be below the load at which the muscle buckles as a column between two
+    /// joints; not of a muscle that is guided.
     pub buckling: bool,
     /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
     pub fitted_stretch: bool,
-    /// Largest strain of the strands, not shortened and at the operating points: it bounds the pressure.
+    /// Largest strain of the strands, not shortened and at the operating points: it bounds the
+    /// pressure.
     pub strand_strain: Option<f64>,
-    /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a liquid.
+    /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a
+    /// liquid.
     pub liquid_volume_mm3: Option<f64>,
 }
 
@@ -83,8 +89,9 @@ impl Limits {
         Safety::new(self.burst_margin.unwrap_or(0.0), self.tube_margin)
     }
 
-    /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum pressure, strand strain up to
-    /// [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than its law was fitted.
+    /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum
+    /// pressure, strand strain up to [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than
+    /// its law was fitted.
     pub fn safe() -> Self {
         Self {
             burst_margin: Some(SAFETY),
@@ -110,7 +117,8 @@ pub struct Spec {
     pub liquid: Option<LiquidSupply>,
     /// Everything that is not searched: length, braid stiffness, terminals, friction.
     pub base: Muscle,
-    /// Tubes as sold or cast, each with its diameters and rubber; none: diameters, walls and rubbers are searched.
+    /// Tubes as sold or cast, each with its diameters and rubber; none: diameters, walls and
+    /// rubbers are searched.
     pub tubes: Vec<TubePart>,
     /// Outer diameters in mm.
     pub outer_diameter_mm: Values,
@@ -124,7 +132,8 @@ pub struct Spec {
     pub rubbers: Vec<Rubber>,
     /// Bounds on what comes out.
     pub limits: Limits,
-    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks it of the lower end of the ±. None: of the pull itself.
+    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks it of the
+    /// lower end of the ±. None: of the pull itself.
     pub guaranteed: Option<f64>,
     /// Quantity to rank by.
     pub objective: Objective,
@@ -136,14 +145,16 @@ pub struct Spec {
 
 /// z with erf(z/√2) = p, by bisection: p from 0.5 to 0.999.
 fn deviations(p: f64) -> f64 {
-    let (low, high) = bisect(0.0, 4.0, 60, |z| erf(z * std::f64::consts::FRAC_1_SQRT_2) < p);
+    let (low, high) = bisect(0.0, 4.0, 60, |z| {
+        erf(z * std::f64::consts::FRAC_1_SQRT_2) < p
+    });
     0.5 * (low + high)
 }
 
 impl Spec {
-    /// A specification of points and a supply: the prototype's length, braid and rubber, diameters from 5 to 80 mm and walls
-    /// from 0.5 to 10 mm, the limits of [`Limits::safe`], the smallest diameter the best, five candidates. Everything else is a
-    /// field to be set.
+    /// A specification of points and a supply: the prototype's length, braid and rubber, diameters
+    /// from 5 to 80 mm and walls from 0.5 to 10 mm, the limits of [`Limits::safe`], the smallest
+    /// diameter the best, five candidates. Everything else is a field to be set.
     pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
         let base = Muscle::prototype();
         Self {
@@ -167,20 +178,40 @@ impl Spec {
         }
     }
 
-    /// How its models are evaluated: with the friction that is stated or estimated, on the branch that is wanted.
+    /// How its models are evaluated: with the friction that is stated or estimated, on the branch
+    /// that is wanted.
     pub fn options(&self) -> Options {
-        let friction_share = if self.wanted.extends() { 0.0 } else { self.base.friction_share() };
+        let friction_share = if self.wanted.extends() {
+            0.0
+        } else {
+            self.base.friction_share()
+        };
         let known = friction_share > 0.0 || self.base.friction().is_some();
-        let direction = if known { self.direction } else { Direction::Mean };
-        Options { extrapolate: self.extrapolate, direction, friction_share, ..Options::default() }
+        let direction = if known {
+            self.direction
+        } else {
+            Direction::Mean
+        };
+        Options {
+            extrapolate: self.extrapolate,
+            direction,
+            friction_share,
+            ..Options::default()
+        }
     }
 
     /// What it asks of a muscle, without what muscles are chosen among: a copy of it is small.
     pub(super) fn without_parts(&self) -> Self {
-        Self { tubes: vec![], rubbers: vec![], braid: BraidChoice::Sleeves(vec![]), ..self.clone() }
+        Self {
+            tubes: vec![],
+            rubbers: vec![],
+            braid: BraidChoice::Sleeves(vec![]),
+            ..self.clone()
+        }
     }
 
-    /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is meant.
+    /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is
+    /// meant.
     ///
     /// A share p of normal deviations lies within z(p) standard ones, and the ± is z(0.95) of them.
     pub(super) fn half_widths(&self) -> Option<f64> {
@@ -199,7 +230,9 @@ impl Spec {
             Some(Values::Interval(_, high)) => vec![*high],
             None => vec![self.base.length_mm()],
         };
-        lengths.iter().try_for_each(|length| self.wanted.check(*length))?;
+        lengths
+            .iter()
+            .try_for_each(|length| self.wanted.check(*length))?;
         if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
             return Err(SpecError::Refused(format!(
                 "the maximum pressure is {}\u{a0}MPa; it must be above zero",
@@ -207,7 +240,10 @@ impl Spec {
             )));
         }
         let bounds = [
-            ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
+            (
+                "the outer diameter",
+                Some(self.outer_diameter_mm.bounds().0),
+            ),
             ("the wall", Some(self.wall_mm.bounds().0)),
             ("largest bulged diameter", self.limits.bulged_diameter_mm),
             ("the safety factor", self.limits.burst_margin),
@@ -219,7 +255,9 @@ impl Spec {
         ];
         for (name, value) in bounds {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
-                return Err(SpecError::Refused(format!("{name} is {value}; it must be above zero")));
+                return Err(SpecError::Refused(format!(
+                    "{name} is {value}; it must be above zero"
+                )));
             }
         }
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
@@ -239,7 +277,8 @@ impl Spec {
         let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
         if all > 5e6 {
             return Err(SpecError::Refused(format!(
-                "{all:.3e} combinations are too many; at most 5 million: take larger steps or fewer values"
+                "{all:.3e} combinations are too many; at most 5 million: take larger steps or \
+                 fewer values"
             )));
         }
         Ok(())
@@ -251,8 +290,9 @@ impl Spec {
 pub struct Models<'a> {
     /// Looks at very many muscles; outside of its range as well, where another one decides.
     pub search: &'a Build<'a>,
-    /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
-    /// are its. With it, which muscles the model of the search is good for. `None`: the model of the search.
+    /// Decides of those that are printed: their diameters are corrected until the specification
+    /// holds by it, and all their numbers are its. With it, which muscles the model of the search
+    /// is good for. `None`: the model of the search.
     pub settle: Option<(&'a Build<'a>, SearchedMuscles)>,
 }
 
@@ -271,7 +311,8 @@ pub enum SpecError {
     Refused(String),
     /// A largest liquid volume without a liquid.
     #[error(
-        "`max_liquid_volume_mm3` is {0} mm³, and the muscle is filled with air: give `liquid`, or leave `max_liquid_volume_mm3` out"
+        "`max_liquid_volume_mm3` is {0} mm³, and the muscle is filled with air: give `liquid`, or \
+         leave `max_liquid_volume_mm3` out"
     )]
     NoLiquid(f64),
     /// No combination is a muscle at all.

@@ -1,8 +1,10 @@
-//! A muscle held against a specification: its model, and the thick-wall model for what that does not know.
+//! A muscle held against a specification: its model, and the thick-wall model for what that does
+//! not know.
 
 use crate::{Build, OperatingPoint, Spec};
 use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below, find_root,
+    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below,
+    find_root,
 };
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
@@ -14,9 +16,11 @@ pub(super) struct Trial<'a> {
     pub(super) model: Box<dyn ForceModel>,
     pub(super) thick_wall: Box<dyn ForceModel>,
     pub(super) workspace: Workspace,
-    /// The pressures at which it fails, as far as they bound its use, with the safety factors of the specification.
+    /// The pressures at which it fails, as far as they bound its use, with the safety factors of
+    /// the specification.
     pub(super) burst: Burst,
-    /// The pressure up to which it is used: the least of the supply, of the allowed one and of that which strains its strands to their limit.
+    /// The pressure up to which it is used: the least of the supply, of the allowed one and of that
+    /// which strains its strands to their limit.
     pub(super) highest_mpa: f64,
     /// What keeps it below the supply.
     pub(super) below: Option<Below>,
@@ -41,7 +45,9 @@ impl Below {
     /// Why more is not allowed, with pressures written by `show`.
     pub fn describe(&self, show: impl Fn(f64) -> String) -> String {
         match self {
-            Self::Failure(by, at_mpa) => format!("more is not allowed, because {by} at {}", show(*at_mpa)),
+            Self::Failure(by, at_mpa) => {
+                format!("more is not allowed, because {by} at {}", show(*at_mpa))
+            }
             Self::Rated => "its fittings are rated for no more".into(),
             Self::Strained => "there its strands are stretched to their limit".into(),
             Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", show(*up_to_mpa)),
@@ -60,12 +66,14 @@ impl<'a> Trial<'a> {
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
         let safety = spec.limits.safety();
-        let failures =
-            match burst_below(&*model, safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa) {
-                Ok(failures) => failures,
-                Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
-                Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
-            };
+        let failures = match burst_below(
+            &*model,
+            safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa,
+        ) {
+            Ok(failures) => failures,
+            Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
+            Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
+        };
         let burst = Burst { safety, ..failures };
         let allowed = burst.allowed().map(|(mpa, by)| match by {
             Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
@@ -73,17 +81,34 @@ impl<'a> Trial<'a> {
         });
         // Where no model answers, nothing fails up to the last answer.
         let answered = match burst.strands {
-            FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa)) if safety.strands > 0.0 => {
+            FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa))
+                if safety.strands > 0.0 =>
+            {
                 Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
             }
             _ => None,
         };
-        let bounds = allowed.into_iter().chain(answered).map(|(mpa, below)| (mpa, Some(below)));
+        let bounds = allowed
+            .into_iter()
+            .chain(answered)
+            .map(|(mpa, below)| (mpa, Some(below)));
         let (highest_mpa, below) =
-            bounds.fold((spec.max_pressure_mpa, None), |a, b| if b.0 < a.0 { b } else { a });
+            bounds.fold(
+                (spec.max_pressure_mpa, None),
+                |a, b| if b.0 < a.0 { b } else { a },
+            );
         let (workspace, half_widths) = (Workspace::new(), spec.half_widths());
-        let mut trial =
-            Self { spec, muscle, model, thick_wall, workspace, burst, highest_mpa, below, half_widths };
+        let mut trial = Self {
+            spec,
+            muscle,
+            model,
+            thick_wall,
+            workspace,
+            burst,
+            highest_mpa,
+            below,
+            half_widths,
+        };
         trial.strained()?;
         Ok(trial)
     }
@@ -91,12 +116,17 @@ impl<'a> Trial<'a> {
     /// The strain of the strands, where it is known.
     pub(super) fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
         let (full, _) = self.full_response(p, contraction)?;
-        Ok(full.braid_tension_n.and_then(|t| self.muscle.strand_strain(t)))
+        Ok(full
+            .braid_tension_n
+            .and_then(|t| self.muscle.strand_strain(t)))
     }
 
-    /// The strands are strained by no more than their limit, not shortened and at the operating points.
+    /// The strands are strained by no more than their limit, not shortened and at the operating
+    /// points.
     fn strained(&mut self) -> Result<()> {
-        let Some(bound) = self.spec.limits.strand_strain else { return Ok(()) };
+        let Some(bound) = self.spec.limits.strand_strain else {
+            return Ok(());
+        };
         let points = self.spec.points(self.muscle);
         let mut high = self.highest_mpa;
         for e in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
@@ -126,20 +156,38 @@ impl<'a> Trial<'a> {
         self.evaluation().force_n(max, contraction)
     }
 
-    /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else the pull.
+    /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else
+    /// the pull.
     pub(super) fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
-        let Some(widths) = self.half_widths else { return force_n };
+        let Some(widths) = self.half_widths else {
+            return force_n;
+        };
         let half = self.uncertainty_n((p, contraction), force_n).unwrap_or(0.0);
-        force_n - widths * half * if self.spec.wanted.extends() { -1.0 } else { 1.0 }
+        force_n
+            - widths
+                * half
+                * if self.spec.wanted.extends() {
+                    -1.0
+                } else {
+                    1.0
+                }
     }
 
     /// Half the width of the 95 % interval of a pull, where it is known.
-    pub(super) fn uncertainty_n(&mut self, (p, contraction): (f64, f64), force_n: f64) -> Option<f64> {
-        Some(self.evaluation().uncertainty(p, contraction, force_n)?.total())
+    pub(super) fn uncertainty_n(
+        &mut self,
+        (p, contraction): (f64, f64),
+        force_n: f64,
+    ) -> Option<f64> {
+        Some(
+            self.evaluation()
+                .uncertainty(p, contraction, force_n)?
+                .total(),
+        )
     }
 
-    /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of a pull that is guaranteed that at which the end of its ± is
-    /// what is wanted.
+    /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of
+    /// a pull that is guaranteed that at which the end of its ± is what is wanted.
     pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
         let pull_mpa = self.pull_mpa(point)?;
         if self.half_widths.is_none() || pull_mpa >= self.highest_mpa {
@@ -154,7 +202,8 @@ impl<'a> Trial<'a> {
         Ok(root.map_or(max, |p| (p + SURE * max).min(max)))
     }
 
-    /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every point, up to the highest.
+    /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every
+    /// point, up to the highest.
     pub(super) fn sure_mpa(&mut self) -> Option<f64> {
         let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
         let points = self.spec.points(self.muscle);
@@ -169,7 +218,10 @@ impl<'a> Trial<'a> {
     }
 
     fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {
-        let OperatingPoint { force_n, contraction } = *point;
+        let OperatingPoint {
+            force_n,
+            contraction,
+        } = *point;
         let max = self.highest_mpa;
         let mut model = self.evaluation();
         if let Some(p) = model.pressure_below(force_n, contraction, max) {
@@ -178,17 +230,19 @@ impl<'a> Trial<'a> {
         match model.pressure_at(force_n, contraction) {
             Ok(p) => Ok(p.min(max)),
             Err(AnalysisError::Model(error)) => Err(error),
-            // At the lowest pressure of its range the model already pulls more: that pressure is enough.
-            Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
-                if nearest_force_n / force_n >= 1.0 =>
-            {
-                Ok(nearest_pressure_mpa)
-            }
+            // At the lowest pressure of its range the model already pulls more: that pressure is
+            // enough.
+            Err(AnalysisError::NoPressure {
+                nearest_force_n,
+                nearest_pressure_mpa,
+                ..
+            }) if nearest_force_n / force_n >= 1.0 => Ok(nearest_pressure_mpa),
             Err(_) => Ok(max),
         }
     }
 
-    /// A response with what the model does not know filled in from the thick-wall model, and what that is.
+    /// A response with what the model does not know filled in from the thick-wall model, and what
+    /// that is.
     pub(super) fn full_response(
         &mut self,
         p: f64,
@@ -200,25 +254,45 @@ impl<'a> Trial<'a> {
         if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
             return Ok((r, filled));
         }
-        if let Ok(other) = self.thick_wall.response(&mut self.workspace, p, contraction) {
+        if let Ok(other) = self
+            .thick_wall
+            .response(&mut self.workspace, p, contraction)
+        {
             let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
                 if slot.is_none() && value.is_some() {
                     *slot = value;
                     filled.push(name);
                 }
             };
-            fill(&mut r.bulged_diameter_mm, other.bulged_diameter_mm, "bulged diameter");
+            fill(
+                &mut r.bulged_diameter_mm,
+                other.bulged_diameter_mm,
+                "bulged diameter",
+            );
             fill(&mut r.volume_mm3, other.volume_mm3, "volume");
             fill(&mut r.max_stretch, other.max_stretch, "stretch");
             fill(&mut r.middle_stretch, other.middle_stretch, "stretch");
-            fill(&mut r.braid_tension_n, other.braid_tension_n, "strand tension");
-            fill(&mut r.strand_tension_n, other.strand_tension_n, "strand tension");
-            fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");
+            fill(
+                &mut r.braid_tension_n,
+                other.braid_tension_n,
+                "strand tension",
+            );
+            fill(
+                &mut r.strand_tension_n,
+                other.strand_tension_n,
+                "strand tension",
+            );
+            fill(
+                &mut r.stiffness_n_per_mm,
+                other.stiffness_n_per_mm,
+                "stiffness",
+            );
         }
         Ok((r, filled))
     }
 
-    /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of liquid, and whether the thick-wall model gave it.
+    /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of
+    /// liquid, and whether the thick-wall model gave it.
     pub(super) fn stroke(&mut self, p: f64, contraction: f64) -> (Option<f64>, bool) {
         let (workspace, options) = (&mut self.workspace, self.spec.options());
         let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {

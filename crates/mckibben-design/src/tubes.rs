@@ -1,7 +1,8 @@
 //! Tubes that one can buy or cast: the catalogue behind `design`, and files of the same form.
 //!
-//! A tube has an inner and an outer diameter and a rubber of the library. Those that are cast have a bore as rods are sold, and a wall of at least
-//! [`LEAST_CAST_WALL_MM`] between a share of [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
+//! A tube has an inner and an outer diameter and a rubber of the library. Those that are cast have
+//! a bore as rods are sold, and a wall of at least [`LEAST_CAST_WALL_MM`] between a share of
+//! [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
 use mckibben::catalogue::{Catalogue, CatalogueError, Row};
 use mckibben::rubber::library;
@@ -23,7 +24,10 @@ const TEXT: &str = include_str!("../data/tubes.toml");
 
 /// Keys of the rows of a table.
 const KEYS: [(&str, &str); 3] = [
-    ("tube", "name inner outer rubber cast price pressure_mpa note source"),
+    (
+        "tube",
+        "name inner outer rubber cast price pressure_mpa note source",
+    ),
     ("cast", "bores walls rubbers source"),
     ("sleeve", mckibben::sleeve::library::KEYS),
 ];
@@ -64,7 +68,10 @@ fn name_of<S: serde::Serializer>(rubber: &Rubber, out: S) -> Result<S::Ok, S::Er
 
 /// The names of the tubes' rubbers, in alphabetical order.
 pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str> {
-    let names: BTreeSet<&str> = tubes.into_iter().filter_map(|t| t.rubber.name.as_deref()).collect();
+    let names: BTreeSet<&str> = tubes
+        .into_iter()
+        .filter_map(|t| t.rubber.name.as_deref())
+        .collect();
     names.into_iter().collect()
 }
 
@@ -76,31 +83,43 @@ pub struct TubeError(String);
 /// All tubes of the catalogue: those that are sold, then those that are cast.
 pub fn catalogue() -> Result<&'static [TubePart], TubeError> {
     static ALL: OnceLock<Result<Vec<TubePart>, TubeError>> = OnceLock::new();
-    ALL.get_or_init(|| read(TEXT)).as_deref().map_err(TubeError::clone)
+    ALL.get_or_init(|| read(TEXT))
+        .as_deref()
+        .map_err(TubeError::clone)
 }
 
-/// The tube of a name: one of `tubes`, or one that is cast of a rubber of the library, `cast-8x12-latex`.
+/// The tube of a name: one of `tubes`, or one that is cast of a rubber of the library,
+/// `cast-8x12-latex`.
 pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     let plain = library::plain(name);
     if let Some(listed) = tubes.iter().find(|t| t.name == plain) {
         return Ok(listed.clone());
     }
-    let rubber = plain.strip_prefix("cast-").and_then(|rest| Some(rest.split_once('-')?.1));
-    let cast = rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
+    let rubber = plain
+        .strip_prefix("cast-")
+        .and_then(|rest| Some(rest.split_once('-')?.1));
+    let cast =
+        rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
     cast.ok_or_else(|| {
         let given: String = name.chars().take(60).collect();
         let near = mckibben::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
-        let known =
-            near.map_or("; `parts list tubes` lists them".into(), |n| format!(" (did you mean {n}?)"));
+        let known = near.map_or("; `parts list tubes` lists them".into(), |n| {
+            format!(" (did you mean {n}?)")
+        });
         TubeError(format!("there is no tube named \"{given}\"{known}"))
     })
 }
 
-/// The tube of a bore and an outer diameter in mm, `8x12mm`, of a rubber; `None` where that is no size.
+/// The tube of a bore and an outer diameter in mm, `8x12mm`, of a rubber; `None` where that is no
+/// size.
 pub fn of_size(size: &str, rubber: &str) -> Option<Result<TubePart, TubeError>> {
     let (bore, outer) = size.trim().trim_end_matches("mm").split_once('x')?;
     let (bore_mm, outer_mm) = (bore.trim().parse().ok()?, outer.trim().parse().ok()?);
-    Some(part((format!("{bore_mm}x{outer_mm}-{rubber}"), bore_mm, outer_mm), rubber, "its size as given"))
+    Some(part(
+        (format!("{bore_mm}x{outer_mm}-{rubber}"), bore_mm, outer_mm),
+        rubber,
+        "its size as given",
+    ))
 }
 
 impl From<CatalogueError> for TubeError {
@@ -113,7 +132,11 @@ impl From<CatalogueError> for TubeError {
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = Catalogue::parse(text)?;
     file.check(&KEYS)?;
-    let mut out = file.rows("tube").iter().map(listed).collect::<Result<Vec<_>, _>>()?;
+    let mut out = file
+        .rows("tube")
+        .iter()
+        .map(listed)
+        .collect::<Result<Vec<_>, _>>()?;
     for row in file.rows("cast") {
         for rubber in row.texts("rubbers") {
             out.extend(cast(&row, &rubber)?);
@@ -126,7 +149,11 @@ fn listed(row: &Row<'_>) -> Result<TubePart, TubeError> {
     let inner = row.number("inner")?.zip(row.number("outer")?);
     let (inner_mm, outer_mm) = inner.ok_or_else(|| row.wrong("give `inner` and `outer` in mm"))?;
     let name = row.text("name")?.to_owned();
-    let part = part((name, inner_mm, outer_mm), row.text("rubber")?, row.source_text())?;
+    let part = part(
+        (name, inner_mm, outer_mm),
+        row.text("rubber")?,
+        row.source_text(),
+    )?;
     Ok(TubePart {
         is_cast: row.flag("cast"),
         price: row.owned("price"),
@@ -139,18 +166,31 @@ fn listed(row: &Row<'_>) -> Result<TubePart, TubeError> {
 /// The tubes of the catalogue's sizes, cast of a rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = Catalogue::parse(TEXT)?;
-    Ok(file.rows("cast").iter().map(|row| cast(row, rubber)).collect::<Result<Vec<_>, _>>()?.concat())
+    Ok(file
+        .rows("cast")
+        .iter()
+        .map(|row| cast(row, rubber))
+        .collect::<Result<Vec<_>, _>>()?
+        .concat())
 }
 
 fn cast(row: &Row<'_>, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let (bores, walls) = (row.numbers("bores")?, row.numbers("walls")?);
-    let pairs = bores.iter().flat_map(|&bore| walls.iter().map(move |&wall| (bore, wall)));
+    let pairs = bores
+        .iter()
+        .flat_map(|&bore| walls.iter().map(move |&wall| (bore, wall)));
     let one = |(bore, wall): (f64, f64)| {
         let outer = bore + 2.0 * wall;
         let name = format!("cast-{bore}x{outer}-{rubber}");
-        Ok(TubePart { is_cast: true, ..part((name, bore, outer), rubber, row.source_text())? })
+        Ok(TubePart {
+            is_cast: true,
+            ..part((name, bore, outer), rubber, row.source_text())?
+        })
     };
-    pairs.filter(|(bore, wall)| can_be_cast(*bore, *wall)).map(one).collect()
+    pairs
+        .filter(|(bore, wall)| can_be_cast(*bore, *wall))
+        .map(one)
+        .collect()
 }
 
 /// Whether a tube of a bore and a wall in mm can be cast by hand.
@@ -168,7 +208,9 @@ fn part(
     let wrong = |problem: String| TubeError(format!("the tube {name}: {problem}"));
     let wall_mm = (5e8 * (outer_diameter_mm - inner_diameter_mm)).round() * 1e-9;
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
-        return Err(wrong("the inner diameter must be above zero and below the outer one".into()));
+        return Err(wrong(
+            "the inner diameter must be above zero and below the outer one".into(),
+        ));
     }
     let law = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
     Ok(TubePart {
@@ -176,7 +218,9 @@ fn part(
         outer_diameter_mm,
         wall_mm,
         rubber: law,
-        density_kg_per_m3: library::entry(rubber).ok().and_then(|e| e.density_kg_per_m3),
+        density_kg_per_m3: library::entry(rubber)
+            .ok()
+            .and_then(|e| e.density_kg_per_m3),
         is_cast: false,
         source: source.to_owned(),
         price: None,
@@ -195,12 +239,19 @@ mod tests {
         let all = catalogue().unwrap();
         assert!(all.len() > 100, "{}", all.len());
         for tube in all.iter().filter(|t| t.is_cast) {
-            assert!(can_be_cast(tube.inner_diameter_mm, tube.wall_mm), "{}", tube.name);
+            assert!(
+                can_be_cast(tube.inner_diameter_mm, tube.wall_mm),
+                "{}",
+                tube.name
+            );
         }
         assert!(find(all, "cast-24x30").unwrap().is_cast);
         // 1/4 x 3/8 in: a wall of 1/16 in.
         let latex = find(all, "latex-1/4x3/8in").unwrap();
-        assert!((latex.wall_mm - 25.4 / 16.0).abs() < 1e-9 && latex.rubber.name.as_deref() == Some("latex"));
+        assert!(
+            (latex.wall_mm - 25.4 / 16.0).abs() < 1e-9
+                && latex.rubber.name.as_deref() == Some("latex")
+        );
         let mut names: Vec<&str> = all.iter().map(|t| t.name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
@@ -208,24 +259,38 @@ mod tests {
         let error = find(all, "latex-1/4x3/8").unwrap_err().to_string();
         assert!(error.contains("did you mean latex-1/4x3/8in"), "{error}");
         // Of a rubber that the list leaves out.
-        assert_eq!(find(all, "cast-8x12-rtv615").unwrap().rubber.name.as_deref(), Some("rtv615"));
+        assert_eq!(
+            find(all, "cast-8x12-rtv615")
+                .unwrap()
+                .rubber
+                .name
+                .as_deref(),
+            Some("rtv615")
+        );
         assert!(find(all, "cast-8x12-no-such-rubber").is_err());
         let sized = of_size("8x12mm", "latex").unwrap().unwrap();
         assert_eq!((sized.name.as_str(), sized.wall_mm), ("8x12-latex", 2.0));
-        assert!(of_size("latex-5x8", "latex").is_none() && of_size("12x8", "latex").unwrap().is_err());
+        assert!(
+            of_size("latex-5x8", "latex").is_none() && of_size("12x8", "latex").unwrap().is_err()
+        );
     }
 
     #[test]
     fn a_table_of_ones_own_is_read_and_slips_are_named() {
-        let text = "[[tube]]\nname = \"mine\"\ninner = 8\nouter = 12.0\nrubber = \"shore:35A:natural\"\n";
+        let text =
+            "[[tube]]\nname = \"mine\"\ninner = 8\nouter = 12.0\nrubber = \"shore:35A:natural\"\n";
         let own = read(text).unwrap();
-        assert_eq!((own[0].wall_mm, own[0].source.as_str()), (2.0, "not stated"));
+        assert_eq!(
+            (own[0].wall_mm, own[0].source.as_str()),
+            (2.0, "not stated")
+        );
         let message = |text: &str| read(text).unwrap_err().to_string();
         assert!(message("tube = ").contains("the table of tubes"));
         assert!(message("").contains("[[tube]] or [[cast]]"));
         assert!(message(&text.replace("[[tube]]", "[[tubes]]")).contains("did you mean tube"));
         assert!(
-            message(&text.replace("inner", "iner")).contains("mine: unknown key iner (did you mean inner?)")
+            message(&text.replace("inner", "iner"))
+                .contains("mine: unknown key iner (did you mean inner?)")
         );
         assert!(message(&text.replace("12.0", "7")).contains("mine: the inner diameter"));
         assert!(message(&text.replace("8", "-8")).contains("`inner` must be a number above zero"));

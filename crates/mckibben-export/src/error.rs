@@ -19,7 +19,8 @@ pub enum ExportError {
     NoPull(f64),
     /// The contractions do not bound a box.
     #[error(
-        "the contractions from {0} to {1} do not bound a box; the lower end lies at or below zero and above -0.2, the upper one above it and below 0.5"
+        "the contractions from {0} to {1} do not bound a box; the lower end lies at or below zero \
+         and above -0.2, the upper one above it and below 0.5"
     )]
     Box(f64, f64),
     /// The model gives no volume.
@@ -27,10 +28,12 @@ pub enum ExportError {
     NoVolume(String),
     /// Too few points with an answer.
     #[error(
-        "{0} points at which the muscle pulls are too few for the form; choose a higher supply or a wider box"
+        "{0} points at which the muscle pulls are too few for the form; choose a higher supply or \
+         a wider box"
     )]
     Points(usize),
-    /// The form misses the model, or pulls again behind a slack part: work could be had from a cycle there.
+    /// The form misses the model, or pulls again behind a slack part: work could be had from a
+    /// cycle there.
     #[error("{0}; choose a smaller box (pressure or contractions)")]
     Misses(String),
     /// A host-specific file that cannot be made.

@@ -1,8 +1,10 @@
 //! The form fitted to a force model.
 //!
-//! Linear least squares at the points of the box at which the muscle pulls, and at no other: behind its free contraction a model carries nearly
-//! nothing, with a kink that a smooth form must not follow. There only the sign counts: rows that hold the form below zero are added where it
-//! would pull, and at the end of the box where its slope would let a pull return. The errors are those at other points, with slack as 0 N.
+//! Linear least squares at the points of the box at which the muscle pulls, and at no other: behind
+//! its free contraction a model carries nearly nothing, with a kink that a smooth form must not
+//! follow. There only the sign counts: rows that hold the form below zero are added where it would
+//! pull, and at the end of the box where its slope would let a pull return. The errors are those at
+//! other points, with slack as 0 N.
 
 use crate::form::{FUNCTIONS, functions};
 use crate::{ExportError, Form, HostError, Result};
@@ -19,7 +21,8 @@ use serde::Serialize;
 pub struct BoxRequest {
     /// Supply pressure, MPa.
     pub supply_mpa: f64,
-    /// Lower end in ε; `None`: [`BoxRequest::LOW`], or nearer to 0 where the model ends before or the form would miss it.
+    /// Lower end in ε; `None`: [`BoxRequest::LOW`], or nearer to 0 where the model ends before or
+    /// the form would miss it.
     pub contraction_low: Option<f64>,
     /// Upper end in ε; `None`: the free contraction at the supply.
     pub contraction_high: Option<f64>,
@@ -41,12 +44,13 @@ pub struct FormErrors {
     pub force_worst_ratio: f64,
     /// Root mean square of the volume's error, share of the largest volume.
     pub volume_rms: f64,
-    /// The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
+    /// The same of the volume, share of the largest volume: twice the largest at the points, and
+    /// 0.0002.
     pub volume_worst_ratio: f64,
 }
 
-/// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is negative, or that the model cannot find behind
-/// the free contraction, is slack.
+/// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is
+/// negative, or that the model cannot find behind the free contraction, is slack.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
     pub q: f64,
@@ -65,21 +69,28 @@ pub(crate) struct Fitted {
 
 /// Halvings towards the end of a pull.
 const EDGE: usize = 8;
-/// What is stated as the largest error of pull and volume: the largest at the points that the form was not fitted to, so many times, and a share. Of
-/// 200 random muscles at 2500 other points each none missed by more; the largest was 1.24 and 1.87 times that at the points.
+/// What is stated as the largest error of pull and volume: the largest at the points that the form
+/// was not fitted to, so many times, and a share. Of 200 random muscles at 2500 other points each
+/// none missed by more; the largest was 1.24 and 1.87 times that at the points.
 const BETWEEN: [f64; 2] = [1.5, 2.0];
 const BESIDE: f64 = 2e-4;
 /// Pressures at which the form is fitted, shares of the supply: more of them where the pull bends.
-const PRESSURES: [f64; 15] = [0.0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+const PRESSURES: [f64; 15] = [
+    0.0, 0.02, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0,
+];
 /// Contractions at which it is fitted, shares of the upper end.
 const SHARES: [f64; 15] = [
-    0.0, 0.03125, 0.0625, 0.09375, 0.125, 0.1875, 0.25, 0.3125, 0.40625, 0.5, 0.59375, 0.6875, 0.8125,
-    0.9375, 1.0,
+    0.0, 0.03125, 0.0625, 0.09375, 0.125, 0.1875, 0.25, 0.3125, 0.40625, 0.5, 0.59375, 0.6875,
+    0.8125, 0.9375, 1.0,
 ];
 
 /// The nodes of the form in ε.
 fn nodes(low: f64, high: f64) -> Vec<f64> {
-    let stretched = if low < 0.0 { vec![low, 0.7 * low, 0.4 * low, 0.15 * low] } else { vec![] };
+    let stretched = if low < 0.0 {
+        vec![low, 0.7 * low, 0.4 * low, 0.15 * low]
+    } else {
+        vec![]
+    };
     let shortened = [0.0, 1.0 / 24.0, 0.125, 0.285, 0.55, 1.0].map(|share| share * high);
     stretched.into_iter().chain(shortened).collect()
 }
@@ -97,19 +108,28 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Resul
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));
     }
-    let even = |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
-    let mut contractions: Vec<f64> = even(11, low, 0.0).take(if low < 0.0 { 10 } else { 0 }).collect();
+    let even =
+        |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
+    let mut contractions: Vec<f64> = even(11, low, 0.0)
+        .take(if low < 0.0 { 10 } else { 0 })
+        .collect();
     contractions.extend(SHARES.map(|share| share * high));
     let at = sample(model, [&PRESSURES, &contractions], supply, blocked_n)?;
-    // Others for the errors: between those of the fit, where strands lock and where they become slack too.
-    let mut held: Vec<f64> = even(21, low, 0.0).take(if low < 0.0 { 20 } else { 0 }).collect();
+    // Others for the errors: between those of the fit, where strands lock and where they become
+    // slack too.
+    let mut held: Vec<f64> = even(21, low, 0.0)
+        .take(if low < 0.0 { 20 } else { 0 })
+        .collect();
     held.extend(even(49, 0.0, high));
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
     let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
     let held_out = sample(model, [&between, &held], supply, blocked_n)?;
     let ends = edges(model, &held_out, supply, blocked_n);
-    // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched: exactly.
-    let at_rest = evaluation.force_n(0.0, 0.0).is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
+    // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched:
+    // exactly.
+    let at_rest = evaluation
+        .force_n(0.0, 0.0)
+        .is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
         length_m: 1e-3 * model.muscle().length_mm(),
         supply_pa: 1e6 * supply,
@@ -120,16 +140,29 @@ pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Resul
         b: Default::default(),
         v: [0.0; FUNCTIONS],
         friction_n: friction(model, w, supply, high),
-        presliding_m: model.muscle().friction().map_or(0.0, |f| 1e-3 * f.presliding_length_mm()),
+        presliding_m: model
+            .muscle()
+            .friction()
+            .map_or(0.0, |f| 1e-3 * f.presliding_length_mm()),
     };
     pulls(&mut form, &at, at_rest)?;
-    form.a.iter_mut().chain(&mut form.b).flatten().for_each(|value| *value *= blocked_n);
+    form.a
+        .iter_mut()
+        .chain(&mut form.b)
+        .flatten()
+        .for_each(|value| *value *= blocked_n);
     volumes(&mut form, &at, &model.info().name)?;
     let errors = errors(&form, &held_out, &ends, blocked_n);
-    Ok(Fitted { form, errors, blocked_n, held_out })
+    Ok(Fitted {
+        form,
+        errors,
+        blocked_n,
+        held_out,
+    })
 }
 
-/// Samples a model along falling pulls: behind the second point at which the muscle would push it is slack.
+/// Samples a model along falling pulls: behind the second point at which the muscle would push it
+/// is slack.
 fn sample(
     model: &dyn ForceModel,
     [pressures, contractions]: [&[f64]; 2],
@@ -140,7 +173,12 @@ fn sample(
         let w = &mut Workspace::new();
         let (mut row, mut slack) = (vec![], false);
         for &contraction in contractions {
-            let mut point = Sample { q, contraction, pull: None, volume_m3: None };
+            let mut point = Sample {
+                q,
+                contraction,
+                pull: None,
+                volume_m3: None,
+            };
             if !slack {
                 cancel::check()?;
                 match model.response(w, q * supply_mpa, contraction) {
@@ -149,7 +187,8 @@ fn sample(
                         point.pull = Some(response.force_n / blocked_n);
                         point.volume_m3 = response.volume_mm3.map(|v| 1e-9 * v);
                     }
-                    // What has no equilibrium without pressure, and is not stretched, has collapsed.
+                    // What has no equilibrium without pressure, and is not stretched, has
+                    // collapsed.
                     Err(_) if contraction > 0.0 && q < 0.2 => slack = true,
                     Err(error) => return Err(ExportError::from(error)),
                 }
@@ -161,28 +200,39 @@ fn sample(
     Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-/// The last points of each pressure at which the muscle pulls: there the form misses its volume by most.
+/// The last points of each pressure at which the muscle pulls: there the form misses its volume by
+/// most.
 fn edges(model: &dyn ForceModel, at: &[Sample], supply_mpa: f64, blocked_n: f64) -> Vec<Sample> {
     let pulls = |p: &Sample| p.pull.is_some_and(|pull| pull > 0.0);
-    let pairs: Vec<&[Sample]> =
-        at.windows(2).filter(|w| w[0].q == w[1].q && pulls(&w[0]) && !pulls(&w[1])).collect();
+    let pairs: Vec<&[Sample]> = at
+        .windows(2)
+        .filter(|w| w[0].q == w[1].q && pulls(&w[0]) && !pulls(&w[1]))
+        .collect();
     threads::map(&pairs, |pair| {
         let w = &mut Workspace::new();
         let mut edge = pair[0];
-        bisect(pair[0].contraction, pair[1].contraction, EDGE, |contraction| {
-            let response = model.response(w, edge.q * supply_mpa, contraction).ok();
-            let Some(response) = response.filter(|response| response.force_n > 0.0) else { return false };
-            edge.contraction = contraction;
-            edge.pull = Some(response.force_n / blocked_n);
-            edge.volume_m3 = response.volume_mm3.map(|v| 1e-9 * v);
-            true
-        });
+        bisect(
+            pair[0].contraction,
+            pair[1].contraction,
+            EDGE,
+            |contraction| {
+                let response = model.response(w, edge.q * supply_mpa, contraction).ok();
+                let Some(response) = response.filter(|response| response.force_n > 0.0) else {
+                    return false;
+                };
+                edge.contraction = contraction;
+                edge.pull = Some(response.force_n / blocked_n);
+                edge.volume_m3 = response.volume_mm3.map(|v| 1e-9 * v);
+                true
+            },
+        );
         edge
     })
 }
 
-/// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node and are zero between it and
-/// the length at rest. All but the first are zero at the length at rest.
+/// A cubic spline between the nodes, as a sum: powers of ε, and cubes that begin at each inner node
+/// and are zero between it and the length at rest. All but the first are zero at the length at
+/// rest.
 struct Spline {
     low: f64,
     high: f64,
@@ -198,10 +248,23 @@ impl Spline {
     fn at(&self, e: f64) -> Vec<(f64, f64)> {
         let x = e / self.high;
         let mut out: Vec<(f64, f64)> = (0..4)
-            .map(|j| (x.powi(j), if j > 0 { f64::from(j) * x.powi(j - 1) / self.high } else { 0.0 }))
+            .map(|j| {
+                (
+                    x.powi(j),
+                    if j > 0 {
+                        f64::from(j) * x.powi(j - 1) / self.high
+                    } else {
+                        0.0
+                    },
+                )
+            })
             .collect();
         out.extend(self.inner.iter().map(|&node| {
-            let span = if node >= 0.0 { self.high - node } else { self.low - node };
+            let span = if node >= 0.0 {
+                self.high - node
+            } else {
+                self.low - node
+            };
             let t = ((e - node) / span).max(0.0);
             (t * t * t, 3.0 * t * t / span)
         }));
@@ -215,7 +278,10 @@ fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
     functions(q)
         .0
         .iter()
-        .flat_map(|phi| at.iter().map(move |(value, slope)| (phi * value, phi * slope)))
+        .flat_map(|phi| {
+            at.iter()
+                .map(move |(value, slope)| (phi * value, phi * slope))
+        })
         .unzip()
 }
 
@@ -223,15 +289,22 @@ fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
 const ROUNDS: usize = 40;
 /// Share of the blocked force by which the form has to lie below zero where the muscle is slack.
 const BELOW: f64 = 5e-4;
-/// Weight of coefficients that the points do not determine: of those of inner nodes, and of the later functions of the pressure.
+/// Weight of coefficients that the points do not determine: of those of inner nodes, and of the
+/// later functions of the pressure.
 const RIDGE: f64 = 3e-5;
 
 fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     let (high, n) = (form.contraction_high, form.contractions.len());
-    let spline = Spline { low: form.contraction_low, high, inner: form.contractions[1..n - 1].to_vec() };
+    let spline = Spline {
+        low: form.contraction_low,
+        high,
+        inner: form.contractions[1..n - 1].to_vec(),
+    };
     let mut rows: Vec<(Vec<f64>, f64, f64)> = vec![];
     for p in at {
-        let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) else { continue };
+        let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) else {
+            continue;
+        };
         rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));
     }
     let points = rows.len();
@@ -249,7 +322,9 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     }
     let free: Vec<f64> = free_by_pressure(at, high);
     for _ in 0..ROUNDS {
-        let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| rows[r].2 * rows[r].0[used[c]]);
+        let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| {
+            rows[r].2 * rows[r].0[used[c]]
+        });
         let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
         let solved = least_squares(matrix, &values).ok_or(ExportError::Points(points))?;
         let mut all = vec![0.0; FUNCTIONS * spline.len()];
@@ -259,7 +334,9 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         for (i, coefficients) in all.chunks(spline.len()).enumerate() {
             let at_nodes = |e: &f64| {
                 let sums = spline.at(*e).into_iter().zip(coefficients);
-                sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| (value + c * v, slope + c * s))
+                sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| {
+                    (value + c * v, slope + c * s)
+                })
             };
             (form.a[i], form.b[i]) = form.contractions.iter().map(at_nodes).unzip();
         }
@@ -279,14 +356,18 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
                 }
             }
         }
-        // Pulls that come back behind a dip are lowered; the dip of a tube that pulls by itself is lifted.
+        // Pulls that come back behind a dip are lowered; the dip of a tube that pulls by itself is
+        // lifted.
         let again = form.pulls_again();
         for &(q, e, pull) in again.iter().step_by(1 + again.len() / 100) {
             let model = pull_between(at, q, e).filter(|model| !at_rest && *model > 2.0 * BELOW);
             match model {
                 Some(model) if pull < BELOW => rows.push((row(&spline, q, e).0, model, 0.3)),
-                // Along the tangent below the box as well: a muscle that is vented fast has less than the atmosphere.
-                None if pull > 0.0 => rows.extend([q, -0.1].map(|q| (row(&spline, q, e).0, -BELOW, 0.1))),
+                // Along the tangent below the box as well: a muscle that is vented fast has less
+                // than the atmosphere.
+                None if pull > 0.0 => {
+                    rows.extend([q, -0.1].map(|q| (row(&spline, q, e).0, -BELOW, 0.1)))
+                }
                 _ => {}
             }
         }
@@ -300,7 +381,9 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
 /// The solution with the least squares by Householder's QR; `None` where it is not finite.
 pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
-    let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values));
+    let solved = qr
+        .r()
+        .solve_upper_triangular(&(qr.q().transpose() * values));
     solved.filter(|s| s.iter().all(|v| v.is_finite()))
 }
 
@@ -309,7 +392,9 @@ fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
     let columns = at.partition_point(|p| p.q <= at[0].q);
     let (lines, first) = (at.chunks(columns), &at[..columns]);
     let k = lines.clone().position(|line| line[0].q >= q)?.max(1);
-    let m = first.partition_point(|p| p.contraction < e).clamp(1, columns - 1);
+    let m = first
+        .partition_point(|p| p.contraction < e)
+        .clamp(1, columns - 1);
     let in_line = |line: &[Sample]| {
         let (a, b) = (&line[m - 1], &line[m]);
         let t = (e - a.contraction) / (b.contraction - a.contraction);
@@ -321,13 +406,23 @@ fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
     Some((1.0 - t) * in_line(a)? + t * in_line(b)?)
 }
 
-/// The contraction at which the model stops pulling, at 41 pressures: between its samples in proportion.
+/// The contraction at which the model stops pulling, at 41 pressures: between its samples in
+/// proportion.
 fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
     let end = |line: &[Sample]| {
-        let last = line.iter().rposition(|p| p.pull.is_some_and(|pull| pull > 0.0));
+        let last = line
+            .iter()
+            .rposition(|p| p.pull.is_some_and(|pull| pull > 0.0));
         let free = match last.map(|k| (line[k], line.get(k + 1))) {
             None => 0.0,
-            Some((Sample { pull: Some(a), contraction, .. }, Some(next))) => {
+            Some((
+                Sample {
+                    pull: Some(a),
+                    contraction,
+                    ..
+                },
+                Some(next),
+            )) => {
                 let share = next.pull.map_or(1.0, |b| a / (a - b));
                 contraction + share * (next.contraction - contraction)
             }
@@ -340,7 +435,11 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
         let k = ends.partition_point(|e| e.0 < q).clamp(1, ends.len() - 1);
         let ((a, x), (b, y)) = (ends[k - 1], ends[k]);
         // The curve is steep at low pressure and bends down: the upper one is never exceeded.
-        if b > a { (x + (y - x) * ((q - a) / (b - a)).clamp(0.0, 1.0).sqrt()).max(x) } else { y }
+        if b > a {
+            (x + (y - x) * ((q - a) / (b - a)).clamp(0.0, 1.0).sqrt()).max(x)
+        } else {
+            y
+        }
     };
     (0..=40).map(|k| at(f64::from(k) / 40.0)).collect()
 }
@@ -350,7 +449,12 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     let known: Vec<(f64, f64)> = at
         .iter()
         .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
-        .filter_map(|p| Some((p.q, p.volume_m3? - form.potential_volume_m3(p.q, p.contraction))))
+        .filter_map(|p| {
+            Some((
+                p.q,
+                p.volume_m3? - form.potential_volume_m3(p.q, p.contraction),
+            ))
+        })
         .collect();
     if known.is_empty() {
         return Err(ExportError::NoVolume(model.to_owned()));
@@ -364,11 +468,16 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
 }
 
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
-    let largest = held_out.iter().filter_map(|p| p.volume_m3).fold(0.0, f64::max);
+    let largest = held_out
+        .iter()
+        .filter_map(|p| p.volume_m3)
+        .fold(0.0, f64::max);
     let here = |p: &Sample| form.at(p.q * form.supply_pa, p.contraction);
     let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
     let volume = |p: &Sample| {
-        let volume_m3 = p.volume_m3.filter(|_| p.pull.is_some_and(|pull| pull > 0.0))?;
+        let volume_m3 = p
+            .volume_m3
+            .filter(|_| p.pull.is_some_and(|pull| pull > 0.0))?;
         Some((here(p).volume_m3 - volume_m3).abs() / largest)
     };
     let mut forces = Vec::from_iter(held_out.iter().map(force));
@@ -377,7 +486,10 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
     let all = || held_out.iter().chain(ends);
     FormErrors {
         force_rms: HostError::from_errors(&forces).rms,
-        force_95_ratio: forces.get((0.95 * forces.len() as f64) as usize).copied().unwrap_or(0.0),
+        force_95_ratio: forces
+            .get((0.95 * forces.len() as f64) as usize)
+            .copied()
+            .unwrap_or(0.0),
         force_worst_ratio: BETWEEN[0] * all().map(force).fold(0.0, f64::max) + BESIDE,
         volume_rms: volumes.rms,
         volume_worst_ratio: BETWEEN[1] * all().filter_map(volume).fold(0.0, f64::max) + BESIDE,
@@ -386,7 +498,8 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
 
 /// h0 √q + h1 q of the friction that the muscle states, at a quarter of the free contraction.
 fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 2] {
-    let mut half = |q: f64| Evaluation::new(model, w, Direction::Mean).half_width_n(q * supply, 0.25 * high);
+    let mut half =
+        |q: f64| Evaluation::new(model, w, Direction::Mean).half_width_n(q * supply, 0.25 * high);
     // Both numbers from the half-widths at a quarter of the supply and at the supply.
     match (half(0.25), half(1.0)) {
         (Ok(quarter), Ok(whole)) => [4.0 * quarter - whole, 2.0 * whole - 4.0 * quarter],

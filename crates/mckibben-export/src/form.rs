@@ -6,18 +6,20 @@
 //! F = c0(ε) + c1(ε) q + c2(ε) φ0(q) + c3(ε) φ1(q) + c4(ε) φ2(q),     φk = max(q − κk, 0)²,  κ = 0, 0.15, 0.45
 //! ```
 //!
-//! Each c is a cubic spline in ε, given by its values a and its slopes b at a few nodes. Strands that are taut without pressure make the pull a
-//! convex function of the length beyond that at rest, and of the pressure: the nodes lie closer there. Volume and pull have one potential,
-//! ∂F/∂P = −∂V/∂L, so that a closed cycle in P and L does no net work:
+//! Each c is a cubic spline in ε, given by its values a and its slopes b at a few nodes. Strands
+//! that are taut without pressure make the pull a convex function of the length beyond that at
+//! rest, and of the pressure: the nodes lie closer there. Volume and pull have one potential, ∂F/∂P
+//! = −∂V/∂L, so that a closed cycle in P and L does no net work:
 //!
 //! ```text
 //! V = v0 + v1 q + v2 φ0 + v3 φ1 + v4 φ2 + (L0/P_supply) (C1 + C2 φ0' + C3 φ1' + C4 φ2'),     Ci = ∫ ci dε from the lower end of the box
 //! ```
 //!
-//! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a pull is a root of a quadratic equation.
-//! Outside of the box the values are those of its nearest point, with a status. For simulators each function of q and each function of ε continues
-//! along its tangent ([`Form::beyond`]): value, slope and potential are continuous there.
-//! Where F would be negative the muscle is slack: F = 0, and V is that at its free contraction.
+//! Between two of 0, 0.15, 0.45 and 1 the pull is of second degree in q, so that the pressure of a
+//! pull is a root of a quadratic equation. Outside of the box the values are those of its nearest
+//! point, with a status. For simulators each function of q and each function of ε continues along
+//! its tangent ([`Form::beyond`]): value, slope and potential are continuous there. Where F would
+//! be negative the muscle is slack: F = 0, and V is that at its free contraction.
 
 use serde::Serialize;
 
@@ -61,9 +63,11 @@ pub struct Form {
     /// v0 to v4, m³.
     #[schemars(extend("x-unit" = "m³"))]
     pub v: [f64; FUNCTIONS],
-    /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
+    /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its
+    /// friction.
     pub friction_n: [f64; 2],
-    /// Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
+    /// Way over which it builds up after a reversal, m; 0 where the muscle does not state its
+    /// friction.
     #[schemars(extend("x-unit" = "m"))]
     pub presliding_m: f64,
 }
@@ -110,15 +114,31 @@ fn sum(c: &[f64; FUNCTIONS], functions: &[f64; FUNCTIONS]) -> f64 {
 impl Form {
     fn coefficients(&self, contraction: f64) -> Coefficients {
         let nodes = &self.contractions;
-        let inside = contraction.max(self.contraction_low).min(self.contraction_high);
+        let inside = contraction
+            .max(self.contraction_low)
+            .min(self.contraction_high);
         let beyond = contraction - inside;
-        let n = nodes.partition_point(|node| *node <= inside).clamp(1, nodes.len() - 1) - 1;
+        let n = nodes
+            .partition_point(|node| *node <= inside)
+            .clamp(1, nodes.len() - 1)
+            - 1;
         let h = nodes[n + 1] - nodes[n];
         let t = (inside - nodes[n]) / h;
         let s = 1.0 - t;
-        // Hermite's cubic polynomials, their slopes and their integrals: value and slope at the one end, value and slope at the other.
-        let value = [(1.0 + 2.0 * t) * s * s, h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s];
-        let slope = [-6.0 * t * s / h, s * (1.0 - 3.0 * t), 6.0 * t * s / h, t * (3.0 * t - 2.0)];
+        // Hermite's cubic polynomials, their slopes and their integrals: value and slope at the one
+        // end, value and slope at the other.
+        let value = [
+            (1.0 + 2.0 * t) * s * s,
+            h * t * s * s,
+            t * t * (3.0 - 2.0 * t),
+            -h * t * t * s,
+        ];
+        let slope = [
+            -6.0 * t * s / h,
+            s * (1.0 - 3.0 * t),
+            6.0 * t * s / h,
+            t * (3.0 * t - 2.0),
+        ];
         let (cube, fourth) = (t * t * t, t * t * t * t);
         let integral = [
             h * (t - cube + 0.5 * fourth),
@@ -137,16 +157,21 @@ impl Form {
                     0.5 * g * (a[k] + a[k + 1] + g / 6.0 * (b[k] - b[k + 1]))
                 })
                 .sum();
-            out.integral[i] = before + here(&integral) + beyond * (c + 0.5 * by_contraction * beyond);
+            out.integral[i] =
+                before + here(&integral) + beyond * (c + 0.5 * by_contraction * beyond);
             out.c[i] = c + by_contraction * beyond;
             out.slope[i] = by_contraction;
         }
         out
     }
 
-    /// The pull that the form gives, negative where the muscle would have to push, and its slope in ε; pressure in Pa.
+    /// The pull that the form gives, negative where the muscle would have to push, and its slope in
+    /// ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
-        let (k, (phi, _)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
+        let (k, (phi, _)) = (
+            self.coefficients(contraction),
+            functions(pressure_pa / self.supply_pa),
+        );
         (sum(&k.c, &phi), sum(&k.slope, &phi))
     }
 
@@ -157,11 +182,16 @@ impl Form {
 
     /// The part of the potential of the pull in the volume of the muscle at rest length, m³.
     pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
-        self.length_m / self.supply_pa * sum(&self.coefficients(contraction).integral, &functions(q).1)
+        self.length_m / self.supply_pa
+            * sum(&self.coefficients(contraction).integral, &functions(q).1)
     }
 
     fn outside(&self, pressure_pa: f64, contraction: f64) -> u32 {
-        let pressure = if (0.0..=self.supply_pa).contains(&pressure_pa) { OK } else { PRESSURE_OUTSIDE };
+        let pressure = if (0.0..=self.supply_pa).contains(&pressure_pa) {
+            OK
+        } else {
+            PRESSURE_OUTSIDE
+        };
         let inside = (self.contraction_low..=self.contraction_high).contains(&contraction);
         pressure | if inside { OK } else { CONTRACTION_OUTSIDE }
     }
@@ -170,31 +200,46 @@ impl Form {
     pub fn at(&self, pressure_pa: f64, contraction: f64) -> Point {
         let inside = contraction.clamp(self.contraction_low, self.contraction_high);
         let point = self.beyond(pressure_pa.clamp(0.0, self.supply_pa), inside);
-        Point { status: point.status | self.outside(pressure_pa, contraction), ..point }
+        Point {
+            status: point.status | self.outside(pressure_pa, contraction),
+            ..point
+        }
     }
 
     /// The same, along the tangents outside of the box.
     pub fn beyond(&self, pressure_pa: f64, contraction: f64) -> Point {
-        let (k, (phi, slope)) = (self.coefficients(contraction), functions(pressure_pa / self.supply_pa));
+        let (k, (phi, slope)) = (
+            self.coefficients(contraction),
+            functions(pressure_pa / self.supply_pa),
+        );
         let force_n = sum(&k.c, &phi);
         let status = self.outside(pressure_pa, contraction);
         if force_n <= 0.0 {
             let free = self.contraction(0.0, pressure_pa);
             let volume_m3 = self.two_sided_volume_m3(pressure_pa, free);
-            return Point { volume_m3, status: status | SLACK, ..Point::default() };
+            return Point {
+                volume_m3,
+                status: status | SLACK,
+                ..Point::default()
+            };
         }
         Point {
             force_n,
             stiffness_n_per_m: -sum(&k.slope, &phi) / self.length_m,
             force_per_pressure_m2: sum(&k.c, &slope) / self.supply_pa,
-            volume_m3: sum(&self.v, &phi) + self.length_m / self.supply_pa * sum(&k.integral, &slope),
+            volume_m3: sum(&self.v, &phi)
+                + self.length_m / self.supply_pa * sum(&k.integral, &slope),
             status,
         }
     }
 
-    /// Points q, ε of the box with their pulls, from where it becomes slack to where it pulls again: the volume of a slack muscle would not be known there.
+    /// Points q, ε of the box with their pulls, from where it becomes slack to where it pulls
+    /// again: the volume of a slack muscle would not be known there.
     pub fn pulls_again(&self) -> Vec<(f64, f64, f64)> {
-        let (low, width) = (self.contraction_low, self.contraction_high - self.contraction_low);
+        let (low, width) = (
+            self.contraction_low,
+            self.contraction_high - self.contraction_low,
+        );
         // Without pressure a model without a wall is slack nowhere: its pull is rounding.
         let rounding_n = 1e-7 * self.two_sided_n(self.supply_pa, 0.0).0;
         let line = |i: i32| {
@@ -202,20 +247,34 @@ impl Form {
             let all = (0..=125).map(|k| low + width * f64::from(k) / 125.0);
             let all = all.map(|e| (q, e, self.two_sided_n(q * self.supply_pa, e).0));
             let mut behind: Vec<_> = all.skip_while(|p| p.2 >= -rounding_n).collect();
-            behind.truncate(behind.iter().rposition(|p| p.2 > rounding_n).map_or(0, |last| last + 1));
+            behind.truncate(
+                behind
+                    .iter()
+                    .rposition(|p| p.2 > rounding_n)
+                    .map_or(0, |last| last + 1),
+            );
             behind
         };
         (0..=40).flat_map(line).collect()
     }
 
-    /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between bounds, the tangent outside of the box.
+    /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between
+    /// bounds, the tangent outside of the box.
     pub fn contraction(&self, force_n: f64, pressure_pa: f64) -> f64 {
         let (mut low, mut high) = (self.contraction_low, self.contraction_high);
         for end in [low, high] {
             let (pull, slope) = self.two_sided_n(pressure_pa, end);
-            let beyond = if end == low { force_n >= pull } else { force_n <= pull };
+            let beyond = if end == low {
+                force_n >= pull
+            } else {
+                force_n <= pull
+            };
             if beyond {
-                return if slope < 0.0 { end + (force_n - pull) / slope } else { end };
+                return if slope < 0.0 {
+                    end + (force_n - pull) / slope
+                } else {
+                    end
+                };
             }
         }
         let mut at = 0.5 * (low + high);

@@ -1,4 +1,5 @@
-//! A joint for a controller or a simulator: its muscles in closed form, on their ways about the joint.
+//! A joint for a controller or a simulator: its muscles in closed form, on their ways about the
+//! joint.
 
 use crate::muscle::plain;
 use crate::template::list;
@@ -24,9 +25,11 @@ pub struct ExportedJoint {
     /// Its muscles, in the order of the joint file; lengths of the hosts are those of their paths.
     #[serde(skip)]
     pub muscles: Vec<ExportedMuscle>,
-    /// Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
+    /// Largest difference of the torque from that of `joint`, N m: the stated largest errors of the
+    /// pulls on their largest arms.
     pub torque_error_nm: f64,
-    /// The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: 1.5 times the largest at 200 states.
+    /// The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of
+    /// its blocked force: 1.5 times the largest at 200 states.
     pub stiffness_error_nm_per_rad: f64,
     #[serde(skip)]
     pub(crate) joint: Joint,
@@ -36,8 +39,14 @@ impl ExportedJoint {
     /// Fits each muscle over the contractions that it has in the range of the joint.
     ///
     /// # Errors
-    /// [`ExportError`] of a muscle; a range in which a muscle is stretched further than its form reaches.
-    pub fn fit(joint: &Joint, models: &[&dyn ForceModel], name: &str, supply_mpa: f64) -> Result<Self> {
+    /// [`ExportError`] of a muscle; a range in which a muscle is stretched further than its form
+    /// reaches.
+    pub fn fit(
+        joint: &Joint,
+        models: &[&dyn ForceModel],
+        name: &str,
+        supply_mpa: f64,
+    ) -> Result<Self> {
         let (low, high) = joint.range_deg();
         let angles: Vec<f64> = (0..=STATES[0])
             .map(|k| (low + (high - low) * f64::from(k) / f64::from(STATES[0])).to_radians())
@@ -45,24 +54,38 @@ impl ExportedJoint {
         let (mut muscles, mut torque, mut stiffness) = (Vec::<ExportedMuscle>::new(), 0.0, 0.0);
         let mut boxes: Vec<BoxRequest> = vec![];
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
-            let all = angles.iter().filter_map(|&angle| joint.contraction(i, angle));
+            let all = angles
+                .iter()
+                .filter_map(|&angle| joint.contraction(i, angle));
             let least = all.clone().map(|(e, _)| e).fold(f64::INFINITY, f64::min);
             let contraction_low = (least < BoxRequest::LOW).then_some(least - 1e-3);
-            let wanted = BoxRequest { supply_mpa, contraction_low, contraction_high: None };
+            let wanted = BoxRequest {
+                supply_mpa,
+                contraction_low,
+                contraction_high: None,
+            };
             // Opposed muscles are often alike: one fit serves both.
             let is_same = |other: &dyn ForceModel| {
                 other.muscle() == model.muscle() && other.info().name == model.info().name
             };
-            let known = boxes.iter().zip(models).position(|(of, other)| *of == wanted && is_same(*other));
+            let known = boxes
+                .iter()
+                .zip(models)
+                .position(|(of, other)| *of == wanted && is_same(*other));
             let name = format!("{name}_{}", i + 1);
             let mut muscle = match known.and_then(|k| muscles.get(k)) {
-                Some(known) => ExportedMuscle { name, ..known.clone() },
+                Some(known) => ExportedMuscle {
+                    name,
+                    ..known.clone()
+                },
                 None => ExportedMuscle::fit(model, &name, wanted)?,
             };
             boxes.push(wanted);
             if muscle.form.contraction_low > least {
                 return Err(ExportError::Host(format!(
-                    "muscle {}: in the range of the joint its contraction reaches {:.1} %, and its form is accurate from {:.1} %; a narrower [joint] range or a larger contraction_at_neutral keeps it shorter",
+                    "muscle {}: in the range of the joint its contraction reaches {:.1} %, and its \
+                     form is accurate from {:.1} %; a narrower [joint] range or a larger \
+                     contraction_at_neutral keeps it shorter",
                     i + 1,
                     100.0 * least,
                     100.0 * muscle.form.contraction_low
@@ -97,7 +120,9 @@ impl ExportedJoint {
         let mut artefact = make(self)?;
         // Muscles share files.
         let mut names = std::collections::BTreeSet::new();
-        artefact.files.retain(|file| names.insert(file.name.clone()));
+        artefact
+            .files
+            .retain(|file| names.insert(file.name.clone()));
         Ok(artefact)
     }
 
@@ -111,18 +136,27 @@ impl ExportedJoint {
                 self.hash
             ),
             format!(
-                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N m/rad where each muscle is slack or pulls by more than 2 %.",
+                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N \
+                 m/rad where each muscle is slack or pulls by more than 2 %.",
                 self.torque_error_nm, self.stiffness_error_nm_per_rad
             ),
         ];
-        facts.extend(self.muscles.iter().flat_map(|muscle| muscle.facts().into_iter().take(3)));
+        facts.extend(
+            self.muscles
+                .iter()
+                .flat_map(|muscle| muscle.facts().into_iter().take(3)),
+        );
         facts
     }
 
     /// The name as a word of a programming language and of files, as of a muscle.
     pub fn identifier(&self) -> String {
         let word = crate::muscle::word(&self.name);
-        if word.starts_with("joint") { word } else { format!("joint_{word}") }
+        if word.starts_with("joint") {
+            word
+        } else {
+            format!("joint_{word}")
+        }
     }
 
     pub(crate) fn range_rad(&self) -> [f64; 2] {
@@ -141,16 +175,26 @@ impl ExportedJoint {
         [of(0), of(1), spring]
     }
 
-    /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of its path.
+    /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of
+    /// its path.
     pub(crate) fn springs(&self) -> ([f64; 2], [f64; 2]) {
         match self.joint.spring() {
             None => ([0.0; 2], [0.0; 2]),
-            Some(&JointSpring::Torsion { rate_nm_per_rad, preload_nm }) => {
-                ([preload_nm, rate_nm_per_rad], [0.0; 2])
-            }
-            Some(&JointSpring::Rope { path, rate_n_per_mm, preload_n }) => {
-                ([0.0; 2], [preload_n - rate_n_per_mm * path.length_mm(0.0), 1e3 * rate_n_per_mm])
-            }
+            Some(&JointSpring::Torsion {
+                rate_nm_per_rad,
+                preload_nm,
+            }) => ([preload_nm, rate_nm_per_rad], [0.0; 2]),
+            Some(&JointSpring::Rope {
+                path,
+                rate_n_per_mm,
+                preload_n,
+            }) => (
+                [0.0; 2],
+                [
+                    preload_n - rate_n_per_mm * path.length_mm(0.0),
+                    1e3 * rate_n_per_mm,
+                ],
+            ),
         }
     }
 
@@ -158,9 +202,13 @@ impl ExportedJoint {
     pub(crate) fn numbers(&self) -> Vec<f64> {
         let path = |path: Path| match path {
             Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
-            Path::Points { origin_mm: [x, y], insertion_mm: [u, v] } => [0.0, x, y, u, v],
+            Path::Points {
+                origin_mm: [x, y],
+                insertion_mm: [u, v],
+            } => [0.0, x, y, u, v],
         };
-        let mut numbers = Vec::from_iter(self.paths().into_iter().flat_map(path).map(|mm| 1e-3 * mm));
+        let mut numbers =
+            Vec::from_iter(self.paths().into_iter().flat_map(path).map(|mm| 1e-3 * mm));
         let inclination = self.joint.link().inclination_deg.to_radians();
         let (torsion, rope) = self.springs();
         let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
@@ -176,7 +224,14 @@ impl ExportedJoint {
     ) -> Vec<(&'static str, String)> {
         let numbers = self.numbers();
         let list = |values: &[f64]| list(values, [open, close], one);
-        let path = |p: &[f64]| format!("{open}{}, {}, {}{close}", one(p[0]), list(&p[1..3]), list(&p[3..5]));
+        let path = |p: &[f64]| {
+            format!(
+                "{open}{}, {}, {}{close}",
+                one(p[0]),
+                list(&p[1..3]),
+                list(&p[3..5])
+            )
+        };
         let (paths, others) = numbers.split_at(15);
         let paths: Vec<String> = paths.chunks_exact(5).map(path).collect();
         let mut values = vec![
@@ -187,13 +242,17 @@ impl ExportedJoint {
             ("id", self.identifier()),
             ("count", self.muscles.len().to_string()),
         ];
-        values
-            .extend(["rope", "torsion", "weight", "range"].into_iter().zip(others.chunks_exact(2).map(list)));
+        values.extend(
+            ["rope", "torsion", "weight", "range"]
+                .into_iter()
+                .zip(others.chunks_exact(2).map(list)),
+        );
         values
     }
 }
 
-/// Largest difference of a muscle's part of the stiffness, N m/rad, where it pulls by more than 2 % of its blocked force.
+/// Largest difference of a muscle's part of the stiffness, N m/rad, where it pulls by more than 2 %
+/// of its blocked force.
 fn stiffness_error(
     joint: &Joint,
     i: usize,
@@ -202,14 +261,23 @@ fn stiffness_error(
     angles: &[f64],
 ) -> f64 {
     let w = &mut Workspace::new();
-    let options = Options { extrapolate: true, direction: Direction::Mean, ..Options::default() };
+    let options = Options {
+        extrapolate: true,
+        direction: Direction::Mean,
+        ..Options::default()
+    };
     let mut evaluation = Evaluation::new(model, w, options);
     let mut largest = 0.0_f64;
-    for (contraction, s) in angles.iter().filter_map(|&angle| joint.contraction(i, angle)) {
+    for (contraction, s) in angles
+        .iter()
+        .filter_map(|&angle| joint.contraction(i, angle))
+    {
         for k in 1..=STATES[1] {
             let pressure_mpa = 1e-6 * muscle.form.supply_pa * f64::from(k) / f64::from(STATES[1]);
             let point = muscle.form.at(1e6 * pressure_mpa, contraction);
-            let Ok(r) = evaluation.response(pressure_mpa, contraction) else { continue };
+            let Ok(r) = evaluation.response(pressure_mpa, contraction) else {
+                continue;
+            };
             if point.force_n.min(r.force_n) > 0.02 * muscle.blocked_force_n
                 && let Ok(n_per_mm) = evaluation.stiffness_n_per_mm(&r)
             {

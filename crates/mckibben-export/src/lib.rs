@@ -1,7 +1,9 @@
-//! A muscle for controllers and simulators: one closed form of pull and volume ([`Form`]), fitted to a force model with its error
-//! ([`ExportedMuscle`]), and written for a host ([`Target`]); a joint of one or two of them ([`ExportedJoint`]).
+//! A muscle for controllers and simulators: one closed form of pull and volume ([`Form`]), fitted
+//! to a force model with its error ([`ExportedMuscle`]), and written for a host ([`Target`]); a
+//! joint of one or two of them ([`ExportedJoint`]).
 //!
-//! Units at the hosts' interface: Pa, m, N, m³. Each artefact names muscle, version, hash, error and ±.
+//! Units at the hosts' interface: Pa, m, N, m³. Each artefact names muscle, version, hash, error
+//! and ±.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
@@ -44,13 +46,21 @@ pub(crate) struct HostError {
 
 impl std::fmt::Display for HostError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:.2} % rms, {:.2} % worst", 100.0 * self.rms, 100.0 * self.worst)
+        write!(
+            f,
+            "{:.2} % rms, {:.2} % worst",
+            100.0 * self.rms,
+            100.0 * self.worst
+        )
     }
 }
 
 impl HostError {
     fn from_errors(errors: &[f64]) -> Self {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
-        Self { rms, worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max) }
+        Self {
+            rms,
+            worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max),
+        }
     }
 }

@@ -46,22 +46,28 @@ pub struct ExportedMuscle {
     /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
-    /// A rope or rod between the muscle and what it pulls, m: lengths of the hosts are those of both.
+    /// A rope or rod between the muscle and what it pulls, m: lengths of the hosts are those of
+    /// both.
     #[serde(skip)]
     pub cord_m: f64,
     #[serde(skip)]
     pub(crate) held_out: Vec<Sample>,
 }
 
-/// The largest error of a form, or of the form of a host, against its model, share of the blocked force.
+/// The largest error of a form, or of the form of a host, against its model, share of the blocked
+/// force.
 pub(crate) const LIMIT: f64 = 0.05;
-/// The goal: 95 % of points within the first, the stated largest error within the second (1 % at the points), shares of the blocked force.
+/// The goal: 95 % of points within the first, the stated largest error within the second (1 % at
+/// the points), shares of the blocked force.
 const GOAL: [f64; 2] = [0.003, 0.0152];
 
 impl ExportedMuscle {
-    /// Fits the form to a model of the muscle named so. The default of the lower end lies where the model still answers and the form is accurate.
+    /// Fits the form to a model of the muscle named so. The default of the lower end lies where the
+    /// model still answers and the form is accurate.
     pub fn fit(model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
-        let begin = BoxRequest::LOW.max(model.info().range.contraction.0).min(0.0);
+        let begin = BoxRequest::LOW
+            .max(model.info().range.contraction.0)
+            .min(0.0);
         Self::fit_from(wanted.contraction_low.unwrap_or(begin), model, name, wanted)
     }
 
@@ -75,24 +81,39 @@ impl ExportedMuscle {
             let limit = 100.0 * LIMIT;
             match fitted.form.pulls_again().is_empty() {
                 _ if percent > limit => Err(ExportError::Misses(format!(
-                    "the form misses the model by {percent:.1} % of the blocked force at worst, and more than {limit:.0} % is not exported"
+                    "the form misses the model by {percent:.1} % of the blocked force at worst, \
+                     and more than {limit:.0} % is not exported"
                 ))),
                 true => Ok(fitted),
-                false => {
-                    Err(ExportError::Misses("behind its free contraction the form pulls again".into()))
-                }
+                false => Err(ExportError::Misses(
+                    "behind its free contraction the form pulls again".into(),
+                )),
             }
         });
-        let Fitted { form, errors, blocked_n, held_out } = match fitted {
+        let Fitted {
+            form,
+            errors,
+            blocked_n,
+            held_out,
+        } = match fitted {
             Err(ExportError::Misses(_) | ExportError::Model(_))
                 if wanted.contraction_low.is_none() && low < 0.0 =>
             {
-                return Self::fit_from(if low < -0.012 { 0.8 * low } else { 0.0 }, model, name, wanted);
+                return Self::fit_from(
+                    if low < -0.012 { 0.8 * low } else { 0.0 },
+                    model,
+                    name,
+                    wanted,
+                );
             }
             fitted => fitted?,
         };
         let w = &mut Workspace::new();
-        let half = Evaluation::new(model, w, Direction::Mean).uncertainty(wanted.supply_mpa, 0.0, blocked_n);
+        let half = Evaluation::new(model, w, Direction::Mean).uncertainty(
+            wanted.supply_mpa,
+            0.0,
+            blocked_n,
+        );
         let muscle_file = to_toml(model.muscle());
         let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());
         Ok(Self {
@@ -134,7 +155,8 @@ impl ExportedMuscle {
                 b.contraction_high
             ),
             format!(
-                "Pull against the model: {} rms, {} at 95 % of points, {} worst, of the blocked force of {:.1} N.",
+                "Pull against the model: {} rms, {} at 95 % of points, {} worst, of the blocked \
+                 force of {:.1} N.",
                 percent(e.force_rms),
                 percent(e.force_95_ratio),
                 percent(e.force_worst_ratio),
@@ -147,18 +169,24 @@ impl ExportedMuscle {
             ),
             match self.uncertainty_n {
                 Some(n) => format!(
-                    "Model against a measured muscle: +- {n:.1} N ({:.1} % of the blocked force) at 95 %.",
+                    "Model against a measured muscle: +- {n:.1} N ({:.1} % of the blocked force) \
+                     at 95 %.",
                     100.0 * n / self.blocked_force_n
                 ),
-                None => "Model against a measured muscle: the error of this model is not known.".into(),
+                None => {
+                    "Model against a measured muscle: the error of this model is not known.".into()
+                }
             },
         ];
         match self.cord_m {
             0.0 => {}
-            m if m < 0.0 => {
-                facts.push(format!("At the length 0 the muscle is {} m long: its neutral position.", -m))
-            }
-            m => facts.push(format!("Lengths are those of the muscle and of a cord of {m} m.")),
+            m if m < 0.0 => facts.push(format!(
+                "At the length 0 the muscle is {} m long: its neutral position.",
+                -m
+            )),
+            m => facts.push(format!(
+                "Lengths are those of the muscle and of a cord of {m} m."
+            )),
         }
         facts
     }
@@ -170,34 +198,61 @@ impl ExportedMuscle {
             return vec![];
         }
         vec![format!(
-            "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} % at worst; a smaller box, such as a lower end of the contraction nearer to 0, lowers this",
+            "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} \
+             % at worst; a smaller box, such as a lower end of the contraction nearer to 0, lowers \
+             this",
             100.0 * e.force_95_ratio,
             100.0 * e.force_worst_ratio
         )]
     }
 
-    /// The name as a word of a programming language and of files: behind `muscle_`, so that no language, library or host has it.
+    /// The name as a word of a programming language and of files: behind `muscle_`, so that no
+    /// language, library or host has it.
     pub fn identifier(&self) -> String {
         let word = word(&self.name);
-        if word.starts_with("muscle") { word } else { format!("muscle_{word}") }
+        if word.starts_with("muscle") {
+            word
+        } else {
+            format!("muscle_{word}")
+        }
     }
 }
 
 /// The first 16 digits of the SHA-256 of a text.
 pub(crate) fn hash(text: &str) -> String {
-    Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    Sha256::digest(text)
+        .iter()
+        .take(8)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 /// A name in small letters, digits and underscores.
 pub(crate) fn word(name: &str) -> String {
-    let one = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let one = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '_'
+        }
+    };
     name.chars().map(one).take(40).collect()
 }
 
 /// A text as a comment or a string of any language may have it.
 pub(crate) fn plain(text: &str) -> String {
-    let one = |c: char| if c.is_alphanumeric() || " _.-".contains(c) { c } else { '_' };
-    text.chars().take(80).map(one).collect::<String>().replace("--", "__")
+    let one = |c: char| {
+        if c.is_alphanumeric() || " _.-".contains(c) {
+            c
+        } else {
+            '_'
+        }
+    };
+    text.chars()
+        .take(80)
+        .map(one)
+        .collect::<String>()
+        .replace("--", "__")
 }
 
 #[cfg(test)]
@@ -206,7 +261,8 @@ mod tests {
     fn no_text_ends_a_comment_or_a_string_of_a_target() {
         let plain = super::plain("x\"\"\"; import os */ int main; /* --> \\ ' ${y}\n");
         assert!(
-            !plain.contains(['"', '*', '/', '<', '>', '\\', '\'', '$', ';', '\n']) && !plain.contains("--"),
+            !plain.contains(['"', '*', '/', '<', '>', '\\', '\'', '$', ';', '\n'])
+                && !plain.contains("--"),
             "{plain}"
         );
     }

@@ -8,13 +8,21 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// A list between brackets, each number by `one`.
-pub(crate) fn list(values: &[f64], [open, close]: [&str; 2], one: impl Fn(f64) -> String) -> String {
+pub(crate) fn list(
+    values: &[f64],
+    [open, close]: [&str; 2],
+    one: impl Fn(f64) -> String,
+) -> String {
     let texts: Vec<String> = values.iter().map(|v| one(*v)).collect();
     format!("{open}{}{close}", texts.join(", "))
 }
 
 /// Rows of lists, one a line.
-pub(crate) fn lists(values: &[Vec<f64>], brackets: [&str; 2], one: impl Fn(f64) -> String + Copy) -> String {
+pub(crate) fn lists(
+    values: &[Vec<f64>],
+    brackets: [&str; 2],
+    one: impl Fn(f64) -> String + Copy,
+) -> String {
     let rows: Vec<String> = values.iter().map(|row| list(row, brackets, one)).collect();
     format!("{}{}{}", brackets[0], rows.join(",\n     "), brackets[1])
 }

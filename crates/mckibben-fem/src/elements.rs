@@ -40,26 +40,35 @@ impl Elements {
     pub fn with_mesh(self, text: &str) -> Result<Self> {
         let refused = |expected: &str| {
             let name = self.name();
-            FemError::Refused(format!("\"{text}\" is not a valid mesh of {name}; expected {expected}"))
+            FemError::Refused(format!(
+                "\"{text}\" is not a valid mesh of {name}; expected {expected}"
+            ))
         };
         match self {
             Self::Axisymmetric(_) => {
-                let expected = "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")";
+                let expected = "elements along the half length (\"8\"), through the wall x along \
+                    (\"2x8\"), or with a grading (\"2x8:2\")";
                 let spec = MeshSpec::parse(text).ok_or_else(|| refused(expected))?;
                 // Whether it is a mesh does not depend on the size of the muscle.
                 spec.resolve(10.0, 1.0, 100.0)?;
                 Ok(Self::Axisymmetric(spec))
             }
             Self::ThreeDimensional(old) => {
-                let expected = "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")";
+                let expected = "bricks around the quarter (\"12\"), through the wall x around \
+                    (\"2x12\"), or x along (\"2x12x39\")";
                 let spec = BrickSpec::parse(text).ok_or_else(|| refused(expected))?;
                 BrickMesh::check(&spec)?;
-                Ok(Self::ThreeDimensional(BrickSpec { keep: old.keep, plug: old.plug, ..spec }))
+                Ok(Self::ThreeDimensional(BrickSpec {
+                    keep: old.keep,
+                    plug: old.plug,
+                    ..spec
+                }))
             }
         }
     }
 
-    /// Refuses a mesh of a muscle that does not fit into memory, before anything is allocated. The section's is small whatever it is.
+    /// Refuses a mesh of a muscle that does not fit into memory, before anything is allocated. The
+    /// section's is small whatever it is.
     ///
     /// # Errors
     /// [`FemError::Large`], or where the numbers give no valid mesh.
@@ -77,16 +86,20 @@ impl Elements {
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>> {
         match self {
             Self::Axisymmetric(spec) => section(muscle, spec),
-            Self::ThreeDimensional(spec) => {
-                Ok(with_ends(muscle, Box::new(ThreeDimensional::with_mesh(&muscle.between_ends(), spec)?)))
-            }
+            Self::ThreeDimensional(spec) => Ok(with_ends(
+                muscle,
+                Box::new(ThreeDimensional::with_mesh(&muscle.between_ends(), spec)?),
+            )),
         }
     }
 }
 
 /// The axisymmetric model of a muscle.
 pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>> {
-    Ok(with_ends(muscle, Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?)))
+    Ok(with_ends(
+        muscle,
+        Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?),
+    ))
 }
 
 impl FromStr for Elements {
@@ -94,7 +107,10 @@ impl FromStr for Elements {
 
     /// By their name, with the usual mesh.
     fn from_str(word: &str) -> Result<Self, Refused> {
-        let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
+        let all = [
+            Self::Axisymmetric(MeshSpec::default()),
+            Self::ThreeDimensional(BrickSpec::default()),
+        ];
         let named = all.into_iter().find(|e| e.name() == word.trim());
         named.ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
     }

@@ -19,7 +19,9 @@ pub enum FemError {
     #[error("{0}")]
     Refused(String),
     /// A question that is no number, a pressure that is not finite, a contraction of 1 or more.
-    #[error("no muscle has a pressure of {pressure_mpa}\u{a0}MPa and a contraction of {contraction}")]
+    #[error(
+        "no muscle has a pressure of {pressure_mpa}\u{a0}MPa and a contraction of {contraction}"
+    )]
     Question {
         /// Pressure in MPa.
         pressure_mpa: f64,
@@ -46,7 +48,8 @@ pub enum FemError {
     },
     /// Ends whose slip was not found.
     #[error(
-        "no slip of the ends was found at {pressure_mpa}\u{a0}MPa and contraction {contraction} in {} steps: take a smaller terminals.slip",
+        "no slip of the ends was found at {pressure_mpa}\u{a0}MPa and contraction {contraction} in \
+         {} steps: take a smaller terminals.slip",
         Ends::STEPS
     )]
     Ends {
@@ -92,9 +95,15 @@ impl FemError {
 
     /// Refuses a measure of a mesh that does not lie between two values.
     pub(crate) fn check_mesh(name: &str, value: f64, low: f64, high: f64) -> Result<(), Self> {
-        let refused =
-            || Self::Refused(format!("mesh: {name} is {value}; it must lie between {low} and {high}"));
-        (low..=high).contains(&value).then_some(()).ok_or_else(refused)
+        let refused = || {
+            Self::Refused(format!(
+                "mesh: {name} is {value}; it must lie between {low} and {high}"
+            ))
+        };
+        (low..=high)
+            .contains(&value)
+            .then_some(())
+            .ok_or_else(refused)
     }
 
     /// Why a tube is not in equilibrium on its plugs.
@@ -102,12 +111,14 @@ impl FemError {
         match reason {
             Stopped::Cancelled(cancelled) => Self::Cancelled(cancelled),
             reason => Self::Refused(format!(
-                "terminals.plug_diameter: {reason} as the tube is drawn on its plugs; take plugs nearer to the bore"
+                "terminals.plug_diameter: {reason} as the tube is drawn on its plugs; take plugs \
+                 nearer to the bore"
             )),
         }
     }
 
-    /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property of that pull.
+    /// Why there is no equilibrium with a pull in N; that the caller wanted to end is no property
+    /// of that pull.
     pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
         match reason {
             Stopped::Cancelled(cancelled) => Self::Cancelled(cancelled),
@@ -125,27 +136,48 @@ fn of_muscle(reason: &Stopped) -> String {
 }
 
 fn ended(path: &FemError) -> String {
-    let FemError::Path { status, pressure_mpa, contraction, reason, last, other_n, .. } = path else {
+    let FemError::Path {
+        status,
+        pressure_mpa,
+        contraction,
+        reason,
+        last,
+        other_n,
+        ..
+    } = path
+    else {
         return String::new();
     };
     let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
-    let point = format!("at {pressure_mpa}\u{a0}MPa and a contraction of {} %", percent(*contraction));
+    let point = format!(
+        "at {pressure_mpa}\u{a0}MPa and a contraction of {} %",
+        percent(*contraction)
+    );
     let begins = match (status, other_n) {
         (_, Some(force)) => format!(
-            "no equilibrium found on the branch of the taut muscle {point} (one on another branch has a pull of {force:.1}\u{a0}N)"
+            "no equilibrium found on the branch of the taut muscle {point} (one on another branch \
+             has a pull of {force:.1}\u{a0}N)"
         ),
-        (Status::Collapsed, None) => format!("no equilibrium found {point} (the tube may have collapsed)"),
+        (Status::Collapsed, None) => {
+            format!("no equilibrium found {point} (the tube may have collapsed)")
+        }
         _ => format!("no equilibrium found {point}"),
     };
     let because = of_muscle(reason);
     let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));
     let followed = if last_mpa > 0.0 || last.contraction != 0.0 {
-        format!("; on the way there from rest, the last one is at {last_mpa:.4}\u{a0}MPa and {at} %")
+        format!(
+            "; on the way there from rest, the last one is at {last_mpa:.4}\u{a0}MPa and {at} %"
+        )
     } else {
         String::new()
     };
     // No sleeve contracts further.
-    let stiffer = if *contraction < 0.4 { ", or take stiffer strands" } else { "" };
+    let stiffer = if *contraction < 0.4 {
+        ", or take stiffer strands"
+    } else {
+        ""
+    };
     format!("{begins}{because}{followed}; lower the pressure or the contraction{stiffer}")
 }
 
@@ -153,11 +185,15 @@ fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> St
     let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
     if force > nearest {
         format!(
-            "rubber and strands cannot carry a pull of {force}\u{a0}N at {pressure}\u{a0}MPa: stretched by {percent:.0} % of its length, as far as an equilibrium was found, the muscle pulls with {nearest}\u{a0}N"
+            "rubber and strands cannot carry a pull of {force}\u{a0}N at {pressure}\u{a0}MPa: \
+             stretched by {percent:.0} % of its length, as far as an equilibrium was found, the \
+             muscle pulls with {nearest}\u{a0}N"
         )
     } else {
         format!(
-            "no equilibrium with a pull of {force}\u{a0}N exists at {pressure}\u{a0}MPa: shortened by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still pulls with {nearest}\u{a0}N"
+            "no equilibrium with a pull of {force}\u{a0}N exists at {pressure}\u{a0}MPa: shortened \
+             by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still \
+             pulls with {nearest}\u{a0}N"
         )
     }
 }
@@ -166,10 +202,15 @@ fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> St
 impl From<FemError> for ModelError {
     fn from(error: FemError) -> Self {
         match error {
-            FemError::Question { contraction, .. } => {
-                Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
-            }
-            FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
+            FemError::Question { contraction, .. } => Self::Geometry {
+                contraction,
+                lowest: -1.0,
+                highest: 1.0,
+            },
+            FemError::Path { status, .. } => Self::Stopped {
+                status,
+                reason: error.to_string(),
+            },
             FemError::Refused(_) | FemError::Large(_) => Self::Elements(error.to_string()),
             FemError::Cancelled(cancelled) => Self::Cancelled(cancelled),
             FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {

@@ -1,7 +1,8 @@
-//! Finite elements for McKibben muscles: the axisymmetric muscle in real time, and the three-dimensional one as its
-//! reference.
+//! Finite elements for McKibben muscles: the axisymmetric muscle in real time, and the
+//! three-dimensional one as its reference.
 //!
-//! With a balanced braid there is no torsion, so the whole state is (r, z)(R, Z), and one potential rules:
+//! With a balanced braid there is no torsion, so the whole state is (r, z)(R, Z), and one potential
+//! rules:
 //!
 //! ```text
 //! Π(u; P, L) = W_tube(u) + W_braid(u) − P·V(u),   equilibrium ∂Π/∂u = 0,   pull F = −dΠ/d(ΔL)

@@ -54,7 +54,8 @@ pub struct StretchAt {
 /// Share of the rubber's volume that is stretched further than what is called the largest stretch.
 const BEYOND: f64 = 0.01;
 
-/// Of stretches with the volume of rubber that has each, the one below which 99 % of the volume lies: at the bonded corner the largest of all grows without bound as the mesh gets finer.
+/// Of stretches with the volume of rubber that has each, the one below which 99 % of the volume
+/// lies: at the bonded corner the largest of all grows without bound as the mesh gets finer.
 pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
     list.sort_by(|a, b| b.0.value.total_cmp(&a.0.value));
     let beyond = BEYOND * list.iter().map(|s| s.1).sum::<f64>();
@@ -65,13 +66,24 @@ pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
         let share = sum + 0.5 * volume;
         sum += volume;
         if share >= beyond {
-            let Some((before, larger)) = last else { return at };
+            let Some((before, larger)) = last else {
+                return at;
+            };
             let t = (beyond - before) / (share - before);
-            return StretchAt { value: larger.value + t * (at.value - larger.value), ..at };
+            return StretchAt {
+                value: larger.value + t * (at.value - larger.value),
+                ..at
+            };
         }
         last = Some((share, at));
     }
-    last.map_or(StretchAt { value: 1.0, rest_mm: [0.0; 2] }, |(_, at)| at)
+    last.map_or(
+        StretchAt {
+            value: 1.0,
+            rest_mm: [0.0; 2],
+        },
+        |(_, at)| at,
+    )
 }
 
 /// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.
@@ -81,7 +93,8 @@ pub struct FieldNode<const N: usize, const M: usize> {
     pub rest_mm: [f64; N],
     /// Place now in mm.
     pub now_mm: [f64; N],
-    /// Stretches: λθ of a line that ran around the muscle at rest, λm of one that ran along it, the largest principal one.
+    /// Stretches: λθ of a line that ran around the muscle at rest, λm of one that ran along it, the
+    /// largest principal one.
     pub stretches: [f64; 3],
     /// Cauchy stress in MPa, with the pressure in the rubber.
     pub stress_mpa: [f64; M],
@@ -93,7 +106,18 @@ pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
     pub(crate) fn new(count: usize) -> Self {
         let (rest_mm, now_mm, stretches, stress_mpa) = ([0.0; N], [0.0; N], [0.0; 3], [0.0; M]);
-        Self(vec![(FieldNode { rest_mm, now_mm, stretches, stress_mpa }, 0.0); count])
+        Self(vec![
+            (
+                FieldNode {
+                    rest_mm,
+                    now_mm,
+                    stretches,
+                    stress_mpa
+                },
+                0.0
+            );
+            count
+        ])
     }
 
     /// Adds what an element gives at a node.
@@ -101,13 +125,20 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
         let (sum, count) = &mut self.0[node];
         (sum.rest_mm, sum.now_mm, *count) = (at.rest_mm, at.now_mm, *count + 1.0);
         let values = at.stretches.iter().chain(&at.stress_mpa);
-        sum.stretches.iter_mut().chain(&mut sum.stress_mpa).zip(values).for_each(|(sum, x)| *sum += x);
+        sum.stretches
+            .iter_mut()
+            .chain(&mut sum.stress_mpa)
+            .zip(values)
+            .for_each(|(sum, x)| *sum += x);
     }
 
     /// The nodes.
     pub(crate) fn means(self) -> Vec<FieldNode<N, M>> {
         let mean = |(mut node, count): (FieldNode<N, M>, f64)| {
-            node.stretches.iter_mut().chain(&mut node.stress_mpa).for_each(|x| *x /= count);
+            node.stretches
+                .iter_mut()
+                .chain(&mut node.stress_mpa)
+                .for_each(|x| *x /= count);
             node
         };
         self.0.into_iter().map(mean).collect()
@@ -166,7 +197,8 @@ pub struct Sensitivity {
 
 /// A body that is a muscle: what its present equilibrium tells.
 pub trait MuscleBody: Body {
-    /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and ∂V/∂P in mm³/MPa of the whole muscle.
+    /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and
+    /// ∂V/∂P in mm³/MPa of the whole muscle.
     fn derivatives(&mut self) -> Result<[f64; 3]>;
 
     /// Volume of the cavity at rest of the whole muscle, in mm³.
@@ -187,7 +219,8 @@ pub trait MuscleBody: Body {
     /// The largest stretch in the middle plane of the muscle.
     fn middle_stretch(&self) -> f64;
 
-    /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised; none where it does not know them.
+    /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised;
+    /// none where it does not know them.
     ///
     /// # Errors
     /// [`FemError`] where a neighbouring muscle cannot be assembled.
@@ -199,8 +232,15 @@ pub trait MuscleBody: Body {
     fn response(&mut self, muscle: &Muscle) -> Result<Response> {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
         let (state, totals) = (self.state(), self.totals());
-        let largest = self.strands(muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
-        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+        let largest = self
+            .strands(muscle)
+            .iter()
+            .map(|s| s.tension_n_per_mm)
+            .fold(0.0, f64::max);
+        let (cos, count) = (
+            muscle.braid().angle_rad().cos(),
+            muscle.braid().strands.map(|s| s.count),
+        );
         let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
         Ok(Response {
             // Zeros without a sign.
@@ -233,7 +273,8 @@ pub trait MuscleBody: Body {
                 rubber_n_mm: Self::COPIES * totals.rubber,
                 braid_n_mm: Self::COPIES * totals.braid,
                 ends_n_mm: 0.0,
-                pressure_n_mm: pressure * (Self::COPIES * totals.volume - self.rest_volume_mm3(muscle)),
+                pressure_n_mm: pressure
+                    * (Self::COPIES * totals.volume - self.rest_volume_mm3(muscle)),
             },
             unstable_directions: self.unstable_directions(),
             smallest_j: totals.smallest_j,

@@ -1,4 +1,5 @@
-//! Finite elements of a muscle with ends that yield: equilibria and tests with contraction, pull and volume of the whole muscle.
+//! Finite elements of a muscle with ends that yield: equilibria and tests with contraction, pull
+//! and volume of the whole muscle.
 
 use crate::results::{Sensitivity, Solution};
 use crate::simulation::{Detail, Given, Simulation};
@@ -8,18 +9,26 @@ use mckibben::cancel::{self, Cancelled};
 use mckibben::model::{Response, Seated, Workspace};
 use mckibben::muscle::{EndState, Ends, Muscle};
 
-/// The elements themselves where `muscle` does not describe its ends, else the whole muscle; `model` is of [`Muscle::between_ends`].
+/// The elements themselves where `muscle` does not describe its ends, else the whole muscle;
+/// `model` is of [`Muscle::between_ends`].
 pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulation> {
-    if muscle.ends().give() { Box::new(Seated::new(model, muscle)) } else { model }
+    if muscle.ends().give() {
+        Box::new(Seated::new(model, muscle))
+    } else {
+        model
+    }
 }
 
 type Whole = Seated<dyn Simulation>;
 
-/// An error of the muscle between its ends, which are displaced by `displacement_mm`, with contractions of the whole muscle.
+/// An error of the muscle between its ends, which are displaced by `displacement_mm`, with
+/// contractions of the whole muscle.
 fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -> FemError {
     let whole = |x: f64| muscle.ends.whole(x, displacement_mm);
     match &mut error {
-        FemError::Path { contraction, last, .. } => {
+        FemError::Path {
+            contraction, last, ..
+        } => {
             *contraction = whole(*contraction);
             last.contraction = whole(last.contraction);
         }
@@ -34,7 +43,10 @@ fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -
 /// One equilibrium of the muscle between its ends.
 fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
     let points = muscle.inner.isometric(w, x, &[p], detail);
-    points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
+    points.into_iter().next().unwrap_or(Err(FemError::Question {
+        pressure_mpa: p,
+        contraction: x,
+    }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.
@@ -45,10 +57,14 @@ fn between(muscle: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<f64> {
     }
     let state = muscle.solve_ends(w, p, e, |w, x| {
         let point = inner(muscle, w, p, x, Detail::Tangent);
-        let point = point.map_err(|e2| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), e2))?;
+        let point =
+            point.map_err(|e2| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), e2))?;
         Ok::<_, FemError>(point.response.unwrap_or_default())
     })?;
-    state.map(|state| state.between).ok_or(FemError::Ends { pressure_mpa: p, contraction: e })
+    state.map(|state| state.between).ok_or(FemError::Ends {
+        pressure_mpa: p,
+        contraction: e,
+    })
 }
 
 /// x at which a pull is reached: pressure and load of the ends are solved together, by secants.
@@ -60,7 +76,13 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
     }
     let mut miss = |p: f64| {
         let x = at(p);
-        let reached = muscle.inner.reach(w, Given::ContractionAndPull { contraction: x, force_n });
+        let reached = muscle.inner.reach(
+            w,
+            Given::ContractionAndPull {
+                contraction: x,
+                force_n,
+            },
+        );
         reached
             .map(|point| point.pressure_mpa - p)
             .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
@@ -76,29 +98,52 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
         (low, low_miss) = (p, here);
         p -= if slope < 0.0 { here / slope } else { -here };
     }
-    Err(FemError::Ends { pressure_mpa: p, contraction: e })
+    Err(FemError::Ends {
+        pressure_mpa: p,
+        contraction: e,
+    })
 }
 
-/// What is given of the muscle between its ends, their displacement in mm, and the contraction of the whole where it is given.
-fn given_between(muscle: &Whole, w: &mut Workspace, given: Given) -> Result<(Given, f64, Option<f64>)> {
+/// What is given of the muscle between its ends, their displacement in mm, and the contraction of
+/// the whole where it is given.
+fn given_between(
+    muscle: &Whole,
+    w: &mut Workspace,
+    given: Given,
+) -> Result<(Given, f64, Option<f64>)> {
     let ends = &muscle.ends;
     Ok(match given {
-        Given::PressureAndContraction { pressure_mpa, contraction: e } => {
+        Given::PressureAndContraction {
+            pressure_mpa,
+            contraction: e,
+        } => {
             let x = between(muscle, w, pressure_mpa, e)?;
-            (Given::at(pressure_mpa, x), ends.displacement_between_mm(e, x), Some(e))
+            (
+                Given::at(pressure_mpa, x),
+                ends.displacement_between_mm(e, x),
+                Some(e),
+            )
         }
-        Given::PressureAndPull { pressure_mpa, force_n } => {
-            (given, ends.end_displacement_mm(pressure_mpa, force_n), None)
-        }
-        Given::ContractionAndPull { contraction: e, force_n } => {
+        Given::PressureAndPull {
+            pressure_mpa,
+            force_n,
+        } => (given, ends.end_displacement_mm(pressure_mpa, force_n), None),
+        Given::ContractionAndPull {
+            contraction: e,
+            force_n,
+        } => {
             let x = between_at_pull(muscle, w, force_n, e)?;
-            let given = Given::ContractionAndPull { contraction: x, force_n };
+            let given = Given::ContractionAndPull {
+                contraction: x,
+                force_n,
+            };
             (given, ends.displacement_between_mm(e, x), Some(e))
         }
     })
 }
 
-/// A response of the muscle between its ends, and its sensitivities, as those of the whole at a contraction, which follows where it is not given.
+/// A response of the muscle between its ends, and its sensitivities, as those of the whole at a
+/// contraction, which follows where it is not given.
 fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivity]) -> Response {
     let ends = &muscle.ends;
     let displacement = ends.end_displacement_mm(r.pressure_mpa, r.force_n);
@@ -120,10 +165,17 @@ fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivit
 fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> CurvePoint {
     let ends = &muscle.ends;
     let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, point.force_n);
-    let contraction = given.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
-    point.response = point.response.map(|r| whole(muscle, given, r, &mut point.sensitivities));
+    let contraction =
+        given.unwrap_or_else(|| ends.whole(point.contraction, ends.seating_mm + slip_mm));
+    point.response = point
+        .response
+        .map(|r| whole(muscle, given, r, &mut point.sensitivities));
     let volume_mm3 = point.volume_mm3 + ends.bore_mm2() * slip_mm;
-    CurvePoint { contraction, volume_mm3, ..point }
+    CurvePoint {
+        contraction,
+        volume_mm3,
+        ..point
+    }
 }
 
 impl Simulation for Whole {
@@ -148,25 +200,38 @@ impl Simulation for Whole {
         Ok(whole_point(self, Some(e), point))
     }
 
-    fn isometric(&self, workspace: &mut Workspace, e: f64, pressures_mpa: &[f64], detail: Detail) -> Curve {
+    fn isometric(
+        &self,
+        workspace: &mut Workspace,
+        e: f64,
+        pressures_mpa: &[f64],
+        detail: Detail,
+    ) -> Curve {
         let ends = &self.ends;
         if ends.slip_mm_per_n == 0.0 {
-            let points =
-                self.inner.isometric(workspace, ends.between(e, ends.seating_mm), pressures_mpa, detail);
+            let points = self.inner.isometric(
+                workspace,
+                ends.between(e, ends.seating_mm),
+                pressures_mpa,
+                detail,
+            );
             let one = |point: Result<CurvePoint>| {
-                let point = point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
+                let point =
+                    point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
                 Ok(whole_point(self, Some(e), point))
             };
             return points.into_iter().map(one).collect();
         }
-        // Each with its end state: in the order of the test, as the elements go from one to the next.
+        // Each with its end state: in the order of the test, as the elements go from one to the
+        // next.
         let mut out: Curve = vec![Err(Cancelled.into()); pressures_mpa.len()];
         for i in falling(pressures_mpa) {
             if cancel::check().is_err() {
                 break;
             }
             let p = pressures_mpa[i];
-            let point = between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
+            let point =
+                between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
             out[i] = point.map(|point| whole_point(self, Some(e), point));
         }
         out

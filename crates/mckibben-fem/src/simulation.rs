@@ -7,12 +7,14 @@ use crate::solver::body::Body as _;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, isometric};
 use mckibben::model::{
-    Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
+    Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
+    Workspace,
 };
 use mckibben::muscle::Muscle;
 
-/// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one over its pull. Both hold more than 95 % of
-/// random muscles, as `docs/finite-elements.md` counts them.
+/// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one
+/// over its pull. Both hold more than 95 % of random muscles, as `docs/finite-elements.md` counts
+/// them.
 const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 
@@ -45,7 +47,10 @@ pub enum Given {
 impl Given {
     /// Pressure in MPa and contraction.
     pub fn at(pressure_mpa: f64, contraction: f64) -> Self {
-        Self::PressureAndContraction { pressure_mpa, contraction }
+        Self::PressureAndContraction {
+            pressure_mpa,
+            contraction,
+        }
     }
 }
 
@@ -74,7 +79,8 @@ pub trait Divided: Send + Sync + Sized {
     /// [`FemError::Refused`] where there is not enough memory.
     fn at_rest(&self) -> Result<Self::Body, FemError>;
 
-    /// The model itself, where it is that of the section, which computes slopes and the strands' contact.
+    /// The model itself, where it is that of the section, which computes slopes and the strands'
+    /// contact.
     fn section(_model: &FiniteElements<Self>) -> Option<&Axisymmetric> {
         None
     }
@@ -89,13 +95,15 @@ pub trait Divided: Send + Sync + Sized {
         self.limit()
     }
 
-    /// A pressure in MPa near which a pull in N at a contraction may have a smaller one than `pressure_mpa`.
+    /// A pressure in MPa near which a pull in N at a contraction may have a smaller one than
+    /// `pressure_mpa`.
     fn near_smaller(&self, _pressure_mpa: f64, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 }
 
-/// A force model by finite elements. The last equilibria are kept in the workspace, so that neighbouring questions are cheap.
+/// A force model by finite elements. The last equilibria are kept in the workspace, so that
+/// neighbouring questions are cheap.
 #[derive(Debug, Clone)]
 pub struct FiniteElements<D> {
     id: ModelId,
@@ -105,10 +113,25 @@ pub struct FiniteElements<D> {
 }
 
 impl<D: Divided> FiniteElements<D> {
-    pub(crate) fn from_divided(divided: D, muscle: &Muscle, accuracy: Accuracy, notes: Vec<String>) -> Self {
+    pub(crate) fn from_divided(
+        divided: D,
+        muscle: &Muscle,
+        accuracy: Accuracy,
+        notes: Vec<String>,
+    ) -> Self {
         let range = ModelRange::open().stretched(muscle.braid().angle_deg);
-        let info = ModelInfo { range, accuracy, costly: true, notes, ..ModelInfo::new(&D::ENTRY, muscle) };
-        Self { id: ModelId::new(), info, divided }
+        let info = ModelInfo {
+            range,
+            accuracy,
+            costly: true,
+            notes,
+            ..ModelInfo::new(&D::ENTRY, muscle)
+        };
+        Self {
+            id: ModelId::new(),
+            info,
+            divided,
+        }
     }
 
     /// The states and memory of this model in a workspace.
@@ -135,9 +158,18 @@ impl<D: Divided> FiniteElements<D> {
     ) -> Result<&'w mut Continuation<D::Body>, FemError> {
         let c = self.continuation(workspace)?;
         match given {
-            Given::PressureAndContraction { pressure_mpa, contraction } => c.reach(pressure_mpa, contraction),
-            Given::PressureAndPull { pressure_mpa, force_n } => c.reach_force(force_n, pressure_mpa),
-            Given::ContractionAndPull { contraction, force_n } => c.reach_pressure(force_n, contraction),
+            Given::PressureAndContraction {
+                pressure_mpa,
+                contraction,
+            } => c.reach(pressure_mpa, contraction),
+            Given::PressureAndPull {
+                pressure_mpa,
+                force_n,
+            } => c.reach_force(force_n, pressure_mpa),
+            Given::ContractionAndPull {
+                contraction,
+                force_n,
+            } => c.reach_pressure(force_n, contraction),
         }?;
         Ok(c)
     }
@@ -148,19 +180,40 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         &self.info
     }
 
-    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.body.response(self.muscle())?)
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response> {
+        Ok(self
+            .led_to(workspace, Given::at(pressure_mpa, contraction))?
+            .body
+            .response(self.muscle())?)
     }
 
-    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        Ok(self.led_to(workspace, Given::at(pressure_mpa, contraction))?.pull())
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64> {
+        Ok(self
+            .led_to(workspace, Given::at(pressure_mpa, contraction))?
+            .pull())
     }
 
     fn has_slopes(&self) -> bool {
         D::section(self).is_some_and(|section| section.divided.discretisation.has_slopes())
     }
 
-    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Result<Option<Vec<f64>>> {
+    fn force_by(
+        &self,
+        w: &mut Workspace,
+        p: f64,
+        e: f64,
+        names: &[String],
+    ) -> Result<Option<Vec<f64>>> {
         let section = D::section(self).filter(|_| self.has_slopes());
         section.map_or(Ok(None), |section| Ok(section.slopes(w, p, e, names)?))
     }
@@ -172,41 +225,91 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         }
     }
 
-    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
-        let of_default = if e < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * scale_n };
-        let reference_n = self.divided.reference().and_then(|section| section.force_n(w, p, e).ok());
+    fn mesh_error_n(
+        &self,
+        w: &mut Workspace,
+        p: f64,
+        e: f64,
+        force_n: f64,
+        scale_n: f64,
+    ) -> Option<f64> {
+        let of_default = if e < 0.0 {
+            MESH_ERROR_STRETCHED * force_n.abs()
+        } else {
+            MESH_ERROR * scale_n
+        };
+        let reference_n = self
+            .divided
+            .reference()
+            .and_then(|section| section.force_n(w, p, e).ok());
         // With a slack muscle there is nothing to compare.
-        let off = reference_n.filter(|_| force_n > 0.0).map_or(0.0, |other_n| (force_n - other_n).abs());
+        let off = reference_n
+            .filter(|_| force_n > 0.0)
+            .map_or(0.0, |other_n| (force_n - other_n).abs());
         Some(of_default + off)
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {
         let unstable = self.known(workspace).and_then(|c| c.unstable);
-        let unstable = unstable.filter(|_| D::Body::SETTINGS.take_unstable).map(|u| u.to_string());
+        let unstable = unstable
+            .filter(|_| D::Body::SETTINGS.take_unstable)
+            .map(|u| u.to_string());
         self.info.notes.iter().cloned().chain(unstable).collect()
     }
 
     fn contact_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Option<Result<f64>> {
         let contact = D::section(self)?.contact(workspace, p, e);
-        Some(contact.map(|contact| contact.pivoting_n_per_mm).map_err(ModelError::from))
+        Some(
+            contact
+                .map(|contact| contact.pivoting_n_per_mm)
+                .map_err(ModelError::from),
+        )
     }
 
     fn companion(&self) -> Option<&dyn ForceModel> {
         self.divided.limit().map(|limit| limit as _)
     }
 
-    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let point = self.reach(workspace, Given::ContractionAndPull { contraction, force_n });
-        let p = point.ok().map(|point| point.pressure_mpa).filter(|p| *p >= 0.0)?;
+    fn pressure_at_pull(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<f64> {
+        let point = self.reach(
+            workspace,
+            Given::ContractionAndPull {
+                contraction,
+                force_n,
+            },
+        );
+        let p = point
+            .ok()
+            .map(|point| point.pressure_mpa)
+            .filter(|p| *p >= 0.0)?;
         let c = self.continuation(workspace).ok()?;
         let near = self.divided.near_smaller(p, force_n, contraction);
-        let reached = near.filter(|near| c.reach_pressure_from(*near, force_n, contraction).is_ok());
-        let smaller = reached.map(|_| c.body.state().pressure).filter(|p| *p >= 0.0);
+        let reached =
+            near.filter(|near| c.reach_pressure_from(*near, force_n, contraction).is_ok());
+        let smaller = reached
+            .map(|_| c.body.state().pressure)
+            .filter(|p| *p >= 0.0);
         Some(smaller.map_or(p, |smaller| smaller.min(p)))
     }
 
-    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let point = self.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n });
+    fn contraction_at_pull(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<f64> {
+        let point = self.reach(
+            workspace,
+            Given::PressureAndPull {
+                pressure_mpa,
+                force_n,
+            },
+        );
         point.ok().map(|point| point.contraction)
     }
 }
@@ -275,5 +378,13 @@ pub fn free_contraction(
     if pressure_mpa == 0.0 && model.muscle().tube().prestretch == 1.0 {
         return Ok(0.0);
     }
-    Ok(model.reach(workspace, Given::PressureAndPull { pressure_mpa, force_n: 0.0 })?.contraction)
+    Ok(model
+        .reach(
+            workspace,
+            Given::PressureAndPull {
+                pressure_mpa,
+                force_n: 0.0,
+            },
+        )?
+        .contraction)
 }

@@ -11,23 +11,47 @@ use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
 
 /// The prototype, and a thin one of another law.
 fn muscles() -> [Muscle; 2] {
-    let yeoh = Rubber::new(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
+    let yeoh = Rubber::new(Law::Yeoh(Yeoh {
+        c10_mpa: 0.1,
+        c20_mpa: -0.0007,
+        c30_mpa: 2e-5,
+    }));
     let prototype = Muscle::prototype();
     let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
-    [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]
+    [
+        prototype.clone(),
+        prototype
+            .with_tube(mckibben::muscle::Tube {
+                rubber: yeoh,
+                ..tube
+            })
+            .unwrap(),
+    ]
 }
 
 fn answers(model: &dyn ForceModel) -> Vec<f64> {
     let w = &mut Workspace::new();
     let at = |(p, e)| {
         let r = model.response(w, p, e).unwrap();
-        [Some(r.force_n), r.volume_mm3, r.stiffness_n_per_mm, r.bulged_diameter_mm, r.max_stretch]
+        [
+            Some(r.force_n),
+            r.volume_mm3,
+            r.stiffness_n_per_mm,
+            r.bulged_diameter_mm,
+            r.max_stretch,
+        ]
     };
-    [(0.1, 0.0), (0.25, 0.1)].map(at).into_iter().flatten().flatten().collect()
+    [(0.1, 0.0), (0.25, 0.1)]
+        .map(at)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .collect()
 }
 
-/// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
-/// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not tried.
+/// Without fused products the axisymmetric elements give the same bits on any processor; the
+/// bricks, whose products are fused in wide lanes, the same to rounding. Wider lanes than this
+/// processor has are not tried.
 #[test]
 fn every_width_gives_the_same_answers() {
     let spec = BrickSpec::parse("1x4").unwrap();
@@ -40,7 +64,10 @@ fn every_width_gives_the_same_answers() {
     };
     for muscle in muscles() {
         let (plane, bricks) = by(Width::One, &muscle);
-        for width in [Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
+        for width in [Width::Four, Width::Eight]
+            .into_iter()
+            .filter(|w| *w <= Width::widest())
+        {
             let (same, alike) = by(width, &muscle);
             assert_eq!(same, plane, "{width:?}");
             for (a, b) in alike.iter().zip(&bricks) {

@@ -1,7 +1,8 @@
 //! The wish to end work.
 //!
-//! A front end makes a [`Cancel`] for each request and [enters](Cancel::enter) it for the time of the work. Every loop that may be long
-//! [looks](check) at the flag of its thread; work side by side (threads of the crate `mckibben`) takes the flag along.
+//! A front end makes a [`Cancel`] for each request and [enters](Cancel::enter) it for the time of
+//! the work. Every loop that may be long [looks](check) at the flag of its thread; work side by
+//! side (threads of the crate `mckibben`) takes the flag along.
 
 use std::cell::RefCell;
 use std::marker::PhantomData;
@@ -26,10 +27,15 @@ impl Cancel {
 
     /// Whether the work may go on.
     pub fn check(&self) -> Result<(), Cancelled> {
-        if self.0.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
+        if self.0.load(Ordering::Relaxed) {
+            Err(Cancelled)
+        } else {
+            Ok(())
+        }
     }
 
-    /// The flag of the work that this thread does: the one that was entered last, else one that nobody sets.
+    /// The flag of the work that this thread does: the one that was entered last, else one that
+    /// nobody sets.
     pub fn current() -> Self {
         CURRENT.with_borrow(Clone::clone).unwrap_or_default()
     }
@@ -38,7 +44,10 @@ impl Cancel {
     #[must_use = "the flag ends where this is dropped"]
     pub fn enter(&self) -> Entered {
         let before = CURRENT.replace(Some(self.clone()));
-        Entered { before, of_this_thread: PhantomData }
+        Entered {
+            before,
+            of_this_thread: PhantomData,
+        }
     }
 }
 

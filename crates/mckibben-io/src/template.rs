@@ -1,7 +1,7 @@
 //! Texts with places for values: `@{key}`.
 
-/// A template with its values. A line with `@{facts}` is repeated for each of the facts, with the text in front of it; one that begins
-/// with `@{key?}` remains only where the key has a value.
+/// A template with its values. A line with `@{facts}` is repeated for each of the facts, with the
+/// text in front of it; one that begins with `@{key?}` remains only where the key has a value.
 pub fn render(template: &str, facts: &[String], values: &[(&str, String)]) -> String {
     let mut out = String::with_capacity(2 * template.len());
     for line in template.lines() {
@@ -11,7 +11,9 @@ pub fn render(template: &str, facts: &[String], values: &[(&str, String)]) -> St
             }
             continue;
         }
-        let condition = line.strip_prefix("@{").and_then(|rest| rest.split_once("?}"));
+        let condition = line
+            .strip_prefix("@{")
+            .and_then(|rest| rest.split_once("?}"));
         if condition.is_some_and(|(key, _)| values.iter().all(|(known, _)| *known != key)) {
             continue;
         }

@@ -18,9 +18,10 @@ pub(crate) const CP: f64 = HEAT_RATIO * GAS_CONSTANT_J_PER_KG_K / (HEAT_RATIO - 
 /// ṁ = G_in − G_out,   T = p V/(m R)
 /// ```
 ///
-/// p absolute pressure, V cavity and dead volume, V_P and V_ε its derivatives, G mass flows, ε contraction. n = γ and Q̇ = hA (T_wall − T)
-/// follow from the balance of energy; n = 1 at T = T_wall is the isothermal limit; a polytropic index between them is an empirical
-/// shorthand for both. The state is p and m. Perfect gas: within 1 % below 10 bar. Source: \[beater2007\], ch. 5.
+/// p absolute pressure, V cavity and dead volume, V_P and V_ε its derivatives, G mass flows, ε
+/// contraction. n = γ and Q̇ = hA (T_wall − T) follow from the balance of energy; n = 1 at T =
+/// T_wall is the isothermal limit; a polytropic index between them is an empirical shorthand for
+/// both. The state is p and m. Perfect gas: within 1 % below 10 bar. Source: \[beater2007\], ch. 5.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Heat {
     /// Always at the wall's temperature.
@@ -29,7 +30,8 @@ pub enum Heat {
     Polytropic(f64),
     /// No heat.
     Adiabatic,
-    /// h in W/(m² K) on the wall's area, which is that of a cylinder with the cavity's volume and length.
+    /// h in W/(m² K) on the wall's area, which is that of a cylinder with the cavity's volume and
+    /// length.
     Transfer(f64),
     /// hA in W/K.
     Conductance(f64),
@@ -60,7 +62,11 @@ pub struct Air {
 impl Default for Air {
     /// Isothermal at 20 °C without dead volume.
     fn default() -> Self {
-        Self { heat: Heat::Isothermal, wall_temperature_k: 293.15, dead_volume_mm3: 0.0 }
+        Self {
+            heat: Heat::Isothermal,
+            wall_temperature_k: 293.15,
+            dead_volume_mm3: 0.0,
+        }
     }
 }
 
@@ -79,7 +85,8 @@ pub(crate) struct Cavity {
     pub area_mm2: f64,
 }
 
-/// What flows into the muscle through a port in g/s, negative outwards, with the temperature of where it comes from.
+/// What flows into the muscle through a port in g/s, negative outwards, with the temperature of
+/// where it comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Flow {
     /// Mass flow in g/s.
@@ -150,12 +157,24 @@ impl Medium for Air {
 
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, supply_k: f64) -> Flow {
         let (n, p) = (self.heat.index(), cavity.absolute_mpa);
-        let power = rate_mpa_per_s * (cavity.volume_mm3 + n * p * cavity.volume_per_pressure_mm3_per_mpa)
+        let power = rate_mpa_per_s
+            * (cavity.volume_mm3 + n * p * cavity.volume_per_pressure_mm3_per_mpa)
             + n * p * cavity.swept_mm3_per_s
             - (HEAT_RATIO - 1.0) * self.transferred_mw(cavity);
-        let from = if power > 0.0 { supply_k } else { cavity.temperature_k };
-        let t = if self.heat == Heat::Isothermal { self.wall_temperature_k } else { from };
-        Flow { mass_g_per_s: power / (n * GAS_CONSTANT_J_PER_KG_K * t), temperature_k: from }
+        let from = if power > 0.0 {
+            supply_k
+        } else {
+            cavity.temperature_k
+        };
+        let t = if self.heat == Heat::Isothermal {
+            self.wall_temperature_k
+        } else {
+            from
+        };
+        Flow {
+            mass_g_per_s: power / (n * GAS_CONSTANT_J_PER_KG_K * t),
+            temperature_k: from,
+        }
     }
 
     /// cp G T.
@@ -171,7 +190,8 @@ impl Medium for Air {
     /// From the balance of energy: d(pV)/dt/(γ − 1) + p V̇ − Σ cp G T.
     fn heat_mw(&self, rate_mpa_per_s: f64, cavity: &Cavity, flows: &[Flow]) -> f64 {
         let p = cavity.absolute_mpa;
-        let swelling = cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * rate_mpa_per_s;
+        let swelling =
+            cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * rate_mpa_per_s;
         let stored = (rate_mpa_per_s * cavity.volume_mm3 + p * swelling) / (HEAT_RATIO - 1.0);
         stored + p * swelling - flows.iter().map(|f| self.enthalpy_mw(*f, p)).sum::<f64>()
     }
@@ -187,10 +207,11 @@ pub(crate) fn normal_litres(mass_g: f64) -> f64 {
     mckibben::analysis::normal_litres(mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA)
 }
 
-/// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at `ambient_k`,
-/// cp (T − T0) − T0 (cp ln T/T0 − R ln p/p0).
+/// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at
+/// `ambient_k`, cp (T − T0) − T0 (cp ln T/T0 − R ln p/p0).
 pub(crate) fn exergy_mj_per_g(absolute_mpa: f64, temperature_k: f64, ambient_k: f64) -> f64 {
     let ratio = temperature_k / ambient_k;
     CP * (temperature_k - ambient_k)
-        - ambient_k * (CP * ratio.ln() - GAS_CONSTANT_J_PER_KG_K * (absolute_mpa / ATMOSPHERE_MPA).ln())
+        - ambient_k
+            * (CP * ratio.ln() - GAS_CONSTANT_J_PER_KG_K * (absolute_mpa / ATMOSPHERE_MPA).ln())
 }

@@ -27,12 +27,15 @@ pub(crate) const CRITICAL_RATIO: f64 = 0.3;
 static VALVES: LazyLock<Vec<NamedValve>> =
     LazyLock::new(|| read(include_str!("../data/valves.toml")).unwrap_or_default());
 
-/// C in L/(s bar) of a standard nominal flow in l/min: the flow from 6 bar to 5 bar gauge (VDI 3290), p1 = 7.01325 bar, at the critical
-/// ratio b, in litres at the reference of ISO 8778: Q = C p1 ψ(6.01325/7.01325).
+/// C in L/(s bar) of a standard nominal flow in l/min: the flow from 6 bar to 5 bar gauge (VDI
+/// 3290), p1 = 7.01325 bar, at the critical ratio b, in litres at the reference of ISO 8778: Q = C
+/// p1 ψ(6.01325/7.01325).
 pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) -> Result<f64> {
     MotionError::positive("the rated flow in l/min", litres_per_minute)?;
     let one = Orifice::new(1.0, critical_ratio)?;
-    let flow = one.flow((0.701_325, 293.15), (0.601_325, 293.15)).mass_g_per_s;
+    let flow = one
+        .flow((0.701_325, 293.15), (0.601_325, 293.15))
+        .mass_g_per_s;
     Ok(litres_per_minute / 60.0 * crate::air::REFERENCE_DENSITY_G_PER_L / flow)
 }
 
@@ -62,13 +65,18 @@ impl std::str::FromStr for Valve {
         let text = text.trim();
         if text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-') {
             let conductance = parse_quantity(text, Dimension::Conductance);
-            let conductance = conductance.map_err(|error| MotionError::Refused(error.to_string()))?;
+            let conductance =
+                conductance.map_err(|error| MotionError::Refused(error.to_string()))?;
             MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
             return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
         }
-        let unknown = || MotionError::Refused(format!("{text} is not a known valve: {}", known(text)));
+        let unknown =
+            || MotionError::Refused(format!("{text} is not a known valve: {}", known(text)));
         let named = valve_named(text).ok_or_else(unknown)?;
-        Ok(Self { exhaust: named.exhaust, ..Self::new(named.supply) })
+        Ok(Self {
+            exhaust: named.exhaust,
+            ..Self::new(named.supply)
+        })
     }
 }
 
@@ -79,7 +87,9 @@ fn read(text: &str) -> Result<Vec<NamedValve>, CatalogueError> {
         let b = row.needed("critical_ratio")?;
         let c = match row.number("sonic_conductance_l_per_s_bar")? {
             Some(c) => c,
-            None => conductance_of_rated_flow(row.needed("rated_flow_l_per_min")?, b).map_err(wrong)?,
+            None => {
+                conductance_of_rated_flow(row.needed("rated_flow_l_per_min")?, b).map_err(wrong)?
+            }
         };
         let supply = Orifice::new(c, b).map_err(wrong)?;
         let exhaust = match row.number("exhaust_conductance_l_per_s_bar")? {
@@ -87,7 +97,17 @@ fn read(text: &str) -> Result<Vec<NamedValve>, CatalogueError> {
             None => supply,
         };
         let text = |key| row.text(key).map(str::to_owned);
-        Ok(NamedValve { name: text("name")?, what: text("what")?, supply, exhaust, source: text("source")? })
+        Ok(NamedValve {
+            name: text("name")?,
+            what: text("what")?,
+            supply,
+            exhaust,
+            source: text("source")?,
+        })
     };
-    Catalogue::parse(text)?.rows("valve").iter().map(one).collect()
+    Catalogue::parse(text)?
+        .rows("valve")
+        .iter()
+        .map(one)
+        .collect()
 }

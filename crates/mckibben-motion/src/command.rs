@@ -10,7 +10,8 @@ pub enum Command {
     Constant(f64),
     /// (time in s, value): the value from that time on; before the first time the first value.
     Steps(Vec<(f64, f64)>),
-    /// (time in s, value) joined by straight lines; constant before and after. A sampled table is one.
+    /// (time in s, value) joined by straight lines; constant before and after. A sampled table is
+    /// one.
     Ramps(Vec<(f64, f64)>),
     /// mean + amplitude sin(2π f t + phase).
     Sine {
@@ -44,8 +45,15 @@ impl Command {
     pub(crate) fn scaled(mut self, factor: f64) -> Self {
         match &mut self {
             Self::Constant(value) => *value *= factor,
-            Self::Steps(points) | Self::Ramps(points) => points.iter_mut().for_each(|p| p.1 *= factor),
-            Self::Sine { mean, amplitude, .. } | Self::Chirp { mean, amplitude, .. } => {
+            Self::Steps(points) | Self::Ramps(points) => {
+                points.iter_mut().for_each(|p| p.1 *= factor)
+            }
+            Self::Sine {
+                mean, amplitude, ..
+            }
+            | Self::Chirp {
+                mean, amplitude, ..
+            } => {
                 *mean *= factor;
                 *amplitude *= factor;
             }
@@ -65,39 +73,64 @@ impl Command {
 
     /// Whether it is a command.
     pub fn check(&self) -> Result<()> {
-        let refused =
-            |what: &str, value, must| MotionError::value(&format!("the command's {what}"), value, must);
+        let refused = |what: &str, value, must| {
+            MotionError::value(&format!("the command's {what}"), value, must)
+        };
         let finite = |what: &str, value: f64| {
-            value.is_finite().then_some(()).ok_or_else(|| refused(what, value, "a finite number"))
+            value
+                .is_finite()
+                .then_some(())
+                .ok_or_else(|| refused(what, value, "a finite number"))
         };
         let positive = |what: &str, value: f64| {
             finite(what, value)?;
-            (value > 0.0).then_some(()).ok_or_else(|| refused(what, value, "above zero"))
+            (value > 0.0)
+                .then_some(())
+                .ok_or_else(|| refused(what, value, "above zero"))
         };
         match self {
             Self::Constant(value) => finite("value", *value),
             Self::Steps(points) | Self::Ramps(points) => {
                 if points.is_empty() {
-                    return Err(MotionError::Refused("a command needs at least one time and value".into()));
+                    return Err(MotionError::Refused(
+                        "a command needs at least one time and value".into(),
+                    ));
                 }
-                points.iter().try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
-                let back = points.windows(2).zip(2..).find_map(|(pair, number)| match pair {
-                    [before, after] if after.0 <= before.0 => Some((before.0, after.0, number)),
-                    _ => None,
-                });
+                points
+                    .iter()
+                    .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
+                let back = points
+                    .windows(2)
+                    .zip(2..)
+                    .find_map(|(pair, number)| match pair {
+                        [before, after] if after.0 <= before.0 => Some((before.0, after.0, number)),
+                        _ => None,
+                    });
                 back.map_or(Ok(()), |(before, after, number)| {
                     Err(MotionError::Refused(format!(
-                        "the command's times must increase: {after} s follows {before} s (point {number})"
+                        "the command's times must increase: {after} s follows {before} s (point \
+                         {number})"
                     )))
                 })
             }
-            Self::Sine { mean, amplitude, frequency_hz, phase_rad } => {
+            Self::Sine {
+                mean,
+                amplitude,
+                frequency_hz,
+                phase_rad,
+            } => {
                 finite("mean", *mean)?;
                 finite("amplitude", *amplitude)?;
                 finite("phase", *phase_rad)?;
                 positive("frequency in Hz", *frequency_hz)
             }
-            Self::Chirp { mean, amplitude, from_hz, to_hz, duration_s } => {
+            Self::Chirp {
+                mean,
+                amplitude,
+                from_hz,
+                to_hz,
+                duration_s,
+            } => {
                 finite("mean", *mean)?;
                 finite("amplitude", *amplitude)?;
                 positive("first frequency in Hz", *from_hz)?;
@@ -107,7 +140,8 @@ impl Command {
         }
     }
 
-    /// The value at a time, by the piece that holds at the time `within`: at a breakpoint the side of `within` counts.
+    /// The value at a time, by the piece that holds at the time `within`: at a breakpoint the side
+    /// of `within` counts.
     pub fn value_within(&self, time_s: f64, within: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
@@ -118,16 +152,28 @@ impl Command {
             Self::Ramps(points) => {
                 let after = points.partition_point(|p| p.0 <= within);
                 let last = points.len().saturating_sub(1);
-                match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {
+                match (
+                    after.checked_sub(1).and_then(|i| points.get(i)),
+                    points.get(after),
+                ) {
                     (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (time_s - a.0) / (b.0 - a.0),
                     (None, Some(b)) => b.1,
                     _ => points.get(last).map_or(0.0, |p| p.1),
                 }
             }
-            Self::Sine { mean, amplitude, frequency_hz, phase_rad } => {
-                mean + amplitude * (TAU * frequency_hz * time_s + phase_rad).sin()
-            }
-            Self::Chirp { mean, amplitude, from_hz, to_hz, duration_s } => {
+            Self::Sine {
+                mean,
+                amplitude,
+                frequency_hz,
+                phase_rad,
+            } => mean + amplitude * (TAU * frequency_hz * time_s + phase_rad).sin(),
+            Self::Chirp {
+                mean,
+                amplitude,
+                from_hz,
+                to_hz,
+                duration_s,
+            } => {
                 let rate = (to_hz - from_hz) / duration_s;
                 let phase = if within < *duration_s {
                     (from_hz + 0.5 * rate * time_s) * time_s
@@ -159,10 +205,15 @@ impl Command {
             Self::Constant(value) => (*value, *value),
             Self::Steps(points) | Self::Ramps(points) => points
                 .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.1), high.max(p.1))),
-            Self::Sine { mean, amplitude, .. } | Self::Chirp { mean, amplitude, .. } => {
-                (mean - amplitude.abs(), mean + amplitude.abs())
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+                    (low.min(p.1), high.max(p.1))
+                }),
+            Self::Sine {
+                mean, amplitude, ..
             }
+            | Self::Chirp {
+                mean, amplitude, ..
+            } => (mean - amplitude.abs(), mean + amplitude.abs()),
         }
     }
 
@@ -174,6 +225,10 @@ impl Command {
 
     /// Its period in s, if it is periodic.
     pub fn period_s(&self) -> Option<f64> {
-        if let Self::Sine { frequency_hz, .. } = self { Some(1.0 / frequency_hz) } else { None }
+        if let Self::Sine { frequency_hz, .. } = self {
+            Some(1.0 / frequency_hz)
+        } else {
+            None
+        }
     }
 }

@@ -6,8 +6,8 @@ use crate::{Result, error::within};
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PidOutput {
-    /// A pressure in MPa: bias + u for muscles whose contraction grows with the coordinate, bias − u for the others; within 0 and the
-    /// supply.
+    /// A pressure in MPa: bias + u for muscles whose contraction grows with the coordinate, bias −
+    /// u for the others; within 0 and the supply.
     Pressure {
         /// The pressure of both at u = 0, in MPa: 0 for a single muscle.
         bias_mpa: f64,
@@ -23,8 +23,9 @@ pub enum PidOutput {
 /// İ = k_i e + (u − v)/T_t,   ẏ_f = (y − y_f)/T_f
 /// ```
 ///
-/// y position (contraction, or angle in rad). The derivative acts on y alone, so a step of the command gives no kick; the integral is
-/// led back while u is limited. Source: Visioli (2006) \[visioli2006\], ch. 3.
+/// y position (contraction, or angle in rad). The derivative acts on y alone, so a step of the
+/// command gives no kick; the integral is led back while u is limited. Source: Visioli (2006)
+/// \[visioli2006\], ch. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pid {
     /// k_p, output per unit of position.
@@ -43,13 +44,40 @@ pub struct Pid {
 
 impl Pid {
     pub(crate) fn check(&self) -> Result<()> {
-        within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
-        within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
-        within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;
-        within("the controller's filter time in s", self.filter_s, 1e-6, 1e6)?;
-        within("the controller's tracking time in s", self.tracking_s, 1e-6, 1e6)?;
+        within(
+            "the controller's proportional gain",
+            self.proportional,
+            0.0,
+            1e9,
+        )?;
+        within(
+            "the controller's integral gain",
+            self.integral_per_s,
+            0.0,
+            1e9,
+        )?;
+        within(
+            "the controller's derivative gain",
+            self.derivative_s,
+            0.0,
+            1e9,
+        )?;
+        within(
+            "the controller's filter time in s",
+            self.filter_s,
+            1e-6,
+            1e6,
+        )?;
+        within(
+            "the controller's tracking time in s",
+            self.tracking_s,
+            1e-6,
+            1e6,
+        )?;
         match self.output {
-            PidOutput::Pressure { bias_mpa } => within("the controller's bias in MPa", bias_mpa, 0.0, 100.0),
+            PidOutput::Pressure { bias_mpa } => {
+                within("the controller's bias in MPa", bias_mpa, 0.0, 100.0)
+            }
             PidOutput::Opening => Ok(()),
         }
     }
@@ -67,7 +95,10 @@ impl Pid {
         let wanted = self.proportional * error + state.integral - self.derivative_s * filtered;
         let output = wanted.max(limits.0).min(limits.1);
         let integral = self.integral_per_s * error + (output - wanted) / self.tracking_s;
-        Control { output, rates: ControllerState { integral, filtered } }
+        Control {
+            output,
+            rates: ControllerState { integral, filtered },
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! What is to be run.
 
 use crate::{
-    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid, PidOutput, Prony,
-    Pump, Result, Syringe, Valve, ValveKind, error::within,
+    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid,
+    PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben::model::ForceModel;
 use mckibben::muscle::Friction;
@@ -19,7 +19,10 @@ pub struct Supply {
 impl Default for Supply {
     /// 6 bar, 20 °C.
     fn default() -> Self {
-        Self { pressure_mpa: 0.6, temperature_k: 293.15 }
+        Self {
+            pressure_mpa: 0.6,
+            temperature_k: 293.15,
+        }
     }
 }
 
@@ -83,12 +86,14 @@ pub struct Actuated<'a> {
     pub actuator: Actuator,
     /// What fills it.
     pub fluid: Fluid,
-    /// Friction of its braid, half the width of its loop, which builds up again after each reversal ([`Presliding`](mckibben::muscle::Presliding)).
-    /// Together with the overstress of the rubber it is no larger than the model's pull.
+    /// Friction of its braid, half the width of its loop, which builds up again after each reversal
+    /// ([`Presliding`](mckibben::muscle::Presliding)). Together with the overstress of the rubber
+    /// it is no larger than the model's pull.
     pub friction: Option<Friction>,
     /// Viscoelasticity of its rubber.
     pub rubber: Prony,
-    /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is an opening that is closed).
+    /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is
+    /// an opening that is closed).
     pub initial_pressure_mpa: Option<f64>,
 }
 
@@ -105,7 +110,8 @@ impl<'a> Actuated<'a> {
         }
     }
 
-    /// Dead volume, hose and the rest in a syringe in mm³; `opening` is the share of the syringe that was pushed out.
+    /// Dead volume, hose and the rest in a syringe in mm³; `opening` is the share of the syringe
+    /// that was pushed out.
     pub(crate) fn outside_mm3(&self, opening: Option<f64>) -> f64 {
         let syringe = match &self.actuator {
             Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
@@ -121,8 +127,8 @@ impl<'a> Actuated<'a> {
 pub enum Target {
     /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the law of the valve.
     Pressure(Vec<Command>),
-    /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents below −½ and holds between, without a
-    /// closed centre fills above 0.
+    /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents
+    /// below −½ and holds between, without a closed centre fills above 0.
     Opening(Vec<Command>),
     /// Volumes in mm³ that syringes push out, one for each muscle; 0 at the start.
     Volume(Vec<Command>),
@@ -169,11 +175,13 @@ pub struct Drive<'a> {
     pub until_s: f64,
     /// Time between two points of the series in s.
     pub output_step_s: f64,
-    /// Relative tolerance of the integration; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
+    /// Relative tolerance of the integration; absolute ones are this share of a scale of each
+    /// quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
     pub tolerance: f64,
     /// Most steps of the integration.
     pub most_steps: usize,
-    /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
+    /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first
+    /// command.
     pub initial_coordinate: Option<f64>,
     /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
     pub outside_force: f64,
@@ -216,17 +224,41 @@ impl<'a> Drive<'a> {
         let n = self.mechanism.muscles();
         let count = |given: usize, what| {
             MotionError::require(given == n, || {
-                format!("there are {n} muscles in the mechanism, and {given} {what}; give one for each")
+                format!(
+                    "there are {n} muscles in the mechanism, and {given} {what}; give one for each"
+                )
             })
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
-        within("the force or torque from outside", self.outside_force, -1e12, 1e12)?;
-        self.muscles.iter().try_for_each(|m| m.model.muscle().check_contracts())?;
-        within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
-        within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
+        within(
+            "the force or torque from outside",
+            self.outside_force,
+            -1e12,
+            1e12,
+        )?;
+        self.muscles
+            .iter()
+            .try_for_each(|m| m.model.muscle().check_contracts())?;
+        within(
+            "the supply's temperature in K",
+            self.supply.temperature_k,
+            50.0,
+            2000.0,
+        )?;
+        within(
+            "the supply's gauge pressure in MPa",
+            self.supply.pressure_mpa,
+            0.0,
+            100.0,
+        )?;
         within("the end of the run in s", self.until_s, 1e-9, 1e9)?;
-        within("the time between two points in s", self.output_step_s, 1e-12, 1e9)?;
+        within(
+            "the time between two points in s",
+            self.output_step_s,
+            1e-12,
+            1e9,
+        )?;
         if let Some(q) = self.initial_coordinate {
             within("the coordinate at the start", q, -1e9, 1e9)?;
         }
@@ -241,26 +273,34 @@ impl<'a> Drive<'a> {
                     let supply_mpa = self.supply.pressure_mpa;
                     MotionError::require(high <= supply_mpa, || {
                         format!(
-                            "the command is {high}\u{a0}MPa, above the supply pressure of {supply_mpa}\u{a0}MPa; raise the supply or lower the command"
+                            "the command is {high}\u{a0}MPa, above the supply pressure of \
+                             {supply_mpa}\u{a0}MPa; raise the supply or lower the command"
                         )
                     })?;
                 }
             }
             Target::Opening(commands) => {
                 count(commands.len(), "commands")?;
-                commands.iter().try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))?;
+                commands
+                    .iter()
+                    .try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))?;
             }
             Target::Volume(commands) => count(commands.len(), "commands")?,
             Target::Position { pid, .. } => pid.check()?,
         }
         let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
-        let volumes = if let Target::Volume(commands) = &self.target { &commands[..] } else { &[] };
+        let volumes = if let Target::Volume(commands) = &self.target {
+            &commands[..]
+        } else {
+            &[]
+        };
         for (number, muscle) in (1..).zip(&self.muscles) {
             muscle.check()?;
             let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
             MotionError::require(!(opened && has_regulator), || {
                 format!(
-                    "an opening is commanded, but muscle {number} has a regulator; command its pressure, or give it a valve"
+                    "an opening is commanded, but muscle {number} has a regulator; command its \
+                     pressure, or give it a valve"
                 )
             })?;
             let actuator = muscle.actuator.name();
@@ -270,7 +310,8 @@ impl<'a> Drive<'a> {
                 }
                 (Actuator::Syringe(_), None) | (_, Some(_)) => {
                     return Err(MotionError::Refused(format!(
-                        "muscle {number} has {actuator}: a commanded volume goes with a syringe, and a syringe with a commanded volume"
+                        "muscle {number} has {actuator}: a commanded volume goes with a syringe, \
+                         and a syringe with a commanded volume"
                     )));
                 }
                 _ => {}
@@ -282,7 +323,9 @@ impl<'a> Drive<'a> {
             };
             MotionError::require(fits, || {
                 format!(
-                    "muscle {number} has {actuator}, which is not for what fills it: a liquid goes with a flow coefficient, a pump, a syringe or a regulator, air with a sonic conductance or a regulator"
+                    "muscle {number} has {actuator}, which is not for what fills it: a liquid goes \
+                     with a flow coefficient, a pump, a syringe or a regulator, air with a sonic \
+                     conductance or a regulator"
                 )
             })?;
         }
@@ -292,9 +335,19 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<()> {
-        within("the wall's temperature in K", self.fluid.medium().wall_temperature_k(), 50.0, 2000.0)?;
+        within(
+            "the wall's temperature in K",
+            self.fluid.medium().wall_temperature_k(),
+            50.0,
+            2000.0,
+        )?;
         // Up to 1000 m³.
-        within("the dead volume in mm³", self.fluid.medium().dead_volume_mm3(), 0.0, 1e12)?;
+        within(
+            "the dead volume in mm³",
+            self.fluid.medium().dead_volume_mm3(),
+            0.0,
+            1e12,
+        )?;
         if let Fluid::Air(air) = &self.fluid {
             match air.heat {
                 Heat::Polytropic(n) => within("the polytropic index", n, 1.0, 1.4)?,
@@ -308,18 +361,33 @@ impl Actuated<'_> {
             Actuator::Regulator { time_constant_s } => {
                 lag("the regulator's time constant in s", *time_constant_s)?
             }
-            Actuator::Pump(pump) => within("the pump's flow in mm³/s", pump.flow_mm3_per_s, 1e-6, 1e12)?,
+            Actuator::Pump(pump) => {
+                within("the pump's flow in mm³/s", pump.flow_mm3_per_s, 1e-6, 1e12)?
+            }
             Actuator::Syringe(syringe) => {
                 lag("the syringe's time constant in s", syringe.time_constant_s)?;
-                within("the syringe's volume in mm³", syringe.volume_mm3, 1e-6, 1e12)?;
+                within(
+                    "the syringe's volume in mm³",
+                    syringe.volume_mm3,
+                    1e-6,
+                    1e12,
+                )?;
             }
             Actuator::Valve(_) | Actuator::LiquidValve(_) => {}
         }
         match self.actuator.kind() {
             Some(ValveKind::OnOff { hysteresis_mpa, .. }) => {
-                within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
+                within(
+                    "the on–off valve's hysteresis in MPa",
+                    hysteresis_mpa,
+                    1e-6,
+                    100.0,
+                )?;
             }
-            Some(ValveKind::Proportional { time_constant_s, gain_per_mpa }) => {
+            Some(ValveKind::Proportional {
+                time_constant_s,
+                gain_per_mpa,
+            }) => {
                 if time_constant_s != 0.0 {
                     lag("the valve's lag, where it has one, in s", time_constant_s)?;
                 }
@@ -327,11 +395,27 @@ impl Actuated<'_> {
             }
             None => {}
         }
-        if let Some(Friction { coefficient, exponent, lever_mm, presliding_mm }) = self.friction {
-            within("the friction's coefficient in N/MPa^β", coefficient, 0.0, 1e9)?;
+        if let Some(Friction {
+            coefficient,
+            exponent,
+            lever_mm,
+            presliding_mm,
+        }) = self.friction
+        {
+            within(
+                "the friction's coefficient in N/MPa^β",
+                coefficient,
+                0.0,
+                1e9,
+            )?;
             within("the friction's exponent", exponent, 0.0, 10.0)?;
             within("the friction's lever in mm", lever_mm, 0.0, 1e6)?;
-            within("the friction's presliding length in mm", presliding_mm.unwrap_or(1.0), 1e-6, 1e6)?;
+            within(
+                "the friction's presliding length in mm",
+                presliding_mm.unwrap_or(1.0),
+                1e-6,
+                1e6,
+            )?;
         }
         if let Some(p) = self.initial_pressure_mpa {
             within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;

@@ -2,7 +2,9 @@
 
 use crate::state::State;
 use crate::system::{Switch, System};
-use crate::{ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within};
+use crate::{
+    ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within,
+};
 use mckibben::analysis::find_root;
 use mckibben::model::ModelError;
 
@@ -17,14 +19,15 @@ pub struct Equilibrium {
     pub stop: Option<f64>,
 }
 
-/// Where a drive rests under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
-/// direction of the net force.
+/// Where a drive rests under given gauge pressures: the first equilibrium from the position of
+/// unshortened muscles on, in the direction of the net force.
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium> {
     System::new(drive)?.at_pressures(pressures_mpa)
 }
 
 impl System<'_> {
-    /// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
+    /// Static net force at q: pulls less load. A muscle that would have to push is slack, also
+    /// where its model has no answer for it.
     fn net(&self, pressures: &[f64], q: f64) -> Result<f64> {
         let mut sum = -self.drive.load(q);
         for (i, (member, p)) in self.members.iter().zip(pressures).enumerate() {
@@ -73,7 +76,9 @@ impl System<'_> {
             if after * direction <= 0.0 {
                 let root = find_root(|x| self.net(pressures, x), q, next, 1e-12 * stride)?;
                 let none = MotionError::no_equilibrium(q, before);
-                return root.map(|coordinate| equilibrium(coordinate, None)).ok_or(none);
+                return root
+                    .map(|coordinate| equilibrium(coordinate, None))
+                    .ok_or(none);
             }
             (q, before) = (next, after);
         }
@@ -83,7 +88,11 @@ impl System<'_> {
     /// The stop on which a net force holds the load; forces below `negligible` are none.
     fn stop(&self, q: f64, net: f64, negligible: f64) -> Option<f64> {
         let (low, high) = self.drive.mechanism.stops();
-        let side = if q <= low && net <= negligible { -1.0 } else { 1.0 };
+        let side = if q <= low && net <= negligible {
+            -1.0
+        } else {
+            1.0
+        };
         (side < 0.0 || q >= high && net >= -negligible).then_some(side)
     }
 
@@ -93,17 +102,26 @@ impl System<'_> {
         let supply = drive.supply.pressure_mpa;
         let given = |pressures: Vec<f64>| -> Vec<f64> {
             let stated = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
-            stated.zip(pressures).map(|(stated, p)| stated.unwrap_or(p)).collect()
+            stated
+                .zip(pressures)
+                .map(|(stated, p)| stated.unwrap_or(p))
+                .collect()
         };
         let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
             Some(coordinate) => {
                 let (low, high) = drive.mechanism.stops();
                 let stop = self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0);
-                Ok(Equilibrium { coordinate: coordinate.max(low).min(high), pressures_mpa: pressures, stop })
+                Ok(Equilibrium {
+                    coordinate: coordinate.max(low).min(high),
+                    pressures_mpa: pressures,
+                    stop,
+                })
             }
-            None if drive.mechanism.inertia().is_infinite() => {
-                Ok(Equilibrium { coordinate: 0.0, pressures_mpa: pressures, stop: None })
-            }
+            None if drive.mechanism.inertia().is_infinite() => Ok(Equilibrium {
+                coordinate: 0.0,
+                pressures_mpa: pressures,
+                stop: None,
+            }),
             None => self.at_pressures(&pressures),
         };
         let (command, pid) = match &drive.target {
@@ -111,7 +129,10 @@ impl System<'_> {
             Target::Opening(c) => {
                 let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
                     let least = match m.actuator.kind() {
-                        Some(ValveKind::OnOff { closed_centre: true, .. }) => 0.5,
+                        Some(ValveKind::OnOff {
+                            closed_centre: true,
+                            ..
+                        }) => 0.5,
                         _ => 0.0,
                     };
                     if c.value(0.0) > least { supply } else { 0.0 }
@@ -130,10 +151,18 @@ impl System<'_> {
         };
         // The pressures that hold the commanded position: u from all the way out to all the way in.
         let q = command.value(0.0) / drive.mechanism.position_per_coordinate();
-        let q = q.max(drive.mechanism.stops().0).min(drive.mechanism.stops().1);
-        let bias = if let PidOutput::Pressure { bias_mpa } = pid.output { bias_mpa } else { 0.0 };
+        let q = q
+            .max(drive.mechanism.stops().0)
+            .min(drive.mechanism.stops().1);
+        let bias = if let PidOutput::Pressure { bias_mpa } = pid.output {
+            bias_mpa
+        } else {
+            0.0
+        };
         let pressures = |u: f64| -> Vec<f64> {
-            (0..self.members.len()).map(|i| (bias + u * self.turns(i)).max(0.0).min(supply)).collect()
+            (0..self.members.len())
+                .map(|i| (bias + u * self.turns(i)).max(0.0).min(supply))
+                .collect()
         };
         let (least, most) = (-bias, supply - bias);
         let at = |u: f64| self.net(&pressures(u), q);
@@ -150,7 +179,11 @@ impl System<'_> {
         if stop.is_none() && !is_balanced {
             return Err(MotionError::no_equilibrium(q, imbalance));
         }
-        Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
+        Ok(Equilibrium {
+            coordinate: drive.initial_coordinate.unwrap_or(q),
+            pressures_mpa,
+            stop,
+        })
     }
 
     /// The state at rest at the start, with the modes that belong to it.
@@ -159,11 +192,16 @@ impl System<'_> {
         for member in &self.members {
             let info = member.muscle.model.info();
             let p = info.range.pressure_mpa.0.max(0.0);
-            let response = member.muscle.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
+            let response =
+                member
+                    .muscle
+                    .model
+                    .response(&mut mckibben::model::Workspace::new(), p, 0.0);
             MotionError::require(!response.is_ok_and(|r| r.volume_mm3.is_none()), || {
                 let name = &info.name;
                 format!(
-                    "the {name} model does not give the volume of the air; use fe, universal or thick-wall"
+                    "the {name} model does not give the volume of the air; use fe, universal or \
+                     thick-wall"
                 )
             })?;
         }
@@ -172,12 +210,18 @@ impl System<'_> {
         state.coordinate = start.coordinate;
         let mut modes = self.modes.borrow_mut();
         modes.stop = start.stop;
-        let parts = self.members.iter().zip(&mut state.muscles).zip(&mut modes.muscles);
+        let parts = self
+            .members
+            .iter()
+            .zip(&mut state.muscles)
+            .zip(&mut modes.muscles);
         for (i, ((member, now), mode)) in parts.enumerate() {
             let muscle = member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
-            mode.presliding = muscle.friction.map(|f| f.presliding(member.length_mm * contraction, 0.0));
+            mode.presliding = muscle
+                .friction
+                .map(|f| f.presliding(member.length_mm * contraction, 0.0));
             mode.slack = match member.answer(p, contraction) {
                 Ok(answer) => answer.force_n.value < -self.slack_n(i),
                 Err(_) => member.hangs(p, contraction),
@@ -194,19 +238,27 @@ impl System<'_> {
             };
             let full = |h: f64| first.is_some_and(|first| first >= drive.supply.pressure_mpa - h);
             mode.switch = match muscle.actuator.kind() {
-                Some(ValveKind::OnOff { closed_centre: false, hysteresis_mpa: h }) if full(h) => Switch::Fill,
-                Some(ValveKind::OnOff { closed_centre: false, .. }) => Switch::Vent,
+                Some(ValveKind::OnOff {
+                    closed_centre: false,
+                    hysteresis_mpa: h,
+                }) if full(h) => Switch::Fill,
+                Some(ValveKind::OnOff {
+                    closed_centre: false,
+                    ..
+                }) => Switch::Vent,
                 _ => Switch::Hold,
             };
             if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {
                 *opening = c.get(i).map_or(0.0, |c| c.value(0.0));
             }
         }
-        if let (Some(controller), Target::Position { pid, .. }) = (&mut state.controller, &drive.target) {
+        if let (Some(controller), Target::Position { pid, .. }) =
+            (&mut state.controller, &drive.target)
+        {
             controller.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
-                controller.integral =
-                    self.turns(0) * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
+                controller.integral = self.turns(0)
+                    * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
             }
         }
         Ok(state)

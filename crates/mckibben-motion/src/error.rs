@@ -26,13 +26,16 @@ pub enum MotionError {
     NoAnswer(String),
     /// The load never leaves its stop.
     #[error(
-        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa}\u{a0}MPa; raise the pressure, take a larger muscle or a smaller load",
+        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about \
+         a joint) at {time_s} s, at most {pressure_mpa}\u{a0}MPa; raise the pressure, take a \
+         larger muscle or a smaller load",
         net = .0.net, time_s = .0.time_s, pressure_mpa = .0.pressure_mpa
     )]
     NeverLifted(OnStop),
     /// A model has no answer on the way.
     #[error(
-        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa}\u{a0}MPa and contraction {contraction}: {error}"
+        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa}\u{a0}MPa and contraction \
+         {contraction}: {error}"
     )]
     Model {
         /// When.
@@ -46,7 +49,8 @@ pub enum MotionError {
         /// The model's reason.
         error: Box<ModelError>,
     },
-    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without time in between: when, and the values.
+    /// Not a number, without bounds, steps that go to nothing, too many of them, or events without
+    /// time in between: when, and the values.
     #[error("{0}")]
     Diverged(String),
     /// The caller wanted the work to end.
@@ -79,16 +83,22 @@ impl MotionError {
     ) -> Self {
         match error {
             ModelError::Cancelled(cancelled) => Self::Cancelled(cancelled),
-            error => {
-                Self::Model { time_s, muscle: muscle + 1, pressure_mpa, contraction, error: Box::new(error) }
-            }
+            error => Self::Model {
+                time_s,
+                muscle: muscle + 1,
+                pressure_mpa,
+                contraction,
+                error: Box::new(error),
+            },
         }
     }
 
     /// That there is no equilibrium at the start.
     pub(crate) fn no_equilibrium(position: f64, net: f64) -> Self {
         Self::NoAnswer(format!(
-            "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
+            "no equilibrium at the start: at a position of {position} the net force is {net} (N, \
+             or N mm about a joint), and it does not change its sign up to there; change the load \
+             or the first command, or give a stop"
         ))
     }
 
@@ -103,17 +113,29 @@ impl MotionError {
 
     /// Refused with a sentence where something does not hold.
     pub(crate) fn require(holds: bool, why: impl FnOnce() -> String) -> Result<(), Self> {
-        if holds { Ok(()) } else { Err(Self::Refused(why())) }
+        if holds {
+            Ok(())
+        } else {
+            Err(Self::Refused(why()))
+        }
     }
 
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
         let ok = value.is_finite() && value > 0.0;
-        if ok { Ok(()) } else { Err(Self::value(what, value, "above zero")) }
+        if ok {
+            Ok(())
+        } else {
+            Err(Self::value(what, value, "above zero"))
+        }
     }
 
-    /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
+    /// Whether what was computed up to here is an answer: the motion ended early, and not because
+    /// of the request.
     pub(crate) fn ends_early(&self) -> bool {
-        matches!(self, Self::Model { .. } | Self::Boils(_) | Self::Diverged(_))
+        matches!(
+            self,
+            Self::Model { .. } | Self::Boils(_) | Self::Diverged(_)
+        )
     }
 }
 

@@ -89,10 +89,18 @@ impl System<'_> {
             }
         }
         let needed = all
-            || self.drive.muscles.iter().any(|m| matches!(m.actuator.kind(), Some(ValveKind::OnOff { .. })))
+            || self
+                .drive
+                .muscles
+                .iter()
+                .any(|m| matches!(m.actuator.kind(), Some(ValveKind::OnOff { .. })))
                 && !matches!(self.drive.target, Target::Pressure(_));
         // Signals of the valves follow from the state alone where the command is a pressure.
-        let point = if needed { self.point(t, state)? } else { Point::default() };
+        let point = if needed {
+            self.point(t, state)?
+        } else {
+            Point::default()
+        };
         if all {
             if let Some(side) = modes.stop.filter(|_| !mechanism.is_held()) {
                 guards.push((Guard::Release, side * point.net + self.nothing()));
@@ -105,9 +113,18 @@ impl System<'_> {
                 });
             }
         }
-        let parts = self.drive.muscles.iter().zip(&state.muscles).zip(&modes.muscles);
+        let parts = self
+            .drive
+            .muscles
+            .iter()
+            .zip(&state.muscles)
+            .zip(&modes.muscles);
         for (i, ((m, now), mode)) in parts.enumerate() {
-            let Some(ValveKind::OnOff { hysteresis_mpa: on, closed_centre }) = m.actuator.kind() else {
+            let Some(ValveKind::OnOff {
+                hysteresis_mpa: on,
+                closed_centre,
+            }) = m.actuator.kind()
+            else {
                 continue;
             };
             let signal = match point.muscles.get(i) {
@@ -121,7 +138,11 @@ impl System<'_> {
                 (false, true) => (0.5, 0.5),
                 (false, false) => (SIGNAL, 0.0),
             };
-            let leaves = if closed_centre { Switch::Hold } else { Switch::Vent };
+            let leaves = if closed_centre {
+                Switch::Hold
+            } else {
+                Switch::Vent
+            };
             match mode.switch {
                 Switch::Fill => guards.push((Guard::Switch(i, leaves), signal - off + SIGNAL)),
                 Switch::Hold => {
@@ -137,31 +158,47 @@ impl System<'_> {
         Ok(guards)
     }
 
-    /// The push in N at which a muscle is slack: the thrust of 0.03 Pa on its cross-section. Finite elements know pull and free contraction
-    /// to some 1e-9 of the blocked force; a smaller push than that would have a muscle slack by the one and taut by the other.
+    /// The push in N at which a muscle is slack: the thrust of 0.03 Pa on its cross-section. Finite
+    /// elements know pull and free contraction to some 1e-9 of the blocked force; a smaller push
+    /// than that would have a muscle slack by the one and taut by the other.
     pub fn slack_n(&self, muscle: usize) -> f64 {
         const PRESSURE_MPA: f64 = 3e-8;
-        let area = self
-            .members
-            .get(muscle)
-            .map_or(1.0, |m| m.muscle.model.muscle().tube().outer_radius_mm().powi(2));
+        let area = self.members.get(muscle).map_or(1.0, |m| {
+            m.muscle.model.muscle().tube().outer_radius_mm().powi(2)
+        });
         PRESSURE_MPA * std::f64::consts::PI * area
     }
 
     /// A generalised force that is none.
     fn nothing(&self) -> f64 {
-        1e-7 / self.drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9)
+        1e-7 / self
+            .drive
+            .mechanism
+            .lever(0, 0.0)
+            .per_coordinate
+            .abs()
+            .max(1e-9)
     }
 
     /// Goes over to the other side of a kink.
     pub fn apply_event(&self, t: f64, state: &mut State, guard: Guard) -> Result<Event> {
-        let mut event = Event { time_s: t, kind: EventKind::Lifted, muscle: 0, lost_j: 0.0 };
+        let mut event = Event {
+            time_s: t,
+            kind: EventKind::Lifted,
+            muscle: 0,
+            lost_j: 0.0,
+        };
         let mut modes = self.modes.borrow_mut();
         match guard {
             Guard::Stop(side) => {
                 let (low, high) = self.drive.mechanism.stops();
-                event.kind = if side < 0.0 { EventKind::LowerStop } else { EventKind::UpperStop };
-                event.lost_j = 0.5e-3 * self.drive.mechanism.inertia() * state.velocity * state.velocity;
+                event.kind = if side < 0.0 {
+                    EventKind::LowerStop
+                } else {
+                    EventKind::UpperStop
+                };
+                event.lost_j =
+                    0.5e-3 * self.drive.mechanism.inertia() * state.velocity * state.velocity;
                 state.coordinate = if side < 0.0 { low } else { high };
                 state.velocity = 0.0;
                 modes.stop = None;
@@ -176,7 +213,9 @@ impl System<'_> {
             Guard::Release => modes.stop = None,
             Guard::Slack(i) | Guard::Taut(i) | Guard::Reversal(i) | Guard::Switch(i, _) => {
                 event.muscle = i + 1;
-                let Some(mode) = modes.muscles.get_mut(i) else { return Ok(event) };
+                let Some(mode) = modes.muscles.get_mut(i) else {
+                    return Ok(event);
+                };
                 match guard {
                     Guard::Slack(_) => (mode.slack, event.kind) = (true, EventKind::Slack),
                     Guard::Taut(_) => (mode.slack, event.kind) = (false, EventKind::Taut),
@@ -191,7 +230,8 @@ impl System<'_> {
                     _ => {
                         (mode.sign, event.kind) = (-mode.sign, EventKind::Reversal);
                         let at = self.drive.mechanism.lever(i, state.coordinate).contraction;
-                        if let (Some(presliding), Some(member)) = (&mut mode.presliding, self.members.get(i))
+                        if let (Some(presliding), Some(member)) =
+                            (&mut mode.presliding, self.members.get(i))
                         {
                             presliding.travel(member.length_mm * at);
                         }

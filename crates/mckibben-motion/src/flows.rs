@@ -22,11 +22,15 @@ pub(crate) struct FluidRates {
 impl System<'_> {
     /// What the controller does, where there is one.
     pub fn control(&self, t: f64, state: &State) -> Option<Control> {
-        let Target::Position { command, pid } = &self.drive.target else { return None };
+        let Target::Position { command, pid } = &self.drive.target else {
+            return None;
+        };
         let controller = state.controller?;
         let limits = match pid.output {
             PidOutput::Opening => (-1.0, 1.0),
-            PidOutput::Pressure { bias_mpa } => (-bias_mpa, self.drive.supply.pressure_mpa - bias_mpa),
+            PidOutput::Pressure { bias_mpa } => {
+                (-bias_mpa, self.drive.supply.pressure_mpa - bias_mpa)
+            }
         };
         let wanted = command.value_within(t, self.within.get()) + self.offset.get();
         let position = state.coordinate * self.drive.mechanism.position_per_coordinate();
@@ -37,7 +41,9 @@ impl System<'_> {
     pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> f64 {
         match &self.drive.target {
             Target::Pressure(c) | Target::Opening(c) | Target::Volume(c) => {
-                let value = c.get(muscle).map_or(0.0, |c| c.value_within(t, self.within.get()));
+                let value = c
+                    .get(muscle)
+                    .map_or(0.0, |c| c.value_within(t, self.within.get()));
                 value + self.offset.get() * self.turns(muscle)
             }
             Target::Position { pid, .. } => {
@@ -54,7 +60,11 @@ impl System<'_> {
 
     /// 1, or −1 of a muscle that turns a joint to −.
     pub fn turns(&self, muscle: usize) -> f64 {
-        self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
+        self.drive
+            .mechanism
+            .lever(muscle, 0.0)
+            .per_coordinate
+            .signum()
     }
 
     /// What flows into a muscle by its command.
@@ -71,20 +81,45 @@ impl System<'_> {
         let kind = match (&actuated.actuator, actuated.actuator.kind()) {
             (Actuator::Syringe(syringe), _) => {
                 let opening = now.opening.unwrap_or(0.0);
-                let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
+                let opening_rate =
+                    (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
                 let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
                 let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
-                let pressure_rate =
-                    medium.pressure_rate_mpa_per_s(&Cavity { swept_mm3_per_s, ..*cavity }, &[]);
+                let pressure_rate = medium.pressure_rate_mpa_per_s(
+                    &Cavity {
+                        swept_mm3_per_s,
+                        ..*cavity
+                    },
+                    &[],
+                );
                 let rest = FluidRates::default();
-                return FluidRates { pressure_rate, opening, opening_rate, piston_mm3_per_s, ..rest };
+                return FluidRates {
+                    pressure_rate,
+                    opening,
+                    opening_rate,
+                    piston_mm3_per_s,
+                    ..rest
+                };
             }
             (Actuator::Regulator { time_constant_s }, _) => {
                 let pressure_rate = error / time_constant_s;
-                let flow = medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
-                let none = Flow { mass_g_per_s: 0.0, ..flow };
-                let (supply, exhaust) = if flow.mass_g_per_s > 0.0 { (flow, none) } else { (none, flow) };
-                return FluidRates { supply, exhaust, pressure_rate, ..FluidRates::default() };
+                let flow =
+                    medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
+                let none = Flow {
+                    mass_g_per_s: 0.0,
+                    ..flow
+                };
+                let (supply, exhaust) = if flow.mass_g_per_s > 0.0 {
+                    (flow, none)
+                } else {
+                    (none, flow)
+                };
+                return FluidRates {
+                    supply,
+                    exhaust,
+                    pressure_rate,
+                    ..FluidRates::default()
+                };
             }
             (_, kind) => kind.unwrap_or(ValveKind::DEFAULT),
         };
@@ -96,12 +131,21 @@ impl System<'_> {
                 Switch::Vent => -1.0,
             },
             ValveKind::Proportional { gain_per_mpa, .. } => {
-                let wanted = if is_pressure { gain_per_mpa * error } else { command };
+                let wanted = if is_pressure {
+                    gain_per_mpa * error
+                } else {
+                    command
+                };
                 wanted.clamp(-1.0, 1.0)
             }
         };
         let (opening, opening_rate) = match (now.opening, kind) {
-            (Some(o), ValveKind::Proportional { time_constant_s, .. }) => (o, (wanted - o) / time_constant_s),
+            (
+                Some(o),
+                ValveKind::Proportional {
+                    time_constant_s, ..
+                },
+            ) => (o, (wanted - o) / time_constant_s),
             _ => (wanted, 0.0),
         };
         let supply = &self.drive.supply;
@@ -109,17 +153,34 @@ impl System<'_> {
         let (supply, exhaust) = match (&actuated.actuator, &actuated.fluid) {
             (Actuator::Valve(valve), _) => {
                 let inside = (cavity.absolute_mpa, cavity.temperature_k);
-                valve.flows(opening, supply.state(), inside, (ATMOSPHERE_MPA, medium.wall_temperature_k()))
+                valve.flows(
+                    opening,
+                    supply.state(),
+                    inside,
+                    (ATMOSPHERE_MPA, medium.wall_temperature_k()),
+                )
             }
             (Actuator::LiquidValve(valve), Fluid::Liquid(fill)) => {
-                fill.flows(opening, gauges, |difference| valve.flow(opening, difference, &fill.liquid))
+                fill.flows(opening, gauges, |difference| {
+                    valve.flow(opening, difference, &fill.liquid)
+                })
             }
-            (Actuator::Pump(pump), Fluid::Liquid(fill)) => fill.flows(opening, gauges, |difference| {
-                pump.flow(opening, difference, supply.pressure_mpa, &fill.liquid)
-            }),
+            (Actuator::Pump(pump), Fluid::Liquid(fill)) => {
+                fill.flows(opening, gauges, |difference| {
+                    pump.flow(opening, difference, supply.pressure_mpa, &fill.liquid)
+                })
+            }
             _ => Default::default(),
         };
         let pressure_rate = medium.pressure_rate_mpa_per_s(cavity, &[supply, exhaust]);
-        FluidRates { supply, exhaust, pressure_rate, opening, opening_rate, signal, piston_mm3_per_s: 0.0 }
+        FluidRates {
+            supply,
+            exhaust,
+            pressure_rate,
+            opening,
+            opening_rate,
+            signal,
+            piston_mm3_per_s: 0.0,
+        }
     }
 }

@@ -50,7 +50,8 @@ pub(crate) trait Medium {
     /// ṗ in MPa/s for given flows.
     fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64;
 
-    /// The flow that makes the pressure change at a rate: in from a supply at `supply_k`, out at the temperature of the fluid.
+    /// The flow that makes the pressure change at a rate: in from a supply at `supply_k`, out at
+    /// the temperature of the fluid.
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, supply_k: f64) -> Flow;
 
     /// What a flow carries in mW.

@@ -1,13 +1,18 @@
-//! The integrator: Radau IIA of order 5 from `differential-equations`, and nothing of that library outside of this file.
+//! The integrator: Radau IIA of order 5 from `differential-equations`, and nothing of that library
+//! outside of this file.
 //!
-//! Three stages, L-stable, error estimate and step control of Hairer & Wanner (1996) \[hairer1996\], dense output by the collocation
-//! polynomial. Tolerances are vectors and states are arrays, because the library (0.7) treats scalar tolerances and `Vec` states of this
-//! method wrongly; a rejected step begins a new stepper, since it would keep the factorisation of the old step size.
+//! Three stages, L-stable, error estimate and step control of Hairer & Wanner (1996)
+//! \[hairer1996\], dense output by the collocation polynomial. Tolerances are vectors and states
+//! are arrays, because the library (0.7) treats scalar tolerances and `Vec` states of this method
+//! wrongly; a rejected step begins a new stepper, since it would keep the factorisation of the old
+//! step size.
 //!
-//! Numbers that appear in no right-hand side may be quadratures beside the implicit equations: with the rates q_i at the stages c_i of a step h
-//! they grow by h Σ b_i q_i, between by the integral of the parabola through the three rates, which is what collocation gives. Their error is
-//! estimated as that of the method is, by an embedded formula of third order with the rate q_0 at the start, γ0 h (q_0 − Σ l_i(0) q_i) with the
-//! parabola's value at the start, and a step in which it is too large is rejected.
+//! Numbers that appear in no right-hand side may be quadratures beside the implicit equations: with
+//! the rates q_i at the stages c_i of a step h they grow by h Σ b_i q_i, between by the integral of
+//! the parabola through the three rates, which is what collocation gives. Their error is estimated
+//! as that of the method is, by an embedded formula of third order with the rate q_0 at the start,
+//! γ0 h (q_0 − Σ l_i(0) q_i) with the parabola's value at the start, and a step in which it is too
+//! large is rejected.
 
 use differential_equations::interpolate::Interpolation;
 use differential_equations::linalg::Matrix;
@@ -27,8 +32,9 @@ pub(crate) trait Equations {
     fn len(&self) -> usize;
     /// How many of the first ones appear on the right-hand side.
     fn core(&self) -> usize;
-    /// How many of the first ones are solved for together; the others are integrated beside them, as quadratures. Sums that are to hold to the
-    /// last bits, as the mass of the air, are among the first.
+    /// How many of the first ones are solved for together; the others are integrated beside them,
+    /// as quadratures. Sums that are to hold to the last bits, as the mass of the air, are among
+    /// the first.
     fn implicit(&self) -> usize;
     /// The size of each, for absolute tolerances and differences.
     fn scales(&self) -> &[f64];
@@ -36,7 +42,8 @@ pub(crate) trait Equations {
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]);
     /// Differences about a state begin, or (none) are over.
     fn differences(&self, y: Option<&[f64]>);
-    /// Rates at states near to those of the last calls begin, or are over: what is costly may be linear about them.
+    /// Rates at states near to those of the last calls begin, or are over: what is costly may be
+    /// linear about them.
     fn near(&self, begin: bool);
 }
 
@@ -83,7 +90,8 @@ const SHARE: f64 = 0.5;
 /// γ0, the real eigenvalue of the method's matrix.
 const GAMMA: f64 = 0.274_888_829_595_7;
 
-/// ∫ of the parabola through values at the stages, from 0 to a share of the step: the weights of the values.
+/// ∫ of the parabola through values at the stages, from 0 to a share of the step: the weights of
+/// the values.
 fn weights(share: f64) -> [f64; 3] {
     std::array::from_fn(|i| {
         let [a, b] = [STAGES[(i + 1) % 3], STAGES[(i + 2) % 3]];
@@ -92,7 +100,8 @@ fn weights(share: f64) -> [f64; 3] {
     })
 }
 
-/// A method of the library, which does not export the name of its type, and the quadratures beside it.
+/// A method of the library, which does not export the name of its type, and the quadratures beside
+/// it.
 struct Radau<M, const N: usize> {
     method: M,
     implicit: usize,
@@ -117,13 +126,19 @@ struct Padded<'a, const N: usize> {
 impl<'a, const N: usize> Padded<'a, N> {
     fn new(equations: &'a dyn Equations) -> Self {
         let room = || vec![0.0; equations.len()];
-        Self { equations, room: RefCell::new((room(), room())) }
+        Self {
+            equations,
+            room: RefCell::new((room(), room())),
+        }
     }
 
     /// The rates of all numbers, in the room for them; quadratures appear in none.
     fn rates<R>(&self, t: f64, y: &[f64; N], take: impl FnOnce(&[f64]) -> R) -> R {
         let (all, rates) = &mut *self.room.borrow_mut();
-        all.iter_mut().zip(y).take(self.equations.implicit()).for_each(|(to, from)| *to = *from);
+        all.iter_mut()
+            .zip(y)
+            .take(self.equations.implicit())
+            .for_each(|(to, from)| *to = *from);
         self.equations.rates(t, all, rates);
         take(rates)
     }
@@ -133,7 +148,13 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
     fn diff(&self, t: f64, y: &[f64; N], rates: &mut [f64; N]) {
         let implicit = self.equations.implicit();
         rates.fill(0.0);
-        self.rates(t, y, |all| rates.iter_mut().zip(all).take(implicit).for_each(|(to, from)| *to = *from));
+        self.rates(t, y, |all| {
+            rates
+                .iter_mut()
+                .zip(all)
+                .take(implicit)
+                .for_each(|(to, from)| *to = *from)
+        });
     }
 
     /// Differences by the variables that appear.
@@ -141,7 +162,10 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
         let (mut at, mut rates, mut moved) = (*y, [0.0; N], [0.0; N]);
         let (core, implicit) = (self.equations.core(), self.equations.implicit());
         let mut all = vec![0.0; self.equations.len()];
-        all.iter_mut().zip(y).take(implicit).for_each(|(to, from)| *to = *from);
+        all.iter_mut()
+            .zip(y)
+            .take(implicit)
+            .for_each(|(to, from)| *to = *from);
         self.equations.differences(Some(&all));
         self.diff(t, y, &mut rates);
         for row in 0..N {
@@ -150,7 +174,9 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
             }
         }
         for (column, scale) in self.equations.scales().iter().enumerate().take(core) {
-            let Some(x) = at.get_mut(column) else { continue };
+            let Some(x) = at.get_mut(column) else {
+                continue;
+            };
             let (before, step) = (*x, 1e-7 * x.abs().max(*scale));
             *x += step;
             let step = *x - before;
@@ -197,18 +223,39 @@ fn radau<const N: usize>(
     begun.map_err(|_| NO_START.to_owned())?;
     let before = y.get(implicit..).unwrap_or_default().to_vec();
     let (state, rates, shorter) = (y.to_vec(), Default::default(), None);
-    Ok(Box::new(Radau::<_, N> { method, implicit, t, state, before, rates, relative, shorter }))
+    Ok(Box::new(Radau::<_, N> {
+        method,
+        implicit,
+        t,
+        state,
+        before,
+        rates,
+        relative,
+        shorter,
+    }))
 }
 
 impl<M, const N: usize> Radau<M, N> {
-    /// The estimated error of the quadratures in a step, in shares of what is allowed: the root of the mean square of all numbers.
+    /// The estimated error of the quadratures in a step, in shares of what is allowed: the root of
+    /// the mean square of all numbers.
     fn error(&self, h: f64, first: &[f64], totals: &[f64], scales: &[f64]) -> f64 {
         let scales = scales.get(self.implicit..).unwrap_or_default();
-        let each = totals.iter().zip(scales).zip(first).enumerate().map(|(i, ((total, scale), first))| {
-            let rate = |stage: &Vec<f64>| stage.get(i).copied().unwrap_or_default();
-            let parabola: f64 = self.rates.iter().zip(START).map(|(stage, l)| l * rate(stage)).sum();
-            GAMMA * h * (first - parabola) / (self.relative * (scale + total.abs()))
-        });
+        let each =
+            totals
+                .iter()
+                .zip(scales)
+                .zip(first)
+                .enumerate()
+                .map(|(i, ((total, scale), first))| {
+                    let rate = |stage: &Vec<f64>| stage.get(i).copied().unwrap_or_default();
+                    let parabola: f64 = self
+                        .rates
+                        .iter()
+                        .zip(START)
+                        .map(|(stage, l)| l * rate(stage))
+                        .sum();
+                    GAMMA * h * (first - parabola) / (self.relative * (scale + total.abs()))
+                });
         let count = self.implicit + totals.len();
         (each.map(|e| e * e).sum::<f64>() / count as f64).sqrt()
     }
@@ -238,7 +285,11 @@ where
             *state = self.method.interpolate(t).map_err(|_| NO_STAGE)?;
         }
         let mut start = [0.0; N];
-        start.iter_mut().zip(&self.state).take(self.implicit).for_each(|(to, from)| *to = *from);
+        start
+            .iter_mut()
+            .zip(&self.state)
+            .take(self.implicit)
+            .for_each(|(to, from)| *to = *from);
         equations.near(true);
         let first = padded.rates(from, &start, quadratures);
         for ((rates, stage), at) in self.rates.iter_mut().zip(STAGES).zip(&states) {
@@ -255,7 +306,10 @@ where
         }
         self.before = before;
         let now = self.method.y().iter().take(self.implicit).chain(&totals);
-        self.state.iter_mut().zip(now).for_each(|(to, from)| *to = *from);
+        self.state
+            .iter_mut()
+            .zip(now)
+            .for_each(|(to, from)| *to = *from);
         self.t = self.method.t();
         Ok(true)
     }
@@ -279,7 +333,11 @@ where
         let mut all: Vec<f64> = core.iter().take(self.implicit).copied().collect();
         let mut totals = self.before.clone();
         let h = to - from;
-        add(&mut totals, &self.rates, weights((t - from) / h).map(|w| w * h));
+        add(
+            &mut totals,
+            &self.rates,
+            weights((t - from) / h).map(|w| w * h),
+        );
         all.append(&mut totals);
         Some(all)
     }
@@ -288,7 +346,10 @@ where
 /// Adds rates with a weight for each stage.
 fn add(totals: &mut [f64], rates: &[Vec<f64>; 3], weights: [f64; 3]) {
     for (rates, weight) in rates.iter().zip(weights) {
-        totals.iter_mut().zip(rates).for_each(|(total, rate)| *total += weight * rate);
+        totals
+            .iter_mut()
+            .zip(rates)
+            .for_each(|(total, rate)| *total += weight * rate);
     }
 }
 
@@ -296,15 +357,25 @@ fn add(totals: &mut [f64], rates: &[Vec<f64>; 3], weights: [f64; 3]) {
 mod tests {
     use super::*;
 
-    /// Exact: b = ((16 − √6)/36, (16 + √6)/36, 1/9) over the whole step, and monomials up to the second power over a part of it.
+    /// Exact: b = ((16 − √6)/36, (16 + √6)/36, 1/9) over the whole step, and monomials up to the
+    /// second power over a part of it.
     #[test]
     fn weights_are_those_of_the_collocation() {
         let root = 6.0_f64.sqrt();
         let b = [(16.0 - root) / 36.0, (16.0 + root) / 36.0, 1.0 / 9.0];
-        assert!(weights(1.0).iter().zip(b).all(|(w, b)| (w - b).abs() < 1e-15));
+        assert!(
+            weights(1.0)
+                .iter()
+                .zip(b)
+                .all(|(w, b)| (w - b).abs() < 1e-15)
+        );
         for share in [0.2_f64, 0.5, 0.9] {
             for power in 0..3 {
-                let sum: f64 = weights(share).iter().zip(STAGES).map(|(w, c)| w * c.powi(power)).sum();
+                let sum: f64 = weights(share)
+                    .iter()
+                    .zip(STAGES)
+                    .map(|(w, c)| w * c.powi(power))
+                    .sum();
                 assert!((sum - share.powi(power + 1) / f64::from(power + 1)).abs() < 1e-15);
             }
         }
@@ -344,7 +415,11 @@ mod tests {
         let mut at = stepper(&Swing, (0.0, 3.0), &[1.0, 0.0, 0.0, 0.0], 1e-9, None).unwrap();
         let exact = |t: f64| [t.cos(), -t.sin(), 0.5 * (t + t.sin() * t.cos()), t.sin()];
         let near = |y: &[f64], t: f64, most: f64| {
-            let off = y.iter().zip(exact(t)).map(|(y, e)| (y - e).abs()).fold(0.0, f64::max);
+            let off = y
+                .iter()
+                .zip(exact(t))
+                .map(|(y, e)| (y - e).abs())
+                .fold(0.0, f64::max);
             assert!(off < most, "{t}: {off:e}");
         };
         while at.time() < 3.0 {

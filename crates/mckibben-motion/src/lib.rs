@@ -1,11 +1,14 @@
 //! McKibben muscles in motion: a muscle, or a mechanism with several, on valves over time.
 //!
-//! A [`Drive`] says what moves ([`Mechanism`]: [`SingleMuscle`] with a load, or a joint), what pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is
-//! commanded ([`Target`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`] (the system about an
-//! equilibrium: eigenvalues, frequency response, bandwidth) and [`size`] (the smallest valve that is quick enough).
+//! A [`Drive`] says what moves ([`Mechanism`]: [`SingleMuscle`] with a load, or a joint), what
+//! pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is commanded
+//! ([`Target`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`]
+//! (the system about an equilibrium: eigenvalues, frequency response, bandwidth) and [`size`] (the
+//! smallest valve that is quick enough).
 //!
-//! Units: mm, MPa, N, s, kg, K; air in g; energies in J at the surface and mJ (= N mm) inside. A pressure is gauge unless its name says
-//! `absolute`. `docs/motion.md` has the equations on one page.
+//! Units: mm, MPa, N, s, kg, K; air in g; energies in J at the surface and mJ (= N mm) inside. A
+//! pressure is gauge unless its name says `absolute`. `docs/motion.md` has the equations on one
+//! page.
 //!
 //! ```
 //! use mckibben::model::{Ideal, ForceModel};
@@ -69,7 +72,9 @@ pub use drive::{Actuated, Actuator, Drive, Supply, Target};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::{MotionError, OnStop, Result};
 pub use events::{Event, EventKind};
-pub use file::{DriveFile, Names, Subject, Tables, drive_names, number_at, parse_drive, with_value};
+pub use file::{
+    DriveFile, Names, Subject, Tables, drive_names, number_at, parse_drive, with_value,
+};
 pub use fluid::Fluid;
 pub use hose::Hose;
 pub use linear::Linear;

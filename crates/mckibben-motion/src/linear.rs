@@ -7,11 +7,13 @@ use mckibben::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// ẏ = A y + B u about the equilibrium at the first command; the output is the position. u is added to the commands: of two muscles
-/// against each other u to that of the first, −u to that of the second.
+/// ẏ = A y + B u about the equilibrium at the first command; the output is the position. u is added
+/// to the commands: of two muscles against each other u to that of the first, −u to that of the
+/// second.
 ///
-/// Central differences of the right-hand side: also across the kink of a valve that is closed there, whose two sides it averages.
-/// The air's mass is a state without effect on the others where the law is isothermal: an eigenvalue 0.
+/// Central differences of the right-hand side: also across the kink of a valve that is closed
+/// there, whose two sides it averages. The air's mass is a state without effect on the others where
+/// the law is isothermal: an eigenvalue 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     a: DMatrix<f64>,
@@ -26,8 +28,11 @@ impl Linear {
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::Refused`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self> {
-        let not_at_rest =
-            |why| MotionError::Refused(format!("there is no equilibrium about which to linearise: {why}"));
+        let not_at_rest = |why| {
+            MotionError::Refused(format!(
+                "there is no equilibrium about which to linearise: {why}"
+            ))
+        };
         let system = System::new(drive)?;
         let start = system.initial_state()?;
         let (y, coordinate) = (start.to_vec(), start.coordinate);
@@ -44,7 +49,11 @@ impl Linear {
             Ok(rates)
         };
         let difference = |above: &[f64], below: &[f64], width: f64| -> Vec<f64> {
-            above.iter().zip(below).map(|(a, b)| (a - b) / width).collect()
+            above
+                .iter()
+                .zip(below)
+                .map(|(a, b)| (a - b) / width)
+                .collect()
         };
         let mut a = DMatrix::zeros(n, n);
         for (column, scale) in system.scales().iter().enumerate().take(n) {
@@ -56,10 +65,16 @@ impl Linear {
                 rates(&y)
             };
             let step = 1e-4 * scale;
-            // Three widths: the first and second powers of the error vanish. Friction has the first one, about a state at rest.
+            // Three widths: the first and second powers of the error vanish. Friction has the first
+            // one, about a state at rest.
             let mut best = DVector::zeros(n);
-            for (width, weight) in [(step, 8.0 / 3.0), (2.0 * step, -2.0), (4.0 * step, 1.0 / 3.0)] {
-                best += weight * DVector::from_vec(difference(&moved(width)?, &moved(-width)?, 2.0 * width));
+            for (width, weight) in [
+                (step, 8.0 / 3.0),
+                (2.0 * step, -2.0),
+                (4.0 * step, 1.0 / 3.0),
+            ] {
+                best += weight
+                    * DVector::from_vec(difference(&moved(width)?, &moved(-width)?, 2.0 * width));
             }
             a.set_column(column, &best);
         }
@@ -72,7 +87,12 @@ impl Linear {
         };
         let b = DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step));
         let per_coordinate = drive.mechanism.position_per_coordinate();
-        Ok(Self { a, b, per_coordinate, coordinate })
+        Ok(Self {
+            a,
+            b,
+            per_coordinate,
+            coordinate,
+        })
     }
 
     /// The coordinate of the equilibrium in mm or rad.
@@ -85,7 +105,10 @@ impl Linear {
         // In one scale: pressures and positions differ by orders of magnitude.
         let mut a = self.a.clone();
         nalgebra::linalg::balancing::balance_parlett_reinsch(&mut a);
-        a.complex_eigenvalues().iter().map(|e| (e.re, e.im)).collect()
+        a.complex_eigenvalues()
+            .iter()
+            .map(|e| (e.re, e.im))
+            .collect()
     }
 
     /// Frequency |Im λ|/2π in Hz and damping ratio of the fastest oscillation, if it oscillates.
@@ -108,7 +131,8 @@ impl Linear {
         (q.re.is_finite() && q.im.is_finite()).then_some(q)
     }
 
-    /// The frequency in Hz at which the gain first falls to 1/√2 of that at rest; `None` where it does not below 1 kHz.
+    /// The frequency in Hz at which the gain first falls to 1/√2 of that at rest; `None` where it
+    /// does not below 1 kHz.
     pub fn bandwidth_hz(&self) -> Option<f64> {
         let level = self.response(1e-4)?.norm() / 2f64.sqrt();
         let below = |f: f64| self.response(f).is_some_and(|r| r.norm() < level);

@@ -1,4 +1,5 @@
-//! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe lets through.
+//! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe
+//! lets through.
 
 use crate::air::Cavity;
 use crate::fluid::Medium;
@@ -7,12 +8,14 @@ use mckibben::analysis::find_root;
 use mckibben::liquid::Liquid;
 use std::f64::consts::PI;
 
-/// The pressure difference of a flow coefficient, 1 bar, in MPa, and its liquid's density (water) in kg/m³.
+/// The pressure difference of a flow coefficient, 1 bar, in MPa, and its liquid's density (water)
+/// in kg/m³.
 const RATED_MPA: f64 = 0.1;
 const RATED_KG_PER_M3: f64 = 1000.0;
 /// The flow up to which a restriction is laminar rather than turbulent, over its flow at 1 bar.
 const LAMINAR_SHARE: f64 = 1e-3;
-/// The share of the supply's pressure over which a relief valve opens, and a pump that runs empty ends.
+/// The share of the supply's pressure over which a relief valve opens, and a pump that runs empty
+/// ends.
 const RELIEF_SHARE: f64 = 0.01;
 /// Absolute pressure in MPa at which a liquid boils, about that of water at 20 °C.
 const VAPOUR_MPA: f64 = 2.3e-3;
@@ -28,8 +31,9 @@ const VAPOUR_MPA: f64 = 2.3e-3;
 /// V̇_s  speed of the syringe's piston times its area, mm³/s
 /// ```
 ///
-/// The temperature is constant, and so is the pressure from the valve to the muscle's far end: the inertia of the liquid in the line is omitted, which
-/// makes a line of length L and section A swing with the muscle at a period of 2π √(ρ L V_P/A). Source: \[merritt1967\], ch. 3.
+/// The temperature is constant, and so is the pressure from the valve to the muscle's far end: the
+/// inertia of the liquid in the line is omitted, which makes a line of length L and section A swing
+/// with the muscle at a period of 2π √(ρ L V_P/A). Source: \[merritt1967\], ch. 3.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LiquidFill {
     /// The liquid.
@@ -47,7 +51,10 @@ impl LiquidFill {
     }
 
     fn flow(&self, volume_mm3_per_s: f64) -> Flow {
-        Flow { mass_g_per_s: self.liquid.mass_g(volume_mm3_per_s), temperature_k: self.temperature_k }
+        Flow {
+            mass_g_per_s: self.liquid.mass_g(volume_mm3_per_s),
+            temperature_k: self.temperature_k,
+        }
     }
 
     /// φ at an absolute pressure.
@@ -83,7 +90,8 @@ impl Medium for LiquidFill {
     }
 
     fn mass_g(&self, absolute_mpa: f64, volume_mm3: f64) -> f64 {
-        self.liquid.mass_g(volume_mm3 / self.relative_volume(absolute_mpa))
+        self.liquid
+            .mass_g(volume_mm3 / self.relative_volume(absolute_mpa))
     }
 
     /// The cavity's swept volume is less that of the piston.
@@ -94,7 +102,8 @@ impl Medium for LiquidFill {
     }
 
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, _: f64) -> Flow {
-        let swelling = rate_mpa_per_s * self.compliance_mm3_per_mpa(cavity) + cavity.swept_mm3_per_s;
+        let swelling =
+            rate_mpa_per_s * self.compliance_mm3_per_mpa(cavity) + cavity.swept_mm3_per_s;
         self.flow(swelling / self.relative_volume(cavity.absolute_mpa))
     }
 
@@ -120,8 +129,9 @@ impl Medium for LiquidFill {
 /// Δp = 1 bar · ρ/(1000 kg/m³) · (Q/Kv)² (1 + 0.001 Kv/Q)
 /// ```
 ///
-/// Q flow, Kv the flow of water at a pressure difference of 1 bar. The second term makes small flows laminar, as they are, and the slope at none finite; it
-/// takes 0.05 % of the flow at 1 bar. Source: IEC 60534-2-1 \[iec2011\].
+/// Q flow, Kv the flow of water at a pressure difference of 1 bar. The second term makes small
+/// flows laminar, as they are, and the slope at none finite; it takes 0.05 % of the flow at 1 bar.
+/// Source: IEC 60534-2-1 \[iec2011\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Restriction {
@@ -130,19 +140,27 @@ pub struct Restriction {
 }
 
 impl Restriction {
-    /// A restriction of a flow coefficient Kv, in mm³/s of water at 1 bar (1 m³/h is 277,778 mm³/s).
+    /// A restriction of a flow coefficient Kv, in mm³/s of water at 1 bar (1 m³/h is 277,778
+    /// mm³/s).
     ///
     /// # Errors
     /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
     pub fn new(kv_mm3_per_s: f64) -> Result<Self> {
-        within("the flow coefficient in mm³/s at 1 bar", kv_mm3_per_s, 1e-3, 1e10)?;
+        within(
+            "the flow coefficient in mm³/s at 1 bar",
+            kv_mm3_per_s,
+            1e-3,
+            1e10,
+        )?;
         Ok(Self { kv_mm3_per_s })
     }
 }
 
-/// Δp = a Q² + b Q + max(R Q, c Q^1.75) of a restriction and the line behind it: Hagen and Poiseuille's R, and Blasius's friction of a smooth pipe.
+/// Δp = a Q² + b Q + max(R Q, c Q^1.75) of a restriction and the line behind it: Hagen and
+/// Poiseuille's R, and Blasius's friction of a smooth pipe.
 ///
-/// They meet at a Reynolds number of 1190; between there and 2300 a flow without disturbance may be larger. Source: \[white2011\], ch. 6.
+/// They meet at a Reynolds number of 1190; between there and 2300 a flow without disturbance may be
+/// larger. Source: \[white2011\], ch. 6.
 #[derive(Debug, Clone, Copy, Default)]
 struct Losses {
     square: f64,
@@ -152,7 +170,12 @@ struct Losses {
 }
 
 impl Losses {
-    fn in_series(restriction: Option<Restriction>, share: f64, line: Option<Hose>, liquid: &Liquid) -> Self {
+    fn in_series(
+        restriction: Option<Restriction>,
+        share: f64,
+        line: Option<Hose>,
+        liquid: &Liquid,
+    ) -> Self {
         let density = liquid.density_kg_per_m3 * (1.0 - liquid.gas_share);
         let mut out = Self::default();
         if let Some(r) = restriction {
@@ -168,7 +191,8 @@ impl Losses {
             let speed = 4.0 / (PI * d * d);
             let reynolds = density * speed * d / viscosity;
             let blasius = 0.3164 * reynolds.powf(-0.25);
-            out.turbulent = blasius * (l / d) * 0.5 * density * speed * speed * 1e-6 * 1e-9_f64.powf(1.75);
+            out.turbulent =
+                blasius * (l / d) * 0.5 * density * speed * speed * 1e-6 * 1e-9_f64.powf(1.75);
         }
         out
     }
@@ -178,7 +202,11 @@ impl Losses {
         let p = difference_mpa.abs();
         let flow_with = |linear: f64| {
             let root = (linear * linear + 4.0 * self.square * p).sqrt();
-            if p > 0.0 { 2.0 * p / (linear + root) } else { 0.0 }
+            if p > 0.0 {
+                2.0 * p / (linear + root)
+            } else {
+                0.0
+            }
         };
         let laminar = flow_with(self.linear + self.laminar);
         let pipe = |q: f64| self.turbulent * q.powf(1.75);
@@ -186,14 +214,19 @@ impl Losses {
             laminar
         } else {
             // Less than the laminar flow and more than none.
-            let excess = |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
-            find_root(excess, 0.0, laminar, 1e-13 * laminar).ok().flatten().unwrap_or(laminar)
+            let excess =
+                |q: f64| Ok::<f64, ()>(self.square * q * q + self.linear * q + pipe(q) - p);
+            find_root(excess, 0.0, laminar, 1e-13 * laminar)
+                .ok()
+                .flatten()
+                .unwrap_or(laminar)
         };
         size.copysign(difference_mpa)
     }
 }
 
-/// A valve for a liquid: from the supply into the muscle, and from the muscle into a tank at atmospheric pressure.
+/// A valve for a liquid: from the supply into the muscle, and from the muscle into a tank at
+/// atmospheric pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LiquidValve {
     /// How it moves.
@@ -206,8 +239,8 @@ pub struct LiquidValve {
     pub line: Option<Hose>,
 }
 
-/// A pump of constant displacement between a tank at atmospheric pressure and the muscle, which runs both ways; a relief valve keeps its outlet at the
-/// supply's pressure.
+/// A pump of constant displacement between a tank at atmospheric pressure and the muscle, which
+/// runs both ways; a relief valve keeps its outlet at the supply's pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pump {
     /// How it is driven: the opening is the share of its flow.
@@ -218,7 +251,8 @@ pub struct Pump {
     pub line: Option<Hose>,
 }
 
-/// A syringe whose piston follows the commanded volume with a first-order lag. At the start it is full, and the muscle is without pressure.
+/// A syringe whose piston follows the commanded volume with a first-order lag. At the start it is
+/// full, and the muscle is without pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syringe {
     /// What it holds, in mm³.
@@ -228,31 +262,47 @@ pub struct Syringe {
 }
 
 impl LiquidValve {
-    /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the direction of the pressure difference in MPa.
+    /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the
+    /// direction of the pressure difference in MPa.
     pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
-        let restriction = if opening > 0.0 { self.supply } else { self.tank };
-        Losses::in_series(Some(restriction), opening.abs().min(1.0), self.line, liquid).flow(difference_mpa)
+        let restriction = if opening > 0.0 {
+            self.supply
+        } else {
+            self.tank
+        };
+        Losses::in_series(Some(restriction), opening.abs().min(1.0), self.line, liquid)
+            .flow(difference_mpa)
     }
 }
 
 impl Pump {
-    /// The same; none against the difference, which a relief valve and an empty inlet do not let pass. `supply_mpa` is the relief valve's pressure.
-    pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, supply_mpa: f64, liquid: &Liquid) -> f64 {
+    /// The same; none against the difference, which a relief valve and an empty inlet do not let
+    /// pass. `supply_mpa` is the relief valve's pressure.
+    pub(crate) fn flow(
+        &self,
+        opening: f64,
+        difference_mpa: f64,
+        supply_mpa: f64,
+        liquid: &Liquid,
+    ) -> f64 {
         if opening * difference_mpa <= 0.0 {
             return 0.0;
         }
         let band = RELIEF_SHARE * supply_mpa.max(f64::MIN_POSITIVE);
         let share = (difference_mpa.abs() / band).min(1.0) * opening.abs().min(1.0);
         let through = self.line.map_or(f64::INFINITY, |line| {
-            Losses::in_series(None, 1.0, Some(line), liquid).flow(difference_mpa).abs()
+            Losses::in_series(None, 1.0, Some(line), liquid)
+                .flow(difference_mpa)
+                .abs()
         });
         (share * self.flow_mm3_per_s).min(through).copysign(opening)
     }
 }
 
 impl LiquidFill {
-    /// Flow from the supply and flow from the muscle's other side (negative: out of it) at an opening from −1 to 1, for gauge pressures;
-    /// `volume` gives it in mm³/s for a pressure difference in MPa.
+    /// Flow from the supply and flow from the muscle's other side (negative: out of it) at an
+    /// opening from −1 to 1, for gauge pressures; `volume` gives it in mm³/s for a pressure
+    /// difference in MPa.
     pub(crate) fn flows(
         &self,
         opening: f64,
@@ -260,9 +310,21 @@ impl LiquidFill {
         volume: impl FnOnce(f64) -> f64,
     ) -> (Flow, Flow) {
         let into = opening > 0.0;
-        let difference = if into { supply_mpa - muscle_mpa } else { -muscle_mpa };
-        let flow = self.flow(if opening == 0.0 { 0.0 } else { volume(difference) });
-        if into { (flow, self.flow(0.0)) } else { (self.flow(0.0), flow) }
+        let difference = if into {
+            supply_mpa - muscle_mpa
+        } else {
+            -muscle_mpa
+        };
+        let flow = self.flow(if opening == 0.0 {
+            0.0
+        } else {
+            volume(difference)
+        });
+        if into {
+            (flow, self.flow(0.0))
+        } else {
+            (self.flow(0.0), flow)
+        }
     }
 }
 
@@ -274,25 +336,33 @@ mod tests {
         Liquid::named("water", 0.0).unwrap()
     }
 
-    /// Water (998.2 kg/m³, 1.00 mPa s) in 1 m of 4 mm: computed apart with Darcy and Weisbach's equation, f = 64/Re and 0.3164 Re^−0.25.
-    /// 3 mL/s, Re 953: 477.5 Pa. 20 mL/s, Re 6355: 11.20 kPa.
+    /// Water (998.2 kg/m³, 1.00 mPa s) in 1 m of 4 mm: computed apart with Darcy and Weisbach's
+    /// equation, f = 64/Re and 0.3164 Re^−0.25. 3 mL/s, Re 953: 477.5 Pa. 20 mL/s, Re 6355: 11.20
+    /// kPa.
     #[test]
     fn losses_of_a_line_are_those_of_darcy_and_weisbach() {
         let line = Hose::new(4.0, 1000.0).unwrap();
         let losses = Losses::in_series(None, 1.0, Some(line), &water());
         for (q_mm3_per_s, loss_mpa) in [(3e3, 4.774648e-4), (2e4, 1.1200306e-2)] {
             let flow = losses.flow(loss_mpa);
-            assert!((flow / q_mm3_per_s - 1.0).abs() < 1e-6, "{flow} {q_mm3_per_s}");
+            assert!(
+                (flow / q_mm3_per_s - 1.0).abs() < 1e-6,
+                "{flow} {q_mm3_per_s}"
+            );
             assert_eq!(losses.flow(-loss_mpa), -flow);
         }
         assert_eq!(losses.flow(0.0), 0.0);
     }
 
-    /// Kv of water at 1 bar by definition, less the laminar term's 0.05 %; four times the pressure, twice the flow.
+    /// Kv of water at 1 bar by definition, less the laminar term's 0.05 %; four times the pressure,
+    /// twice the flow.
     #[test]
     fn a_flow_coefficient_is_the_flow_at_one_bar() {
         let restriction = Restriction::new(1e5).unwrap();
-        let water = Liquid { density_kg_per_m3: 1000.0, ..water() };
+        let water = Liquid {
+            density_kg_per_m3: 1000.0,
+            ..water()
+        };
         let flow = |p: f64| Losses::in_series(Some(restriction), 1.0, None, &water).flow(p);
         assert!((flow(0.1) / 1e5 - 0.9995).abs() < 1e-6, "{}", flow(0.1));
         assert!((flow(0.4) / 2e5 - 0.99975).abs() < 1e-6);
@@ -302,18 +372,29 @@ mod tests {
         let loss = |l: Losses, q: f64| {
             l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
         };
-        let sum = loss(Losses::in_series(Some(restriction), 1.0, None, &water), both)
-            + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
+        let sum = loss(
+            Losses::in_series(Some(restriction), 1.0, None, &water),
+            both,
+        ) + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
         assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
     }
 
     #[test]
     fn a_pump_gives_its_flow_up_to_its_relief_valve() {
-        let fill = LiquidFill { liquid: water(), temperature_k: 293.15, dead_volume_mm3: 0.0 };
-        let pump = Pump { kind: ValveKind::DEFAULT, flow_mm3_per_s: 1e4, line: None };
+        let fill = LiquidFill {
+            liquid: water(),
+            temperature_k: 293.15,
+            dead_volume_mm3: 0.0,
+        };
+        let pump = Pump {
+            kind: ValveKind::DEFAULT,
+            flow_mm3_per_s: 1e4,
+            line: None,
+        };
         let flow = |opening, muscle| {
-            let (into, out) =
-                fill.flows(opening, (0.5, muscle), |p| pump.flow(opening, p, 0.5, &fill.liquid));
+            let (into, out) = fill.flows(opening, (0.5, muscle), |p| {
+                pump.flow(opening, p, 0.5, &fill.liquid)
+            });
             fill.volume_mm3(into.mass_g_per_s + out.mass_g_per_s)
         };
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6 * 1e4, "{a} {b}");

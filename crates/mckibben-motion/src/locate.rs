@@ -14,20 +14,37 @@ fn needs_model(guard: Guard) -> bool {
 
 impl Integration<'_, '_> {
     /// The first guard that fails within the last step, which ended at `t` with `end`, and when.
-    pub fn event(&mut self, method: &mut dyn Stepper, t: f64, end: &State) -> Result<Option<(Guard, f64)>> {
+    pub fn event(
+        &mut self,
+        method: &mut dyn Stepper,
+        t: f64,
+        end: &State,
+    ) -> Result<Option<(Guard, f64)>> {
         const INSIDE: usize = 4;
         let from = self.t;
         let mut before = from;
         for i in 1..=INSIDE {
-            let time = if i == INSIDE { t } else { from + (t - from) * i as f64 / INSIDE as f64 };
-            let inside = if i == INSIDE { None } else { self.within(method, time) };
+            let time = if i == INSIDE {
+                t
+            } else {
+                from + (t - from) * i as f64 / INSIDE as f64
+            };
+            let inside = if i == INSIDE {
+                None
+            } else {
+                self.within(method, time)
+            };
             let state = inside.as_ref().unwrap_or(end);
             let guards = self.system.guards(time, state, i == INSIDE)?;
             if let Some(on_stop) = self.on_stop.as_mut().filter(|_| i == INSIDE)
                 && let Some((_, g)) = guards.iter().find(|g| g.0 == Guard::Release)
                 && -g > on_stop.net
             {
-                *on_stop = OnStop { net: -g, time_s: time, pressure_mpa: state.first_gauge_mpa() };
+                *on_stop = OnStop {
+                    net: -g,
+                    time_s: time,
+                    pressure_mpa: state.first_gauge_mpa(),
+                };
             }
             let mut first: Option<(Guard, f64)> = None;
             let failing = |guards: Vec<(Guard, f64)>| guards.into_iter().filter(|(_, g)| *g < 0.0);
@@ -40,9 +57,13 @@ impl Integration<'_, '_> {
             }
             // Guards of the model may fail before the others.
             while let Some((_, at)) = first {
-                let Some(state) = self.within(method, at) else { break };
+                let Some(state) = self.within(method, at) else {
+                    break;
+                };
                 let all = self.system.guards(at, &state, true)?;
-                let Some((guard, _)) = failing(all).find(|(g, _)| needs_model(*g)) else { break };
+                let Some((guard, _)) = failing(all).find(|(g, _)| needs_model(*g)) else {
+                    break;
+                };
                 let earlier = self.root(method, guard, (from, at))?;
                 if earlier >= at {
                     break;
@@ -60,7 +81,9 @@ impl Integration<'_, '_> {
     /// When a guard fails that holds at the one time and not at the other.
     fn root(&self, method: &mut dyn Stepper, guard: Guard, (low, high): (f64, f64)) -> Result<f64> {
         let function = |time: f64| -> Result<f64> {
-            let Some(state) = self.within(method, time) else { return Ok(0.0) };
+            let Some(state) = self.within(method, time) else {
+                return Ok(0.0);
+            };
             let all = self.system.guards(time, &state, needs_model(guard))?;
             Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
         };

@@ -33,8 +33,9 @@ pub enum Coordinate {
 /// I q̈ = Σ Fᵢ L0ᵢ dεᵢ/dq − Q(q) − c q̇          (virtual work)
 /// ```
 ///
-/// Generalised forces are in N (q in mm) or N mm (q in rad), I in N s²/mm (10⁻³ kg) or N mm s² (10³ kg m²), energies in mJ.
-/// Two antagonists about a joint have levers of opposite sign. [`SingleMuscle`] and [`Joint`] are mechanisms.
+/// Generalised forces are in N (q in mm) or N mm (q in rad), I in N s²/mm (10⁻³ kg) or N mm s² (10³
+/// kg m²), energies in mJ. Two antagonists about a joint have levers of opposite sign.
+/// [`SingleMuscle`] and [`Joint`] are mechanisms.
 pub trait Mechanism: Send + Sync {
     /// How many muscles it has.
     fn muscles(&self) -> usize;
@@ -66,7 +67,8 @@ pub trait Mechanism: Send + Sync {
     /// What q is.
     fn coordinate(&self) -> Coordinate;
 
-    /// What a reader calls position, over q: 1/L0 for the contraction of a single muscle, 1 for an angle.
+    /// What a reader calls position, over q: 1/L0 for the contraction of a single muscle, 1 for an
+    /// angle.
     fn position_per_coordinate(&self) -> f64 {
         match self.coordinate() {
             Coordinate::Angle => 1.0,
@@ -94,7 +96,8 @@ pub struct SingleMuscle {
     pub length_mm: f64,
     /// What it works against.
     pub load: Load,
-    /// Mass in kg that moves besides that of the load (a spring has none); infinite: the ends are held.
+    /// Mass in kg that moves besides that of the load (a spring has none); infinite: the ends are
+    /// held.
     pub added_mass_kg: f64,
     /// c in N s/m.
     pub damping_n_s_per_m: f64,
@@ -107,17 +110,32 @@ impl SingleMuscle {
     pub fn new(model: &dyn ForceModel, load: Load) -> Self {
         let length_mm = model.muscle().length_mm();
         let stops_mm = (f64::NEG_INFINITY, f64::INFINITY);
-        Self { length_mm, load, added_mass_kg: 0.0, damping_n_s_per_m: 0.0, stops_mm }
+        Self {
+            length_mm,
+            load,
+            added_mass_kg: 0.0,
+            damping_n_s_per_m: 0.0,
+            stops_mm,
+        }
     }
 
     /// A mass that hangs from the muscle of a model.
     pub fn hanging(model: &dyn ForceModel, mass_kg: f64) -> Self {
-        Self::new(model, Load::Mass { mass_kg, level: false })
+        Self::new(
+            model,
+            Load::Mass {
+                mass_kg,
+                level: false,
+            },
+        )
     }
 
     /// A muscle whose ends are held.
     pub fn held(model: &dyn ForceModel) -> Self {
-        Self { added_mass_kg: f64::INFINITY, ..Self::new(model, Load::Force { force_n: 0.0 }) }
+        Self {
+            added_mass_kg: f64::INFINITY,
+            ..Self::new(model, Load::Force { force_n: 0.0 })
+        }
     }
 }
 
@@ -127,7 +145,10 @@ impl Mechanism for SingleMuscle {
     }
 
     fn lever(&self, _: usize, q: f64) -> Lever {
-        Lever { contraction: q / self.length_mm, per_coordinate: 1.0 / self.length_mm }
+        Lever {
+            contraction: q / self.length_mm,
+            per_coordinate: 1.0 / self.length_mm,
+        }
     }
 
     fn load(&self, q: f64) -> f64 {
@@ -151,20 +172,37 @@ impl Mechanism for SingleMuscle {
     }
 
     fn coordinate(&self) -> Coordinate {
-        Coordinate::Shortening { rest_length_mm: self.length_mm }
+        Coordinate::Shortening {
+            rest_length_mm: self.length_mm,
+        }
     }
 
     fn check(&self) -> Result<()> {
         MotionError::positive("the muscle's length in mm", self.length_mm)?;
-        within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
+        within(
+            "the added mass in kg",
+            self.added_mass_kg,
+            0.0,
+            f64::INFINITY,
+        )?;
         // From a milligram on; infinite where the ends are held.
         let mass_kg = 1e3 * self.inertia();
         if mass_kg != f64::INFINITY {
             within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
         }
         within("the damping in N s/m", self.damping_n_s_per_m, 0.0, 1e9)?;
-        within("the lower stop in mm", self.stops_mm.0, f64::NEG_INFINITY, f64::INFINITY)?;
-        within("the upper stop in mm", self.stops_mm.1, self.stops_mm.0, f64::INFINITY)
+        within(
+            "the lower stop in mm",
+            self.stops_mm.0,
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        )?;
+        within(
+            "the upper stop in mm",
+            self.stops_mm.1,
+            self.stops_mm.0,
+            f64::INFINITY,
+        )
     }
 }
 
@@ -175,11 +213,19 @@ impl Mechanism for Joint {
     }
 
     fn lever(&self, muscle: usize, q: f64) -> Lever {
-        let at = self.contraction(muscle, q).zip(Joint::muscles(self).get(muscle));
-        at.map_or(Lever { contraction: 0.0, per_coordinate: 0.0 }, |((contraction, s), m)| Lever {
-            contraction,
-            per_coordinate: s.arm_mm / m.muscle.length_mm(),
-        })
+        let at = self
+            .contraction(muscle, q)
+            .zip(Joint::muscles(self).get(muscle));
+        at.map_or(
+            Lever {
+                contraction: 0.0,
+                per_coordinate: 0.0,
+            },
+            |((contraction, s), m)| Lever {
+                contraction,
+                per_coordinate: s.arm_mm / m.muscle.length_mm(),
+            },
+        )
     }
 
     fn load(&self, q: f64) -> f64 {
@@ -192,8 +238,15 @@ impl Mechanism for Joint {
         let weight = link.weight_nm(q).1 - link.weight_nm(0.0).1;
         let spring = match self.spring() {
             None => 0.0,
-            Some(JointSpring::Torsion { rate_nm_per_rad: k, preload_nm }) => (preload_nm + 0.5 * k * q) * q,
-            Some(JointSpring::Rope { path, rate_n_per_mm: c, preload_n }) => {
+            Some(JointSpring::Torsion {
+                rate_nm_per_rad: k,
+                preload_nm,
+            }) => (preload_nm + 0.5 * k * q) * q,
+            Some(JointSpring::Rope {
+                path,
+                rate_n_per_mm: c,
+                preload_n,
+            }) => {
                 let pull = |q: f64| (preload_n - c * path.shortening(q).mm).max(0.0);
                 if *c > 0.0 {
                     1e-3 * (pull(q).powi(2) - pull(0.0).powi(2)) / (2.0 * c)
@@ -218,12 +271,25 @@ impl Mechanism for Joint {
     }
 
     fn stops(&self) -> (f64, f64) {
-        (self.range_deg().0.to_radians(), self.range_deg().1.to_radians())
+        (
+            self.range_deg().0.to_radians(),
+            self.range_deg().1.to_radians(),
+        )
     }
 
     fn check(&self) -> Result<()> {
         let link = self.link();
-        within("the joint's moment of inertia in kg m²", link.whole_inertia_kg_m2(), 1e-12, 1e9)?;
-        within("the joint's damping in N m s/rad", link.damping_nm_s_per_rad, 0.0, 1e9)
+        within(
+            "the joint's moment of inertia in kg m²",
+            link.whole_inertia_kg_m2(),
+            1e-12,
+            1e9,
+        )?;
+        within(
+            "the joint's damping in N m s/rad",
+            link.damping_nm_s_per_rad,
+            0.0,
+            1e9,
+        )
     }
 }

@@ -1,4 +1,5 @@
-//! A force model as the equations of motion need it: both pulls and volumes with their derivatives, and the slack muscle.
+//! A force model as the equations of motion need it: both pulls and volumes with their derivatives,
+//! and the slack muscle.
 
 use crate::Actuated;
 use mckibben::analysis::{Evaluation, Options};
@@ -35,17 +36,32 @@ pub(crate) struct Answer {
 
 impl Answer {
     pub fn quantities(self) -> [Quantity; 4] {
-        [self.force_n, self.volume_mm3, self.pivoting_n_per_mm, self.contraction]
+        [
+            self.force_n,
+            self.volume_mm3,
+            self.pivoting_n_per_mm,
+            self.contraction,
+        ]
     }
 
-    fn from_quantities([force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4]) -> Self {
-        Self { force_n, volume_mm3, pivoting_n_per_mm, contraction }
+    fn from_quantities(
+        [force_n, volume_mm3, pivoting_n_per_mm, contraction]: [Quantity; 4],
+    ) -> Self {
+        Self {
+            force_n,
+            volume_mm3,
+            pivoting_n_per_mm,
+            contraction,
+        }
     }
 
     /// The first order about the point of this answer.
     fn moved(self, p: f64, e: f64) -> Self {
         let moved = |q: Quantity| q.value + q.by_pressure * p + q.by_contraction * e;
-        Self::from_quantities(self.quantities().map(|q| Quantity { value: moved(q), ..q }))
+        Self::from_quantities(self.quantities().map(|q| Quantity {
+            value: moved(q),
+            ..q
+        }))
     }
 }
 
@@ -68,7 +84,9 @@ impl Substitute {
     pub fn between(a: &Moment, b: &Moment, s: f64, h: f64) -> Self {
         let r = 1.0 - s;
         let cubic = |x: f64, k: f64, y: f64, l: f64| {
-            x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
+            x * r * r * (1.0 + 2.0 * s)
+                + y * s * s * (3.0 - 2.0 * s)
+                + h * (k * s * r * r - l * s * s * r)
         };
         Self::Moment(Answer::from_quantities(std::array::from_fn(|i| {
             let ((x, k), (y, l)) = (a[i], b[i]);
@@ -85,20 +103,22 @@ impl Substitute {
 const STEP_MPA: f64 = 1e-4;
 const STEP: f64 = 1e-4;
 
-/// Below 1 Pa force and volume go on linearly in the pressure: at none the strands are slack, the volume has a kink, and below it no model
-/// is made.
+/// Below 1 Pa force and volume go on linearly in the pressure: at none the strands are slack, the
+/// volume has a kink, and below it no model is made.
 const LEAST_MPA: f64 = 1e-6;
 
 /// Closer than this to where it goes slack, as a contraction, a muscle is evaluated by its model.
 const SLACK: f64 = 1e-3;
 
-/// The last points with their answers: a step evaluates its start, three stages and its end, some of them again.
+/// The last points with their answers: a step evaluates its start, three stages and its end, some
+/// of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
 pub(crate) struct Member<'a> {
     pub muscle: &'a Actuated<'a>,
     pub length_mm: f64,
-    /// So far from an answer that is kept, as a contraction (ten times as far as a share of the pressure), its first order is the model.
+    /// So far from an answer that is kept, as a contraction (ten times as far as a share of the
+    /// pressure), its first order is the model.
     near: f64,
     ideal: Ideal,
     pub memory: Memory,
@@ -120,9 +140,19 @@ pub(crate) struct Memory {
 impl Memory {
     /// The same for another simulation; the workspace of its model begins anew.
     pub fn duplicate(&self) -> Self {
-        let Self { kept, next, clamp_slack, .. } = self;
+        let Self {
+            kept,
+            next,
+            clamp_slack,
+            ..
+        } = self;
         let (kept, next, clamp_slack) = (kept.clone(), next.clone(), clamp_slack.clone());
-        Self { kept, next, clamp_slack, ..Self::default() }
+        Self {
+            kept,
+            next,
+            clamp_slack,
+            ..Self::default()
+        }
     }
 }
 
@@ -151,12 +181,24 @@ impl<'a> Member<'a> {
     }
 
     /// The muscle at a pressure: slack, or taut at a contraction.
-    pub fn at(&self, slack: bool, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
+    pub fn at(
+        &self,
+        slack: bool,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Answer, ModelError> {
         if slack {
             return self.slack(pressure_mpa);
         }
-        let contraction_here = Quantity { value: contraction, by_pressure: 0.0, by_contraction: 1.0 };
-        Ok(Answer { contraction: contraction_here, ..self.answer(pressure_mpa, contraction)? })
+        let contraction_here = Quantity {
+            value: contraction,
+            by_pressure: 0.0,
+            by_contraction: 1.0,
+        };
+        Ok(Answer {
+            contraction: contraction_here,
+            ..self.answer(pressure_mpa, contraction)?
+        })
     }
 
     /// F and V with their derivatives.
@@ -168,8 +210,13 @@ impl<'a> Member<'a> {
             }
             Some(Substitute::Nearest) => {
                 let kept = self.memory.kept.borrow();
-                let away = |k: &&(f64, f64, Answer)| (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs();
-                let nearest = kept.iter().flatten().min_by(|a, b| away(a).total_cmp(&away(b)));
+                let away = |k: &&(f64, f64, Answer)| {
+                    (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs()
+                };
+                let nearest = kept
+                    .iter()
+                    .flatten()
+                    .min_by(|a, b| away(a).total_cmp(&away(b)));
                 if let Some((p, e, answer)) = nearest {
                     return Ok(answer.moved(pressure_mpa - p, contraction - e));
                 }
@@ -177,13 +224,22 @@ impl<'a> Member<'a> {
             None => {}
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        // Not where the muscle goes slack: the pull at which it does is that of the slack muscle, to the last digits.
+        // Not where the muscle goes slack: the pull at which it does is that of the slack muscle,
+        // to the last digits.
         let near = |(at_mpa, at, answer): &&(f64, f64, Answer)| {
             let pulls = answer.force_n.value > SLACK * answer.force_n.by_contraction.abs();
-            let near = (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
+            let near =
+                (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
             near && pulls || *at_mpa == p && *at == contraction
         };
-        let known = self.memory.kept.borrow().iter().flatten().find(near).copied();
+        let known = self
+            .memory
+            .kept
+            .borrow()
+            .iter()
+            .flatten()
+            .find(near)
+            .copied();
         let (from_mpa, from, at) = match known {
             Some(known) => known,
             None => (p, contraction, self.exact(p, contraction)?),
@@ -199,8 +255,14 @@ impl<'a> Member<'a> {
 
     /// The answer of the model at a pressure of at least [`LEAST_MPA`].
     fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
-        let known =
-            self.memory.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
+        let known = self
+            .memory
+            .kept
+            .borrow()
+            .iter()
+            .flatten()
+            .find(|k| k.0 == p && k.1 == contraction)
+            .map(|k| k.2);
         if let Some(at) = known {
             return Ok(at);
         }
@@ -225,19 +287,24 @@ impl<'a> Member<'a> {
         };
         let (r, volume_mm3) = at(p, e)?;
         // The slopes of pull and volume: those of the model, or differences between two points.
-        let mut slopes = |known: [Option<f64>; 2], above: (f64, f64), below: (f64, f64), width: f64| {
-            if let [Some(force), Some(volume)] = known {
-                return Ok::<_, ModelError>([force, volume]);
-            }
-            let (above, below) = (at(above.0, above.1)?, at(below.0, below.1)?);
-            let [force, volume] = [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
-            Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
-        };
+        let mut slopes =
+            |known: [Option<f64>; 2], above: (f64, f64), below: (f64, f64), width: f64| {
+                if let [Some(force), Some(volume)] = known {
+                    return Ok::<_, ModelError>([force, volume]);
+                }
+                let (above, below) = (at(above.0, above.1)?, at(below.0, below.1)?);
+                let [force, volume] =
+                    [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
+                Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
+            };
         // At the least pressure the difference is one-sided.
         let low = (p - STEP_MPA).max(LEAST_MPA);
         let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
         let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
-        let known = [r.stiffness_n_per_mm.map(|k| -k * self.length_mm), r.volume_per_contraction_mm3];
+        let known = [
+            r.stiffness_n_per_mm.map(|k| -k * self.length_mm),
+            r.volume_per_contraction_mm3,
+        ];
         let by_contraction = slopes(known, (p, e + STEP), (p, e - STEP), 2.0 * STEP)?;
         let quantity = |value: f64, i: usize| Quantity {
             value,
@@ -251,28 +318,49 @@ impl<'a> Member<'a> {
             contraction: Quantity::default(),
         };
         let finite = |q: Quantity| (q.value + q.by_pressure + q.by_contraction).is_finite();
-        if answer.quantities().into_iter().all(finite) { Ok(answer) } else { Err(not_finite()) }
+        if answer.quantities().into_iter().all(finite) {
+            Ok(answer)
+        } else {
+            Err(not_finite())
+        }
     }
 
-    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is that of the model, or else of the infinitely long
-    /// muscle; its slopes are those of the infinitely long muscle in the same proportion, by one-sided differences.
+    /// G, ∂G/∂ε and ∂G/∂P of the strands' contact, where friction needs them: G is that of the
+    /// model, or else of the infinitely long muscle; its slopes are those of the infinitely long
+    /// muscle in the same proportion, by one-sided differences.
     fn pivoting(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Quantity, ModelError> {
         /// Of the pressure (relative) and the contraction.
         const SHARE: f64 = 1e-4;
-        if !self.muscle.friction.is_some_and(|friction| friction.lever_mm > 0.0) {
+        if !self
+            .muscle
+            .friction
+            .is_some_and(|friction| friction.lever_mm > 0.0)
+        {
             return Ok(Quantity::default());
         }
         let model = self.muscle.model;
-        let long = self.memory.long.get_or_init(|| ThickWall::new(model.muscle()));
+        let long = self
+            .memory
+            .long
+            .get_or_init(|| ThickWall::new(model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
-        let value = model.contact_n_per_mm(w, p, e).unwrap_or_else(|| at.clone())?;
+        let value = model
+            .contact_n_per_mm(w, p, e)
+            .unwrap_or_else(|| at.clone())?;
         let Some(at) = at.ok().filter(|at| *at > 0.0) else {
-            return Ok(Quantity { value, ..Quantity::default() });
+            return Ok(Quantity {
+                value,
+                ..Quantity::default()
+            });
         };
         let mut change = |p: f64, e: f64| value / at * (of_long(w, p, e).unwrap_or(at) - at);
         let by_contraction = change(p, e + SHARE) / SHARE;
-        Ok(Quantity { value, by_contraction, by_pressure: change(p * (1.0 + SHARE), e) / (SHARE * p) })
+        Ok(Quantity {
+            value,
+            by_contraction,
+            by_pressure: change(p * (1.0 + SHARE), e) / (SHARE * p),
+        })
     }
 
     /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
@@ -281,14 +369,23 @@ impl<'a> Member<'a> {
             return Ok(answer);
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        let near = self.memory.clamp_slack.get().and_then(|last| self.polished(p, last));
+        let near = self
+            .memory
+            .clamp_slack
+            .get()
+            .and_then(|last| self.polished(p, last));
         let contraction = match near {
             Some(e) => e,
             None => {
-                // Below zero where the ends slip or the sleeve is wider than the tube: it then hangs longer than at rest.
-                let options = Options { two_sided: true, ..Options::extrapolating() };
+                // Below zero where the ends slip or the sleeve is wider than the tube: it then
+                // hangs longer than at rest.
+                let options = Options {
+                    two_sided: true,
+                    ..Options::extrapolating()
+                };
                 let (model, workspace) = (self.muscle.model, &self.memory.workspace);
-                let search = Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
+                let search = Evaluation::new(model, &mut workspace.borrow_mut(), options)
+                    .free_contraction(p);
                 let why = |error| format!("a slack muscle has no free contraction: {error}");
                 let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
                 self.polished(p, e).unwrap_or(e)
@@ -297,23 +394,40 @@ impl<'a> Member<'a> {
         self.memory.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;
         let slope = at.force_n.by_contraction;
-        let by_pressure = if slope < 0.0 { -at.force_n.by_pressure / slope } else { 0.0 };
-        // Below the least pressure, and below none, where a liquid can come, it goes on linearly as the taut muscle does.
+        let by_pressure = if slope < 0.0 {
+            -at.force_n.by_pressure / slope
+        } else {
+            0.0
+        };
+        // Below the least pressure, and below none, where a liquid can come, it goes on linearly as
+        // the taut muscle does.
         let further = by_pressure * (pressure_mpa - p);
-        let contraction = Quantity { value: contraction + further, by_pressure, by_contraction: 0.0 };
-        Ok(Answer { contraction, ..at.moved(pressure_mpa - p, further) })
+        let contraction = Quantity {
+            value: contraction + further,
+            by_pressure,
+            by_contraction: 0.0,
+        };
+        Ok(Answer {
+            contraction,
+            ..at.moved(pressure_mpa - p, further)
+        })
     }
 
     /// Whether it is slack at a contraction, as far as that is known.
     pub fn hangs(&self, pressure_mpa: f64, contraction: f64) -> bool {
-        self.slack(pressure_mpa).is_ok_and(|at| contraction >= at.contraction.value)
+        self.slack(pressure_mpa)
+            .is_ok_and(|at| contraction >= at.contraction.value)
     }
 
     /// The free contraction by Newton's method from near it, to the model's last digits.
     fn polished(&self, p: f64, mut e: f64) -> Option<f64> {
         let mut before = f64::INFINITY;
         for _ in 0..12 {
-            let force = self.exact(p, e).ok().map(|a| a.force_n).filter(|f| f.by_contraction < 0.0)?;
+            let force = self
+                .exact(p, e)
+                .ok()
+                .map(|a| a.force_n)
+                .filter(|f| f.by_contraction < 0.0)?;
             let step = -force.value / force.by_contraction;
             if step.abs() < 1e-13 || step.abs() < 1e-9 && step.abs() >= 0.5 * before {
                 return Some(e);

@@ -27,13 +27,18 @@ struct Track(Vec<Spot>);
 impl Track {
     /// The last value up to a time.
     fn at(&self, t: f64) -> f64 {
-        let i = self.0.partition_point(|spot| spot.time <= t).saturating_sub(1);
+        let i = self
+            .0
+            .partition_point(|spot| spot.time <= t)
+            .saturating_sub(1);
         self.0.get(i).map_or(0.0, |spot| spot.value)
     }
 
     /// The spots within a piece.
     fn inside(&self, (from, until): (f64, f64)) -> impl Iterator<Item = &Spot> {
-        self.0.iter().filter(move |spot| spot.time >= from && spot.time <= until)
+        self.0
+            .iter()
+            .filter(move |spot| spot.time >= from && spot.time <= until)
     }
 
     /// The first time within a piece at which the value comes to `level`.
@@ -55,7 +60,8 @@ impl Track {
             // Hermite's cubic, halved: it changes its sign within.
             let cubic = |s: f64| {
                 let r = 1.0 - s;
-                x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + k * s * r * r - l * s * s * r
+                x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + k * s * r * r
+                    - l * s * s * r
             };
             return Some(a + h * bisect(0.0, 1.0, 60, |s| cubic(s) * x > 0.0).1);
         }
@@ -73,8 +79,15 @@ impl Track {
 /// The time from 10 % to 90 % of the way between two positions within a piece.
 pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
     let series = &motion.series;
-    let points = series.time_s.iter().zip(series.coordinate.iter().zip(&series.velocity));
-    let spots = points.map(|(time, (value, v))| Spot { time: *time, value: *value, slope: Some(*v) });
+    let points = series
+        .time_s
+        .iter()
+        .zip(series.coordinate.iter().zip(&series.velocity));
+    let spots = points.map(|(time, (value, v))| Spot {
+        time: *time,
+        value: *value,
+        slope: Some(*v),
+    });
     Track(spots.collect()).rise_time(from, to, piece)
 }
 
@@ -86,8 +99,12 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
         .iter()
         .filter(|c| c.period_s().is_none())
         .flat_map(|c| {
-            let moved = |t: &f64| c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s);
-            c.breakpoints().into_iter().filter(moved).collect::<Vec<_>>()
+            let moved =
+                |t: &f64| c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s);
+            c.breakpoints()
+                .into_iter()
+                .filter(moved)
+                .collect::<Vec<_>>()
         })
         .filter(|t| *t < drive.until_s)
         .collect();
@@ -96,21 +113,47 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
     times
 }
 
-/// Fills in the figures of a motion, of everything that was passed: with a long run the points of its series lie far apart.
+/// Fills in the figures of a motion, of everything that was passed: with a long run the points of
+/// its series lie far apart.
 pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
-    let position = |p: &Passed| Spot { time: p.time_s, value: p.coordinate, slope: Some(p.velocity) };
-    let pressures = passed.iter().map(|p| Spot { time: p.time_s, value: p.gauge_mpa, slope: None });
-    let (positions, pressures) = (Track(passed.iter().map(position).collect()), Track(pressures.collect()));
+    let position = |p: &Passed| Spot {
+        time: p.time_s,
+        value: p.coordinate,
+        slope: Some(p.velocity),
+    };
+    let pressures = passed.iter().map(|p| Spot {
+        time: p.time_s,
+        value: p.gauge_mpa,
+        slope: None,
+    });
+    let (positions, pressures) = (
+        Track(passed.iter().map(position).collect()),
+        Track(pressures.collect()),
+    );
     let mut ends = changes(drive);
     let starts = ends.clone();
     ends.push(drive.until_s);
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
         let (piece, from, to) = ((begin, end), positions.at(begin), positions.at(end));
         let step = to - from;
-        if step.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
+        if step.abs()
+            > 1e-9
+                * drive
+                    .mechanism
+                    .lever(0, 0.0)
+                    .per_coordinate
+                    .abs()
+                    .max(1e-9)
+                    .recip()
+        {
             // Less than the error of the integration is none.
-            let overshoot = positions.inside(piece).map(|spot| (spot.value - to) / step).fold(0.0, f64::max);
-            let far = positions.inside(piece).filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
+            let overshoot = positions
+                .inside(piece)
+                .map(|spot| (spot.value - to) / step)
+                .fold(0.0, f64::max);
+            let far = positions
+                .inside(piece)
+                .filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
             let outside = far.map(|spot| spot.time).reduce(f64::max);
             motion.steps.push(StepFigures {
                 time_s: begin,
@@ -118,14 +161,22 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
                 to,
                 rise_time_s: positions.rise_time(from, to, piece),
                 // What changes in the last tenth of the piece has not settled.
-                settling_time_s: outside.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin),
+                settling_time_s: outside
+                    .filter(|t| *t < end - 0.1 * (end - begin))
+                    .map(|t| t - begin),
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }
         let (p, r) = (pressures.at(begin), pressures.at(end));
-        let slot = if r > p { &mut motion.fill_time_s } else { &mut motion.vent_time_s };
+        let slot = if r > p {
+            &mut motion.fill_time_s
+        } else {
+            &mut motion.vent_time_s
+        };
         if slot.is_none() && (r - p).abs() > 1e-6 {
-            *slot = pressures.reaches(p + 0.98 * (r - p), piece).map(|t| t - begin);
+            *slot = pressures
+                .reaches(p + 0.98 * (r - p), piece)
+                .map(|t| t - begin);
         }
     }
     let first = motion.steps.first().copied();
@@ -150,8 +201,9 @@ fn constant_from(command: &Command) -> Option<f64> {
     }
 }
 
-/// How the load moves at the end, where the command is constant there and the load can move; with the coordinate of the static
-/// equilibrium under the commanded pressures, without friction, where that is sought and found.
+/// How the load moves at the end, where the command is constant there and the load can move; with
+/// the coordinate of the static equilibrium under the commanded pressures, without friction, where
+/// that is sought and found.
 pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
     let drive = system.drive;
     let until = drive.until_s;
@@ -159,14 +211,26 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
         return None;
     }
     let commands = drive.target.commands();
-    let from = commands.iter().map(constant_from).collect::<Option<Vec<_>>>()?;
+    let from = commands
+        .iter()
+        .map(constant_from)
+        .collect::<Option<Vec<_>>>()?;
     let from = from.into_iter().fold(0.0, f64::max);
     if from >= until {
         return None;
     }
     let last = until - LAST * (until - from);
-    let begin = passed.iter().take_while(|p| p.time_s <= from).last().or(passed.first())?.coordinate;
-    let late: Vec<f64> = passed.iter().filter(|p| p.time_s >= last).map(|p| p.coordinate).collect();
+    let begin = passed
+        .iter()
+        .take_while(|p| p.time_s <= from)
+        .last()
+        .or(passed.first())?
+        .coordinate;
+    let late: Vec<f64> = passed
+        .iter()
+        .filter(|p| p.time_s >= last)
+        .map(|p| p.coordinate)
+        .collect();
     let (first, end) = (*late.first()?, *late.last()?);
     let low = late.iter().copied().fold(f64::INFINITY, f64::min);
     let high = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -181,10 +245,19 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
     };
     let equilibrium = match &drive.target {
         Target::Pressure(commands) => {
-            let pressures: Vec<f64> = commands.iter().map(|c| c.value_within(until, until)).collect();
+            let pressures: Vec<f64> = commands
+                .iter()
+                .map(|c| c.value_within(until, until))
+                .collect();
             system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
         Target::Opening(_) | Target::Volume(_) | Target::Position { .. } => None,
     };
-    Some((MotionEnd { moves, between: (low, high) }, equilibrium))
+    Some((
+        MotionEnd {
+            moves,
+            between: (low, high),
+        },
+        equilibrium,
+    ))
 }

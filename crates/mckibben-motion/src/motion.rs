@@ -22,13 +22,15 @@ pub struct Motion {
     /// Every step of the command that moved it.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub steps: Vec<StepFigures>,
-    /// Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    /// Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the
+    /// series alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_mm_per_s: Option<f64>,
     /// The same of a joint, °/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_deg_per_s: Option<f64>,
-    /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
+    /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes
+    /// there, or both ends are fixed.
     #[serde(rename = "at_rest", serialize_with = "rests")]
     #[schemars(with = "Option<bool>")]
     pub end: Option<MotionEnd>,
@@ -39,7 +41,11 @@ pub struct Motion {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equilibrium_angle_deg: Option<f64>,
     /// Reason why the run stopped early; the series covers the computed part.
-    #[serde(rename = "ended_early", skip_serializing_if = "Option::is_none", serialize_with = "reason")]
+    #[serde(
+        rename = "ended_early",
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "reason"
+    )]
     #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
@@ -55,10 +61,12 @@ pub struct Motion {
     /// Energies, J.
     #[schemars(with = "serde_json::Value")]
     pub energies: Energies,
-    /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
+    /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump
+    /// on the liquid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
-    /// Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
+    /// Of commanded pressures: frequency up to which small changes of the highest commands are
+    /// followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bandwidth_hz: Option<f64>,
     /// What happened: ends of stroke, slack, valve switching, reversals.
@@ -67,8 +75,8 @@ pub struct Motion {
     /// Air mass that is missing, over what flowed: 0 but for rounding.
     #[serde(skip)]
     pub mass_defect: f64,
-    /// The load lies on its lower stop all the time though the command moves: by how much it is too heavy
-    /// ([`run_as_far`](crate::run_as_far)).
+    /// The load lies on its lower stop all the time though the command moves: by how much it is too
+    /// heavy ([`run_as_far`](crate::run_as_far)).
     #[serde(skip)]
     pub never_lifted: Option<MotionError>,
 }
@@ -91,7 +99,10 @@ fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok,
 }
 
 fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {
-    ended.as_ref().map(|error| short_numbers(&error.to_string()).into_owned()).serialize(serializer)
+    ended
+        .as_ref()
+        .map(|error| short_numbers(&error.to_string()).into_owned())
+        .serialize(serializer)
 }
 
 /// The end of a motion whose command has become constant.
@@ -125,7 +136,8 @@ pub struct StepFigures {
     pub to: f64,
     /// From 10 % to 90 % of the way between them, in s.
     pub rise_time_s: Option<f64>,
-    /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at the end.
+    /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at
+    /// the end.
     pub settling_time_s: Option<f64>,
     /// Farthest beyond the end, as a share of the way.
     pub overshoot: f64,
@@ -140,7 +152,8 @@ pub struct StepFigures {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
-    /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of the muscle, of a syringe the work of its piston.
+    /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of
+    /// the muscle, of a syringe the work of its piston.
     pub enthalpy_in_j: f64,
     /// The same of the outflow.
     pub enthalpy_out_j: f64,
@@ -150,7 +163,8 @@ pub struct Energies {
     pub internal_j: f64,
     /// ∫ p dV, absolute.
     pub gas_work_j: f64,
-    /// What rubber and braid store more than at the start, as it follows from the other terms of the second line.
+    /// What rubber and braid store more than at the start, as it follows from the other terms of
+    /// the second line.
     pub stored_j: f64,
     /// ∫ F dx of the models' pull.
     pub static_work_j: f64,
@@ -168,7 +182,8 @@ pub struct Energies {
     pub kinetic_j: f64,
     /// Work of the muscles while they shorten, ∫ (F v)₊ dt.
     pub work_j: f64,
-    /// Exergy of the air from the supply against the atmosphere at the walls' temperature; of a liquid the work of the supply against the gauge pressure: that of
-    /// the supply with a valve, that of the muscle with a pump or a syringe.
+    /// Exergy of the air from the supply against the atmosphere at the walls' temperature; of a
+    /// liquid the work of the supply against the gauge pressure: that of the supply with a valve,
+    /// that of the muscle with a pump or a syringe.
     pub exergy_j: f64,
 }

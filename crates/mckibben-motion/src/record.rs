@@ -10,11 +10,13 @@ use crate::system::System;
 use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result};
 
 impl Integration<'_, '_> {
-    /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the
-    /// parabola through it and its neighbours.
+    /// The largest speed within the last step, which ended at `t`, by its dense output: the largest
+    /// of nine points, and the top of the parabola through it and its neighbours.
     pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
         const PIECES: usize = 8;
-        let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else { return };
+        let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else {
+            return;
+        };
         let (from, width) = (self.t, t - self.t);
         let mut speed = |i: usize| {
             let at = self.within(method, from + width * i as f64 / PIECES as f64);
@@ -34,12 +36,23 @@ impl Integration<'_, '_> {
     pub fn pass_by(&mut self, time_s: f64, state: &State) {
         let velocity = if self.rests() { 0.0 } else { state.velocity };
         let (coordinate, gauge_mpa) = (state.coordinate, state.first_gauge_mpa());
-        self.passed.push(Passed { time_s, coordinate, velocity, gauge_mpa });
+        self.passed.push(Passed {
+            time_s,
+            coordinate,
+            velocity,
+            gauge_mpa,
+        });
     }
 
-    /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
-    /// their derivatives there: as good as the dense output, and no model is evaluated.
-    pub fn records(&mut self, method: &mut dyn Stepper, last: f64, (t, end): (f64, &State)) -> Result<()> {
+    /// The output that is due up to a time within the last step, which ended at `t`. Pull and
+    /// volume between its ends are cubic in time, by their derivatives there: as good as the dense
+    /// output, and no model is evaluated.
+    pub fn records(
+        &mut self,
+        method: &mut dyn Stepper,
+        last: f64,
+        (t, end): (f64, &State),
+    ) -> Result<()> {
         let system = self.system;
         let step = system.drive.output_step_s;
         if step * self.outputs as f64 > last {
@@ -49,15 +62,28 @@ impl Integration<'_, '_> {
         if step * self.outputs as f64 == t {
             return self.record(t, end.clone());
         }
-        let (from, ends) = (self.t, (system.answers(self.t, &self.state)?, system.answers(t, end)?));
+        let (from, ends) = (
+            self.t,
+            (
+                system.answers(self.t, &self.state)?,
+                system.answers(t, end)?,
+            ),
+        );
         loop {
             let due = step * self.outputs as f64;
             if due > last {
                 break;
             }
-            let Some(state) = self.within(method, due) else { break };
+            let Some(state) = self.within(method, due) else {
+                break;
+            };
             for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
-                member.substitute.set(Some(Substitute::between(a, b, (due - from) / (t - from), t - from)));
+                member.substitute.set(Some(Substitute::between(
+                    a,
+                    b,
+                    (due - from) / (t - from),
+                    t - from,
+                )));
             }
             let recorded = self.record(due, state);
             system.members.iter().for_each(|m| m.substitute.set(None));
@@ -83,7 +109,11 @@ impl Integration<'_, '_> {
                 [m.pressure_mpa, m.contraction, m.pull_n.max(0.0), m.mass_g],
                 [m.temperature_k, m.volume_mm3, m.opening, m.command],
             ];
-            series.lists_mut().into_iter().zip(values.concat()).for_each(|(list, value)| list.push(value));
+            series
+                .lists_mut()
+                .into_iter()
+                .zip(values.concat())
+                .for_each(|(list, value)| list.push(value));
         }
         Ok(())
     }
@@ -93,15 +123,29 @@ impl Integration<'_, '_> {
         let system = self.system;
         let drive = system.drive;
         // The very end, if no multiple of the step was it.
-        let until = if ended.is_some() { self.t } else { drive.until_s };
-        if self.motion.series.time_s.last().is_some_and(|t| until - t > 1e-9 * until) {
+        let until = if ended.is_some() {
+            self.t
+        } else {
+            drive.until_s
+        };
+        if self
+            .motion
+            .series
+            .time_s
+            .last()
+            .is_some_and(|t| until - t > 1e-9 * until)
+        {
             // Where the model has no answer any more, the last point is the one before.
             let recorded = self.record(until, self.state.clone());
             if ended.is_none() {
                 recorded?;
             }
         }
-        let moves = drive.target.commands().iter().any(|c| c.bounds().1 > c.bounds().0);
+        let moves = drive
+            .target
+            .commands()
+            .iter()
+            .any(|c| c.bounds().1 > c.bounds().0);
         if moves && ended.is_none() {
             self.motion.never_lifted = self.on_stop.map(MotionError::NeverLifted);
         }
@@ -127,8 +171,9 @@ impl Integration<'_, '_> {
         motion.liquid_volume_mm3 = system.pushed_mm3(&self.state);
         if motion.liquid_volume_mm3.is_none() {
             motion.air_normal_litres = normal_litres(supplied);
-            motion.air_normal_litres_per_cycle =
-                cycle.as_ref().map(|c| normal_litres(supplied - c.supplied_g));
+            motion.air_normal_litres_per_cycle = cycle
+                .as_ref()
+                .map(|c| normal_litres(supplied - c.supplied_g));
         }
         let mut equilibrium = None;
         if ended.is_none() {
@@ -153,24 +198,40 @@ impl Integration<'_, '_> {
         Ok(motion)
     }
 
-    /// The energies up to where it is, with the internal energy of what fills the muscles in mJ and its volume in mm³ there.
+    /// The energies up to where it is, with the internal energy of what fills the muscles in mJ and
+    /// its volume in mm³ there.
     fn energies(&self, (internal, volume): (f64, f64)) -> Energies {
         let drive = self.system.drive;
         let totals = self.state.totals;
         let kinetic = |state: &State| {
             let v = state.velocity;
-            if v == 0.0 { 0.0 } else { 0.5 * drive.mechanism.inertia() * v * v }
+            if v == 0.0 {
+                0.0
+            } else {
+                0.5 * drive.mechanism.inertia() * v * v
+            }
         };
         let load = |state: &State| drive.load_energy_mj(state.coordinate);
-        let ambient = drive.muscles.first().map_or(293.15, |m| m.fluid.medium().wall_temperature_k());
+        let ambient = drive
+            .muscles
+            .first()
+            .map_or(293.15, |m| m.fluid.medium().wall_temperature_k());
         let (supply_mpa, supply_k) = drive.supply.state();
         let exergy_mj = match self.system.supplied_mm3(&self.state) {
             None => self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
-            // A valve takes its liquid at the pressure of the supply; pump and syringe have that of the muscle.
-            Some(mm3) if drive.muscles.iter().all(|m| matches!(m.actuator, Actuator::LiquidValve(_))) => {
+            // A valve takes its liquid at the pressure of the supply; pump and syringe have that of
+            // the muscle.
+            Some(mm3)
+                if drive
+                    .muscles
+                    .iter()
+                    .all(|m| matches!(m.actuator, Actuator::LiquidValve(_))) =>
+            {
                 mm3 * drive.supply.pressure_mpa
             }
-            Some(mm3) => totals.enthalpy_in - ATMOSPHERE_MPA * mm3 - totals.atmosphere.unwrap_or(0.0),
+            Some(mm3) => {
+                totals.enthalpy_in - ATMOSPHERE_MPA * mm3 - totals.atmosphere.unwrap_or(0.0)
+            }
         };
         Energies {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
@@ -178,7 +239,8 @@ impl Integration<'_, '_> {
             heat_j: 1e-3 * totals.heat,
             internal_j: 1e-3 * (internal - self.air.0),
             gas_work_j: 1e-3 * totals.gas_work,
-            stored_j: 1e-3 * (totals.gas_work - ATMOSPHERE_MPA * (volume - self.air.1) - totals.static_work),
+            stored_j: 1e-3
+                * (totals.gas_work - ATMOSPHERE_MPA * (volume - self.air.1) - totals.static_work),
             static_work_j: 1e-3 * totals.static_work,
             friction_j: 1e-3 * totals.friction,
             viscoelastic_j: 1e-3 * totals.viscoelastic,
@@ -216,11 +278,20 @@ impl System<'_> {
     /// Internal energy of all air or liquid in mJ, and the volume of all cavities in mm³.
     pub fn fluid_mj_mm3(&self, state: &State) -> Result<(f64, f64)> {
         let point = self.point(0.0, state)?;
-        let muscles = point.muscles.iter().zip(&self.drive.muscles).zip(&state.muscles);
-        Ok(muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), now)| {
-            let volume = m.volume_mm3 + muscle.outside_mm3(now.opening);
-            let stored = muscle.fluid.medium().internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
-            (energy + stored, cavities + m.volume_mm3)
-        }))
+        let muscles = point
+            .muscles
+            .iter()
+            .zip(&self.drive.muscles)
+            .zip(&state.muscles);
+        Ok(
+            muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), now)| {
+                let volume = m.volume_mm3 + muscle.outside_mm3(now.opening);
+                let stored = muscle
+                    .fluid
+                    .medium()
+                    .internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
+                (energy + stored, cavities + m.volume_mm3)
+            }),
+        )
     }
 }

@@ -11,8 +11,9 @@ use mckibben::size;
 
 /// Runs a drive to its end.
 ///
-/// The integration begins anew at every breakpoint of a command and at every event; events are found on the dense output between two
-/// steps and stepped to exactly. `Progress` is looked at in every step.
+/// The integration begins anew at every breakpoint of a command and at every event; events are
+/// found on the dense output between two steps and stepped to exactly. `Progress` is looked at in
+/// every step.
 pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     let mut motion = run_as_far(drive, progress)?;
     match motion.ended.take().or(motion.never_lifted.take()) {
@@ -21,11 +22,12 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     }
 }
 
-/// The same as far as it goes: a motion that ends early has [`Motion::ended`], and no figures of steps; one whose load is never lifted
-/// has [`Motion::never_lifted`].
+/// The same as far as it goes: a motion that ends early has [`Motion::ended`], and no figures of
+/// steps; one whose load is never lifted has [`Motion::never_lifted`].
 ///
 /// # Errors
-/// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more points than are allowed.
+/// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more
+/// points than are allowed.
 pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
     drive.check()?;
     size::points("output_step", drive.until_s / drive.output_step_s)?;
@@ -76,20 +78,42 @@ impl<'s, 'd> Integration<'s, 'd> {
         let state = system.initial_state()?;
         let air = system.fluid_mj_mm3(&state)?;
         let mechanism = system.drive.mechanism;
-        let lies = system.modes.borrow().stop.is_some_and(|side| side < 0.0) && !mechanism.is_held();
-        let on_stop = lies.then_some(OnStop { net: f64::NEG_INFINITY, time_s: 0.0, pressure_mpa: 0.0 });
-        let period = system.drive.target.commands().first().and_then(|c| c.period_s());
+        let lies =
+            system.modes.borrow().stop.is_some_and(|side| side < 0.0) && !mechanism.is_held();
+        let on_stop = lies.then_some(OnStop {
+            net: f64::NEG_INFINITY,
+            time_s: 0.0,
+            pressure_mpa: 0.0,
+        });
+        let period = system
+            .drive
+            .target
+            .commands()
+            .first()
+            .and_then(|c| c.period_s());
         let until = system.drive.until_s;
-        let cycle = period.filter(|p| *p <= until).map(|p| Cycle { from_s: until - p, supplied_g: 0.0 });
+        let cycle = period.filter(|p| *p <= until).map(|p| Cycle {
+            from_s: until - p,
+            supplied_g: 0.0,
+        });
         let series = MotionSeries {
             kind: mechanism.coordinate(),
             liquid: system.drive.muscles.iter().any(|m| m.fluid.is_liquid()),
             muscles: vec![MuscleSeries::default(); system.members.len()],
             ..MotionSeries::default()
         };
-        let motion = Motion { series, ..Motion::default() };
+        let motion = Motion {
+            series,
+            ..Motion::default()
+        };
         let largest_speed = Some(0.0);
-        Ok(Self { on_stop, cycle, air, largest_speed, ..Self::at((system, progress), 0.0, state, motion) })
+        Ok(Self {
+            on_stop,
+            cycle,
+            air,
+            largest_speed,
+            ..Self::at((system, progress), 0.0, state, motion)
+        })
     }
 
     /// At a time, with what was recorded up to it.
@@ -119,8 +143,14 @@ impl<'s, 'd> Integration<'s, 'd> {
 
     fn integrate(&mut self) -> Result<()> {
         let until = self.system.drive.until_s;
-        let mut ends: Vec<f64> =
-            self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
+        let mut ends: Vec<f64> = self
+            .system
+            .drive
+            .target
+            .commands()
+            .iter()
+            .flat_map(|c| c.breakpoints())
+            .collect();
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
         ends.retain(|t| *t > 0.0 && *t < until);
         ends.push(until);
@@ -143,7 +173,9 @@ impl<'s, 'd> Integration<'s, 'd> {
     fn apply_events(&mut self) -> Result<()> {
         loop {
             let guards = self.system.guards(self.t, &self.state, true)?;
-            let Some((guard, _)) = guards.into_iter().find(|(_, g)| *g < 0.0) else { return Ok(()) };
+            let Some((guard, _)) = guards.into_iter().find(|(_, g)| *g < 0.0) else {
+                return Ok(());
+            };
             self.apply_event(guard)?;
         }
     }
@@ -155,10 +187,17 @@ impl<'s, 'd> Integration<'s, 'd> {
             self.on_stop = None;
         }
         self.motion.events.push(event);
-        let count = self.motion.events.iter().rev().take_while(|e| e.time_s > self.t - SPAN_S).count();
+        let count = self
+            .motion
+            .events
+            .iter()
+            .rev()
+            .take_while(|e| e.time_s > self.t - SPAN_S)
+            .count();
         if count > MOST_EVENTS {
             return Err(MotionError::Diverged(format!(
-                "{count} events within {SPAN_S} s before {} s, the last of them: {}; damp the load or widen the valve's hysteresis",
+                "{count} events within {SPAN_S} s before {} s, the last of them: {}; damp the load \
+                 or widen the valve's hysteresis",
                 self.t, event.kind
             )));
         }
@@ -172,7 +211,8 @@ impl<'s, 'd> Integration<'s, 'd> {
             self.apply_events()?;
             match self.advance(end, true)? {
                 Some((guard, at)) => {
-                    // The step before the event again, to its very time; where dense output saw it too early, it comes again.
+                    // The step before the event again, to its very time; where dense output saw it
+                    // too early, it comes again.
                     self.advance(at, false)?;
                     let guards = self.system.guards(at, &self.state, true)?;
                     if early < 2 && guards.iter().any(|(g, value)| *g == guard && *value > 0.0) {
@@ -188,8 +228,8 @@ impl<'s, 'd> Integration<'s, 'd> {
         Ok(())
     }
 
-    /// Steps until `end`, or until a guard fails; then the time and state are those of the step before, and the guard and its time
-    /// come back.
+    /// Steps until `end`, or until a guard fails; then the time and state are those of the step
+    /// before, and the guard and its time come back.
     fn advance(&mut self, end: f64, watch: bool) -> Result<Option<(Guard, f64)>> {
         let system = self.system;
         let relative = system.drive.tolerance;
@@ -213,7 +253,9 @@ impl<'s, 'd> Integration<'s, 'd> {
                     return Err(error.into());
                 }
                 let h = if failed.is_some() || tried.is_err() {
-                    0.1 * method.next_step().min(method.time() - self.t + method.next_step())
+                    0.1 * method
+                        .next_step()
+                        .min(method.time() - self.t + method.next_step())
                 } else {
                     method.next_step()
                 };
@@ -233,7 +275,11 @@ impl<'s, 'd> Integration<'s, 'd> {
                 return Err(MotionError::diverged(t, "the state is not finite"));
             }
             let state = self.resting(system.layout.state(method.state()));
-            let event = if watch { self.event(method.as_mut(), t, &state)? } else { None };
+            let event = if watch {
+                self.event(method.as_mut(), t, &state)?
+            } else {
+                None
+            };
             let last = event.map_or(t, |e| e.1);
             if watch {
                 self.records(method.as_mut(), last, (t, &state))?;
@@ -256,12 +302,22 @@ impl<'s, 'd> Integration<'s, 'd> {
 
     /// The state with a load that rests on a stop held exactly.
     pub fn resting(&self, state: State) -> State {
-        if self.rests() { State { coordinate: self.state.coordinate, velocity: 0.0, ..state } } else { state }
+        if self.rests() {
+            State {
+                coordinate: self.state.coordinate,
+                velocity: 0.0,
+                ..state
+            }
+        } else {
+            state
+        }
     }
 
     /// The state at a time within the last step.
     pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Option<State> {
-        method.within(t).map(|numbers| self.system.layout.state(&numbers))
+        method
+            .within(t)
+            .map(|numbers| self.system.layout.state(&numbers))
     }
 
     /// Whether the work is to end, before a step.
@@ -269,7 +325,12 @@ impl<'s, 'd> Integration<'s, 'd> {
         self.steps += 1;
         if self.steps > self.system.drive.most_steps {
             let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
-            return Err(ended_after(time_s, steps, step_s, "the limit of steps is reached"));
+            return Err(ended_after(
+                time_s,
+                steps,
+                step_s,
+                "the limit of steps is reached",
+            ));
         }
         self.progress.check()?;
         let share = (1000.0 * self.t / self.system.drive.until_s) as usize;

@@ -41,36 +41,95 @@ pub struct MuscleSeries {
     pub command: Vec<f64>,
 }
 
-/// The columns of a muscle, in the order of [`MuscleSeries::lists`]: the key around the muscle's number, what it is, and what is added to its values.
+/// The columns of a muscle, in the order of [`MuscleSeries::lists`]: the key around the muscle's
+/// number, what it is, and what is added to its values.
 const COLUMNS: [(&str, &str, f64); 8] = [
     ("pressure{}_mpa", "Gauge pressure, MPa.", 0.0),
     ("contraction{}", "Contraction ratio.", 0.0),
     ("force{}_n", "Pull, N.", 0.0),
-    ("air_mass{}_g", "Mass of its air, g; of a liquid `liquid_mass_g`.", 0.0),
-    ("temperature{}_degc", "Temperature of its air or liquid, °C.", -273.15),
-    ("volume{}_mm3", "Volume of its cavity between the terminals, mm³.", 0.0),
-    ("opening{}", "Opening of its valve, −1 to 1; share of a syringe that is pushed out.", 0.0),
-    ("command{}", "What is commanded: pressure in MPa, opening, or volume in mm³.", 0.0),
+    (
+        "air_mass{}_g",
+        "Mass of its air, g; of a liquid `liquid_mass_g`.",
+        0.0,
+    ),
+    (
+        "temperature{}_degc",
+        "Temperature of its air or liquid, °C.",
+        -273.15,
+    ),
+    (
+        "volume{}_mm3",
+        "Volume of its cavity between the terminals, mm³.",
+        0.0,
+    ),
+    (
+        "opening{}",
+        "Opening of its valve, −1 to 1; share of a syringe that is pushed out.",
+        0.0,
+    ),
+    (
+        "command{}",
+        "What is commanded: pressure in MPa, opening, or volume in mm³.",
+        0.0,
+    ),
 ];
 
 /// A column's key; of a joint with the number of the muscle, from 1.
 fn key(pattern: &str, muscle: Option<usize>, liquid: bool) -> String {
     let number = muscle.map_or_else(String::new, |i| format!("_{i}"));
     let key = pattern.replace("{}", &number);
-    if liquid { key.replace("air", "liquid") } else { key }
+    if liquid {
+        key.replace("air", "liquid")
+    } else {
+        key
+    }
 }
 
 impl MuscleSeries {
     fn lists(&self) -> [&Vec<f64>; 8] {
-        let Self { pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, .. } = self;
-        [pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, &self.opening, &self.command]
+        let Self {
+            pressure_mpa,
+            contraction,
+            force_n,
+            mass_g,
+            temperature_k,
+            volume_mm3,
+            ..
+        } = self;
+        [
+            pressure_mpa,
+            contraction,
+            force_n,
+            mass_g,
+            temperature_k,
+            volume_mm3,
+            &self.opening,
+            &self.command,
+        ]
     }
 
     /// The same to be written.
     pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
-        let Self { pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, opening, command } =
-            self;
-        [pressure_mpa, contraction, force_n, mass_g, temperature_k, volume_mm3, opening, command]
+        let Self {
+            pressure_mpa,
+            contraction,
+            force_n,
+            mass_g,
+            temperature_k,
+            volume_mm3,
+            opening,
+            command,
+        } = self;
+        [
+            pressure_mpa,
+            contraction,
+            force_n,
+            mass_g,
+            temperature_k,
+            volume_mm3,
+            opening,
+            command,
+        ]
     }
 }
 
@@ -87,12 +146,21 @@ impl MotionSeries {
     /// The names of its columns, with their units.
     pub fn names(&self) -> Vec<String> {
         let is_joint = self.kind == Coordinate::Angle;
-        let load: &[&str] =
-            if is_joint { &["angle_deg", "velocity_deg_per_s"] } else { &["velocity_mm_per_s"] };
+        let load: &[&str] = if is_joint {
+            &["angle_deg", "velocity_deg_per_s"]
+        } else {
+            &["velocity_mm_per_s"]
+        };
         let muscles = (0..self.muscles.len()).flat_map(|i| {
-            COLUMNS.iter().map(move |column| key(column.0, is_joint.then_some(i + 1), self.liquid))
+            COLUMNS
+                .iter()
+                .map(move |column| key(column.0, is_joint.then_some(i + 1), self.liquid))
         });
-        std::iter::once(&"time_s").chain(load).map(|name| (*name).to_owned()).chain(muscles).collect()
+        std::iter::once(&"time_s")
+            .chain(load)
+            .map(|name| (*name).to_owned())
+            .chain(muscles)
+            .collect()
     }
 
     /// How many points it has.
@@ -102,7 +170,11 @@ impl MotionSeries {
 
     /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
     pub fn row(&self, i: usize) -> Option<Vec<f64>> {
-        let (time, q, v) = (*self.time_s.get(i)?, *self.coordinate.get(i)?, *self.velocity.get(i)?);
+        let (time, q, v) = (
+            *self.time_s.get(i)?,
+            *self.coordinate.get(i)?,
+            *self.velocity.get(i)?,
+        );
         let mut row = match self.kind {
             Coordinate::Angle => vec![time, q.to_degrees(), v.to_degrees()],
             Coordinate::Shortening { .. } => vec![time, v],
@@ -122,7 +194,10 @@ impl MotionSeries {
         let last = |list: &Vec<f64>| Vec::from_iter(list.last().copied());
         let muscles = self.muscles.iter().map(|muscle| {
             let mut end = MuscleSeries::default();
-            end.lists_mut().into_iter().zip(muscle.lists()).for_each(|(to, from)| *to = last(from));
+            end.lists_mut()
+                .into_iter()
+                .zip(muscle.lists())
+                .for_each(|(to, from)| *to = last(from));
             end
         });
         Self {
@@ -139,7 +214,9 @@ impl MotionSeries {
     pub fn truncate(&mut self, points: usize) {
         let load = [&mut self.time_s, &mut self.coordinate, &mut self.velocity];
         let muscles = self.muscles.iter_mut().flat_map(MuscleSeries::lists_mut);
-        load.into_iter().chain(muscles).for_each(|list| list.truncate(points));
+        load.into_iter()
+            .chain(muscles)
+            .for_each(|list| list.truncate(points));
     }
 }
 
@@ -172,7 +249,11 @@ impl schemars::JsonSchema for MotionSeries {
         property("time_s", &list, "Time, s.");
         property("angle_deg", &maybe, "Angle of a joint, degrees.");
         property("velocity_deg_per_s", &maybe, "Its speed, °/s.");
-        property("velocity_mm_per_s", &maybe, "Speed of the load of a muscle, mm/s.");
+        property(
+            "velocity_mm_per_s",
+            &maybe,
+            "Speed of the load of a muscle, mm/s.",
+        );
         for muscle in [None, Some(1), Some(2)] {
             for column in COLUMNS {
                 property(&key(column.0, muscle, false), &list, column.1);

@@ -9,9 +9,9 @@ use mckibben::progress::Progress;
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
 ///
-/// The drive is handed over at each step, with constant commands and the same mechanism and muscles; a step is as long as the drive's
-/// [`output_step_s`](Drive::output_step_s). Steps with the commands of a [`Command::Steps`] are the pieces of [`run`](crate::run) to the
-/// last bit.
+/// The drive is handed over at each step, with constant commands and the same mechanism and
+/// muscles; a step is as long as the drive's [`output_step_s`](Drive::output_step_s). Steps with
+/// the commands of a [`Command::Steps`] are the pieces of [`run`](crate::run) to the last bit.
 pub struct Simulation {
     done: usize,
     state: State,
@@ -33,15 +33,28 @@ impl Simulation {
         let (state, motion) = (at.state, at.motion);
         let modes = system.modes.borrow().clone();
         let memories = system.members.into_iter().map(|m| m.memory).collect();
-        Ok(Self { done: 0, state, modes, memories, motion })
+        Ok(Self {
+            done: 0,
+            state,
+            modes,
+            memories,
+            motion,
+        })
     }
 
     /// One step on. A step that fails leaves it as it was.
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<()> {
-        let (from, end) = (self.time_s(drive), drive.output_step_s * (self.done + 1) as f64);
+        let (from, end) = (
+            self.time_s(drive),
+            drive.output_step_s * (self.done + 1) as f64,
+        );
         let mut system = System::new(drive)?;
         system.layout.check(&mut self.state)?;
-        for (member, memory) in system.members.iter_mut().zip(std::mem::take(&mut self.memories)) {
+        for (member, memory) in system
+            .members
+            .iter_mut()
+            .zip(std::mem::take(&mut self.memories))
+        {
             member.memory = memory;
         }
         *system.modes.borrow_mut() = self.modes.clone();
@@ -83,7 +96,10 @@ impl Simulation {
     }
 
     fn last(&self) -> Motion {
-        Motion { series: self.motion.series.last(), ..Motion::default() }
+        Motion {
+            series: self.motion.series.last(),
+            ..Motion::default()
+        }
     }
 
     /// Another one in the same state, independent from here on; what was recorded stays behind.
@@ -105,17 +121,28 @@ impl Simulation {
         for mode in &self.modes.muscles {
             let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
             let switch = f64::from(mode.switch as u8);
-            out.extend([f64::from(u8::from(mode.slack)), mode.sign, switch, turns.len() as f64]);
+            out.extend([
+                f64::from(u8::from(mode.slack)),
+                mode.sign,
+                switch,
+                turns.len() as f64,
+            ]);
             out.extend(turns);
         }
         out
     }
 
-    /// Goes to where another simulation of the same drive was, by its [numbers](Self::numbers); nothing is recorded but that.
+    /// Goes to where another simulation of the same drive was, by its [numbers](Self::numbers);
+    /// nothing is recorded but that.
     ///
     /// # Errors
     /// [`MotionError::Refused`] for numbers of another drive.
-    pub fn restore(&mut self, drive: &Drive<'_>, numbers: &[f64], progress: &dyn Progress) -> Result<()> {
+    pub fn restore(
+        &mut self,
+        drive: &Drive<'_>,
+        numbers: &[f64],
+        progress: &dyn Progress,
+    ) -> Result<()> {
         let system = System::new(drive)?;
         let (len, mut rest) = (system.layout.len, numbers);
         let mut take = |count: usize| {
@@ -128,7 +155,9 @@ impl Simulation {
             let (head, state) = (take(2)?, system.layout.state(take(len)?));
             modes.stop = head.last().copied().filter(|side| *side != 0.0);
             for mode in &mut modes.muscles {
-                let &[slack, sign, switch, turns] = take(4)? else { return None };
+                let &[slack, sign, switch, turns] = take(4)? else {
+                    return None;
+                };
                 (mode.slack, mode.sign) = (slack != 0.0, sign);
                 let all = [Switch::Fill, Switch::Hold, Switch::Vent];
                 mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
@@ -138,16 +167,27 @@ impl Simulation {
             Some((*head.first()? as usize, state))
         };
         let found = read();
-        let refused = || MotionError::Refused("the numbers are not a state of this drive".to_owned());
+        let refused =
+            || MotionError::Refused("the numbers are not a state of this drive".to_owned());
         let (done, state) = found.filter(|_| rest.is_empty()).ok_or_else(refused)?;
         *system.modes.borrow_mut() = modes.clone();
-        let motion = Motion { series: self.motion.series.last(), ..Motion::default() };
+        let motion = Motion {
+            series: self.motion.series.last(),
+            ..Motion::default()
+        };
         let t = drive.output_step_s * done as f64;
         let mut at = Integration::at((&system, progress), t, state, motion);
         at.record(t, at.state.clone())?;
         let (state, motion) = (at.state, at.motion);
-        *self = Self { done, state, modes, memories: vec![], motion };
-        self.memories.resize_with(system.members.len(), Memory::default);
+        *self = Self {
+            done,
+            state,
+            modes,
+            memories: vec![],
+            motion,
+        };
+        self.memories
+            .resize_with(system.members.len(), Memory::default);
         self.forget();
         Ok(())
     }

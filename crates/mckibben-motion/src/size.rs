@@ -7,7 +7,8 @@ use mckibben::progress::Progress;
 /// A valve that is large enough.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedValve {
-    /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the same factor.
+    /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the
+    /// same factor.
     pub conductance_l_per_s_bar: f64,
     /// Rise time with it in s.
     pub rise_time_s: f64,
@@ -18,15 +19,17 @@ pub struct SizedValve {
 /// The largest conductance that is tried, in L/(s bar): a valve of 24,000 l/min.
 const LARGEST: f64 = 100.0;
 
-/// The smallest conductance with which the first step of a pressure's command rises (10–90 % of the way between the static equilibria)
-/// within a time. A larger valve is quicker: the root is bracketed by factors of four, and halved to 0.1 %.
+/// The smallest conductance with which the first step of a pressure's command rises (10–90 % of the
+/// way between the static equilibria) within a time. A larger valve is quicker: the root is
+/// bracketed by factors of four, and halved to 0.1 %.
 ///
 /// # Errors
-/// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without a step that moves it; those of
-/// [`run`].
+/// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without
+/// a step that moves it; those of [`run`].
 pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<SizedValve> {
-    let no_rise =
-        || MotionError::Refused("the command has no rise, so that no valve can be sized by it".into());
+    let no_rise = || {
+        MotionError::Refused("the command has no rise, so that no valve can be sized by it".into())
+    };
     MotionError::positive("the rise time in s", rise_time_s)?;
     drive.check()?;
     let valve = drive.muscles.iter().find_map(|m| match m.actuator {
@@ -34,7 +37,9 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         _ => None,
     });
     MotionError::require(!drive.muscles.iter().any(|m| m.fluid.is_liquid()), || {
-        "only valves of air are sized by a rise time; leave it out, and try flows of the valve or pump".into()
+        "only valves of air are sized by a rise time; leave it out, and try flows of the valve or \
+         pump"
+            .into()
     })?;
     let (Some(given), Target::Pressure(commands)) = (valve, &drive.target) else {
         return Err(no_rise());
@@ -42,7 +47,10 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
     let begin = changes(drive).first().copied().ok_or_else(no_rise)?;
     let end = changes(drive).get(1).copied().unwrap_or(drive.until_s);
     let still = |within: f64| {
-        let pressures: Vec<f64> = commands.iter().map(|c: &Command| c.value_within(within, within)).collect();
+        let pressures: Vec<f64> = commands
+            .iter()
+            .map(|c: &Command| c.value_within(within, within))
+            .collect();
         equilibrium(drive, &pressures).map(|e| e.coordinate)
     };
     let (from, to) = (still(0.5 * begin)?, still(0.5 * (begin + end))?);
@@ -81,7 +89,8 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
                 |reached_s| format!("it is {reached_s} s"),
             );
             return Err(MotionError::NoAnswer(format!(
-                "a rise time of {rise_time_s} s is not met by any valve: with {c} L/(s bar) {reached}; raise the supply or lower the mass"
+                "a rise time of {rise_time_s} s is not met by any valve: with {c} L/(s bar) \
+                 {reached}; raise the supply or lower the mass"
             )));
         } else {
             c = (4.0 * c).min(LARGEST);
@@ -99,5 +108,9 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
         }
     }
     let rise_time_s = reached.unwrap_or(rise_time_s);
-    Ok(SizedValve { conductance_l_per_s_bar: high, rise_time_s, motion })
+    Ok(SizedValve {
+        conductance_l_per_s_bar: high,
+        rise_time_s,
+        motion,
+    })
 }

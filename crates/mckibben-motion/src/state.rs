@@ -1,4 +1,5 @@
-//! The state of a drive: what is integrated, by name. Only this file has the order in which the integrator sees it.
+//! The state of a drive: what is integrated, by name. Only this file has the order in which the
+//! integrator sees it.
 
 use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveKind};
 
@@ -76,7 +77,10 @@ impl State {
         visit(&mut self.velocity);
         for m in &mut self.muscles {
             let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            fluid.chain(&mut m.opening).chain(&mut m.branches_n).for_each(&mut visit);
+            fluid
+                .chain(&mut m.opening)
+                .chain(&mut m.branches_n)
+                .for_each(&mut visit);
         }
         if let Some(ControllerState { integral, filtered }) = &mut self.controller {
             visit(integral);
@@ -84,7 +88,8 @@ impl State {
         }
     }
 
-    /// All numbers: those of [`State::core`], then those that are integrated beside them. How many they are.
+    /// All numbers: those of [`State::core`], then those that are integrated beside them. How many
+    /// they are.
     fn each(&mut self, mut visit: impl FnMut(&mut f64)) -> usize {
         let mut count = 0;
         let mut visit = |x: &mut f64| {
@@ -96,10 +101,29 @@ impl State {
             visit(&mut m.supplied_g);
             visit(&mut m.exhausted_g);
         }
-        let Totals { enthalpy_in, enthalpy_out, heat, gas_work, static_work, .. } = &mut self.totals;
-        [enthalpy_in, enthalpy_out, heat, gas_work, static_work].into_iter().for_each(&mut visit);
-        let Totals { friction, viscoelastic, damper, positive_work, atmosphere, .. } = &mut self.totals;
-        [friction, viscoelastic, damper, positive_work].into_iter().chain(atmosphere).for_each(&mut visit);
+        let Totals {
+            enthalpy_in,
+            enthalpy_out,
+            heat,
+            gas_work,
+            static_work,
+            ..
+        } = &mut self.totals;
+        [enthalpy_in, enthalpy_out, heat, gas_work, static_work]
+            .into_iter()
+            .for_each(&mut visit);
+        let Totals {
+            friction,
+            viscoelastic,
+            damper,
+            positive_work,
+            atmosphere,
+            ..
+        } = &mut self.totals;
+        [friction, viscoelastic, damper, positive_work]
+            .into_iter()
+            .chain(atmosphere)
+            .for_each(&mut visit);
         count
     }
 
@@ -136,7 +160,12 @@ impl Layout {
         let muscles = drive.muscles.iter().map(|m| {
             let lags = match (&m.actuator, m.actuator.kind()) {
                 (Actuator::Syringe(_), _) => true,
-                (_, Some(ValveKind::Proportional { time_constant_s, .. })) => time_constant_s > 0.0,
+                (
+                    _,
+                    Some(ValveKind::Proportional {
+                        time_constant_s, ..
+                    }),
+                ) => time_constant_s > 0.0,
                 _ => false,
             };
             MuscleState {
@@ -146,11 +175,17 @@ impl Layout {
             }
         });
         let controlled = matches!(drive.target, Target::Position { .. });
-        let pushes = drive.muscles.iter().any(|m| matches!(m.actuator, Actuator::Syringe(_)));
+        let pushes = drive
+            .muscles
+            .iter()
+            .any(|m| matches!(m.actuator, Actuator::Syringe(_)));
         let mut zero = State {
             muscles: muscles.collect(),
             controller: controlled.then(ControllerState::default),
-            totals: Totals { atmosphere: pushes.then_some(0.0), ..Totals::default() },
+            totals: Totals {
+                atmosphere: pushes.then_some(0.0),
+                ..Totals::default()
+            },
             ..State::default()
         };
         let mut core = 0;
@@ -199,10 +234,22 @@ mod tests {
     fn every_number_of_a_state_has_one_place() {
         let model = Ideal::new(&Muscle::prototype());
         let load = SingleMuscle::hanging(&model, 1.0);
-        let kind = ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 20.0 };
-        let valve = Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) };
+        let kind = ValveKind::Proportional {
+            time_constant_s: 0.01,
+            gain_per_mpa: 20.0,
+        };
+        let valve = Valve {
+            kind,
+            ..Valve::new(Orifice::new(0.5, 0.3).unwrap())
+        };
         let muscle = Actuated {
-            rubber: Prony(vec![Branch { share: 0.1, time_constant_s: 0.1 }; 3]),
+            rubber: Prony(vec![
+                Branch {
+                    share: 0.1,
+                    time_constant_s: 0.1
+                };
+                3
+            ]),
             ..Actuated::new(&model, Actuator::Valve(valve))
         };
         let output = PidOutput::Opening;
@@ -214,14 +261,21 @@ mod tests {
             tracking_s: 0.1,
             output,
         };
-        let target = Target::Position { command: Command::Constant(0.1), pid };
+        let target = Target::Position {
+            command: Command::Constant(0.1),
+            pid,
+        };
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
-        // q, v; p, m, opening, three branches; two of the controller; supplied, exhausted; nine totals.
+        // q, v; p, m, opening, three branches; two of the controller; supplied, exhausted; nine
+        // totals.
         assert_eq!((layout.core, layout.len), (2 + 6 + 2, 2 + 6 + 2 + 2 + 9));
         let numbers: Vec<f64> = (0..layout.len).map(|i| i as f64 + 0.5).collect();
         let mut state = layout.state(&numbers);
         assert_eq!((state.coordinate, state.velocity), (0.5, 1.5));
-        assert_eq!((state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g), (2.5, 11.5));
+        assert_eq!(
+            (state.muscles[0].absolute_mpa, state.muscles[0].exhausted_g),
+            (2.5, 11.5)
+        );
         assert_eq!(state.totals.positive_work, layout.len as f64 - 0.5);
         assert_eq!(state.to_vec(), numbers);
         let mut written = vec![0.0; layout.len];
@@ -233,9 +287,17 @@ mod tests {
     fn a_state_of_another_drive_is_refused() {
         let model = Ideal::new(&Muscle::prototype());
         let load = SingleMuscle::hanging(&model, 1.0);
-        let muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.1 });
+        let muscle = Actuated::new(
+            &model,
+            Actuator::Regulator {
+                time_constant_s: 0.1,
+            },
+        );
         let target = Target::Pressure(vec![Command::Constant(0.1)]);
         let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
-        assert!(matches!(layout.check(&mut State::default()), Err(MotionError::Refused(_))));
+        assert!(matches!(
+            layout.check(&mut State::default()),
+            Err(MotionError::Refused(_))
+        ));
     }
 }

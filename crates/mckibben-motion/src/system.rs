@@ -81,20 +81,32 @@ pub(crate) struct System<'a> {
     pub failed: RefCell<Option<MotionError>>,
     /// For [`Equations::rates`].
     room: RefCell<(State, Point)>,
-    /// Added to the commands, for the linear system: to those of muscles that turn a joint to −, the negative.
+    /// Added to the commands, for the linear system: to those of muscles that turn a joint to −,
+    /// the negative.
     pub offset: Cell<f64>,
 }
 
 impl<'a> System<'a> {
     pub fn new(drive: &'a Drive<'a>) -> Result<Self> {
         drive.check()?;
-        let members: Vec<Member<'a>> =
-            drive.muscles.iter().map(|m| Member::new(m, drive.tolerance)).collect();
+        let members: Vec<Member<'a>> = drive
+            .muscles
+            .iter()
+            .map(|m| Member::new(m, drive.tolerance))
+            .collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let room = (layout.filled(0.0), Point::default());
-        let mode = Mode { slack: false, sign: 1.0, presliding: None, switch: Switch::Hold };
-        let modes = Modes { stop: None, muscles: vec![mode; members.len()] };
+        let mode = Mode {
+            slack: false,
+            sign: 1.0,
+            presliding: None,
+            switch: Switch::Hold,
+        };
+        let modes = Modes {
+            stop: None,
+            muscles: vec![mode; members.len()],
+        };
         Ok(Self {
             drive,
             members,
@@ -120,14 +132,25 @@ impl<'a> System<'a> {
     fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
-        let (q, v) = (state.coordinate, if modes.stop.is_some() { 0.0 } else { state.velocity });
+        let (q, v) = (
+            state.coordinate,
+            if modes.stop.is_some() {
+                0.0
+            } else {
+                state.velocity
+            },
+        );
         let control = self.control(t, state);
         let mut net = 0.0;
         let Point { muscles, rates, .. } = point;
         muscles.clear();
         rates.muscles.clear();
         let room = std::mem::take(&mut rates.muscles);
-        *rates = State { muscles: room, controller: control.map(|c| c.rates), ..State::default() };
+        *rates = State {
+            muscles: room,
+            controller: control.map(|c| c.rates),
+            ..State::default()
+        };
         let totals = &mut rates.totals;
         totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles);
@@ -136,15 +159,21 @@ impl<'a> System<'a> {
             let lever = mechanism.lever(i, q);
             let (absolute_mpa, gauge) = (now.absolute_mpa, now.gauge_mpa());
             let at = member.at(mode.slack, gauge, lever.contraction);
-            let at = at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
+            let at =
+                at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
             if medium.boils(absolute_mpa) {
                 return Err(MotionError::Boils(format!(
-                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below {absolute_mpa}\u{a0}MPa",
+                    "the liquid in muscle {} boils at {t} s: its absolute pressure falls below \
+                     {absolute_mpa}\u{a0}MPa",
                     i + 1
                 )));
             }
             let speed = member.length_mm * lever.per_coordinate * v;
-            let Answer { volume_mm3: cavity, contraction, .. } = at;
+            let Answer {
+                volume_mm3: cavity,
+                contraction,
+                ..
+            } = at;
             let volume_mm3 = cavity.value + muscle.outside_mm3(now.opening);
             let length = member.length_mm * (1.0 - contraction.value);
             let cavity = Cavity {
@@ -158,13 +187,26 @@ impl<'a> System<'a> {
                 } else {
                     cavity.by_contraction * lever.per_coordinate * v
                 },
-                area_mm2: if medium.needs_area() { cavity_area_mm2(cavity.value, length) } else { 0.0 },
+                area_mm2: if medium.needs_area() {
+                    cavity_area_mm2(cavity.value, length)
+                } else {
+                    0.0
+                },
             };
-            let share =
-                mode.presliding.as_ref().map_or(0.0, |p| p.share(member.length_mm * lever.contraction));
-            let wall_n = if muscle.rubber.0.is_empty() { 0.0 } else { member.wall_n(gauge, &at) };
-            let [model_n, excess, opposing, pull] =
-                if mode.slack { [0.0; 4] } else { pull(muscle, &at, now, (wall_n, share)) };
+            let share = mode
+                .presliding
+                .as_ref()
+                .map_or(0.0, |p| p.share(member.length_mm * lever.contraction));
+            let wall_n = if muscle.rubber.0.is_empty() {
+                0.0
+            } else {
+                member.wall_n(gauge, &at)
+            };
+            let [model_n, excess, opposing, pull] = if mode.slack {
+                [0.0; 4]
+            } else {
+                pull(muscle, &at, now, (wall_n, share))
+            };
             net += pull * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
@@ -178,13 +220,16 @@ impl<'a> System<'a> {
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
-            let swelling =
-                cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * fluid.pressure_rate;
+            let swelling = cavity.swept_mm3_per_s
+                + cavity.volume_per_pressure_mm3_per_mpa * fluid.pressure_rate;
             totals.enthalpy_in += medium.enthalpy_mw(fluid.supply, absolute_mpa);
             let pushed = fluid.piston_mm3_per_s.max(0.0);
             totals.enthalpy_in += absolute_mpa * pushed;
             totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
-            totals.atmosphere.iter_mut().for_each(|work| *work += ATMOSPHERE_MPA * pushed);
+            totals
+                .atmosphere
+                .iter_mut()
+                .for_each(|work| *work += ATMOSPHERE_MPA * pushed);
             totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
             totals.heat += medium.heat_mw(fluid.pressure_rate, &cavity, &flows);
             totals.gas_work += absolute_mpa * swelling;
@@ -217,33 +262,53 @@ impl<'a> System<'a> {
         Ok(())
     }
 
-    /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
+    /// What each muscle answers at a time, with its derivative in time: for everything between two
+    /// of them.
     pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);
-        let parts = self.members.iter().zip(muscles).zip(&modes.muscles).enumerate();
+        let parts = self
+            .members
+            .iter()
+            .zip(muscles)
+            .zip(&modes.muscles)
+            .enumerate();
         parts
             .map(|(i, ((member, (now, rate)), mode))| {
-                let (p, lever) = (now.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate));
+                let (p, lever) = (
+                    now.gauge_mpa(),
+                    self.drive.mechanism.lever(i, state.coordinate),
+                );
                 let at = member.at(mode.slack, p, lever.contraction);
-                let at = at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
+                let at =
+                    at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
                 let p_rate = rate.absolute_mpa;
-                let e_rate = at.contraction.rate(p_rate, lever.per_coordinate * rates.coordinate);
+                let e_rate = at
+                    .contraction
+                    .rate(p_rate, lever.per_coordinate * rates.coordinate);
                 Ok(at.quantities().map(|q| (q, q.rate(p_rate, e_rate))))
             })
             .collect()
     }
 }
 
-/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the pull at the muscle's end; by the wall's part
-/// of the pull and the share of the friction.
-fn pull(muscle: &Actuated<'_>, at: &Answer, now: &MuscleState, (wall_n, share): (f64, f64)) -> [f64; 4] {
+/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the
+/// pull at the muscle's end; by the wall's part of the pull and the share of the friction.
+fn pull(
+    muscle: &Actuated<'_>,
+    at: &Answer,
+    now: &MuscleState,
+    (wall_n, share): (f64, f64),
+) -> [f64; 4] {
     let (pressure, model_n) = (now.gauge_mpa(), at.force_n.value);
     let excess = muscle.rubber.excess_n(wall_n, &now.branches_n);
     let pivoting = at.pivoting_n_per_mm.value.max(0.0);
-    let friction = muscle.friction.map_or(0.0, |friction| friction.half_width_n(pressure, pivoting) * share);
-    // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
+    let friction = muscle.friction.map_or(0.0, |friction| {
+        friction.half_width_n(pressure, pivoting) * share
+    });
+    // A rope cannot push, and its end is free of force where it goes slack: friction and overstress
+    // are no larger than the pull.
     let most = model_n.max(0.0);
     let pull = model_n + (excess - friction).clamp(-most, most);
     [model_n, excess, model_n + excess - pull, pull]
@@ -271,7 +336,11 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     }
     if let (Some(size), Target::Position { pid, .. }) = (&mut scale.controller, &drive.target) {
         *size = ControllerState {
-            integral: if pid.output == PidOutput::Opening { 1.0 } else { 0.1 },
+            integral: if pid.output == PidOutput::Opening {
+                1.0
+            } else {
+                0.1
+            },
             filtered: stroke * drive.mechanism.position_per_coordinate().abs(),
         };
     }
@@ -296,20 +365,40 @@ impl Equations for System<'_> {
         &self.scales
     }
 
-    /// Forces and volumes are linear about the point where the differences are taken: one answer of the models serves for all of them.
+    /// Forces and volumes are linear about the point where the differences are taken: one answer of
+    /// the models serves for all of them.
     fn differences(&self, y: Option<&[f64]>) {
-        self.members.iter().for_each(|member| member.substitute.set(None));
-        let Some(state) = y.map(|y| self.layout.state(y)) else { return };
+        self.members
+            .iter()
+            .for_each(|member| member.substitute.set(None));
+        let Some(state) = y.map(|y| self.layout.state(y)) else {
+            return;
+        };
         let modes = self.modes.borrow();
-        let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles).enumerate();
+        let parts = self
+            .members
+            .iter()
+            .zip(&state.muscles)
+            .zip(&modes.muscles)
+            .enumerate();
         for (i, ((member, now), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
-            let (p, e) = (now.gauge_mpa(), self.drive.mechanism.lever(i, state.coordinate).contraction);
-            member.substitute.set(member.answer(p, e).ok().map(|answer| Substitute::Near(p, e, answer)));
+            let (p, e) = (
+                now.gauge_mpa(),
+                self.drive.mechanism.lever(i, state.coordinate).contraction,
+            );
+            member.substitute.set(
+                member
+                    .answer(p, e)
+                    .ok()
+                    .map(|answer| Substitute::Near(p, e, answer)),
+            );
         }
     }
 
     fn near(&self, begin: bool) {
-        self.members.iter().for_each(|member| member.substitute.set(begin.then_some(Substitute::Nearest)));
+        self.members
+            .iter()
+            .for_each(|member| member.substitute.set(begin.then_some(Substitute::Nearest)));
     }
 
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {

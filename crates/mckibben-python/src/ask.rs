@@ -9,7 +9,8 @@ use pyo3::prelude::*;
 ///
 /// `progress(done, total)` is called now and then.
 #[pyfunction]
-#[pyo3(signature = (command: "str", request: "object", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]")]
+#[pyo3(signature = (command: "str", request: "object", progress: "collections.abc.Callable[[int, \
+    int], object] | None" = None) -> "dict[str, typing.Any]")]
 pub fn ask<'py>(
     py: Python<'py>,
     command: &str,
@@ -17,27 +18,34 @@ pub fn ask<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let request = value::request(request)?;
-    let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(command, request, progress)?);
+    let work =
+        |progress: &dyn mckibben::progress::Progress| Ok(ask_value(command, request, progress)?);
     value::answer(py, &run::long(py, progress, work)?)
 }
 
 /// A text such as `2.5 bar` in the unit that a name carries.
 #[pyfunction]
 pub fn quantity(name: &str, text: &str) -> PyResult<f64> {
-    let read = || request::quantity(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name));
+    let read = || {
+        request::quantity(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name))
+    };
     Ok(read().map_err(Wrong::from)?)
 }
 
-/// A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+/// A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut
+/// into 20 parts.
 #[pyfunction]
 pub fn quantities(name: &str, text: &str) -> PyResult<Vec<f64>> {
-    let read =
-        || request::quantities(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name));
+    let read = || {
+        request::quantities(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name))
+    };
     Ok(read().map_err(Wrong::from)?)
 }
 
 /// The unit of a name's numbers; none of plain ones.
 #[pyfunction]
 pub fn unit_of(name: &str) -> Option<&'static str> {
-    NamedUnit::of_field(name).map(|of| of.unit).filter(|unit| !unit.is_empty())
+    NamedUnit::of_field(name)
+        .map(|of| of.unit)
+        .filter(|unit| !unit.is_empty())
 }

@@ -6,7 +6,8 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use serde_json::json;
 
-/// Why a call has no answer: a problem of the application layer, of a point of a list where it is one; or an exception of Python itself.
+/// Why a call has no answer: a problem of the application layer, of a point of a list where it is
+/// one; or an exception of Python itself.
 pub enum Wrong {
     /// With the place in the list.
     Problem(Problem, Option<usize>),
@@ -55,6 +56,9 @@ fn raised(py: Python<'_>, problem: &Problem, index: Option<usize>) -> PyResult<P
         "kind": problem.kind, "message": problem.message, "hint": problem.hint, "field": problem.field,
         "index": index, "nearest": nearest,
     });
-    let made = py.import("mckibben._errors")?.getattr("of")?.call1((value::answer(py, &values)?,))?;
+    let made = py
+        .import("mckibben._errors")?
+        .getattr("of")?
+        .call1((value::answer(py, &values)?,))?;
     Ok(PyErr::from_value(made))
 }

@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a `formula`; or of several, with those that it names: a
-/// `joint`, a `drive`, a `case`.
+/// A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a
+/// `formula`; or of several, with those that it names: a `joint`, a `drive`, a `case`.
 #[pyfunction]
 #[pyo3(signature = (path, kind) -> "dict[str, typing.Any]")]
 pub fn read<'py>(py: Python<'py>, path: PathBuf, kind: &str) -> PyResult<Bound<'py, PyAny>> {
@@ -31,24 +31,39 @@ pub fn read<'py>(py: Python<'py>, path: PathBuf, kind: &str) -> PyResult<Bound<'
 #[pyo3(signature = (path, content: "bytes"))]
 pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
     let hint = "nothing was written; an existing file is as it was";
-    let wrong = |e| Problem::new(ProblemKind::Output, format!("cannot write {}: {e}", path.display()), hint);
+    let wrong = |e| {
+        Problem::new(
+            ProblemKind::Output,
+            format!("cannot write {}: {e}", path.display()),
+            hint,
+        )
+    };
     Ok(mckibben_io::files::put(&path, content, true).map_err(|e| Wrong::from(wrong(e)))?)
 }
 
 /// Refuses the text of a joint file that is none.
 #[pyfunction]
 pub fn check_joint(text: String) -> PyResult<()> {
-    let file = TextFile { name: "the joint".into(), text };
-    Ok(JointFields::files_of(&file).map(drop).map_err(Wrong::from)?)
+    let file = TextFile {
+        name: "the joint".into(),
+        text,
+    };
+    Ok(JointFields::files_of(&file)
+        .map(drop)
+        .map_err(Wrong::from)?)
 }
 
 /// A text in TOML as maps and lists.
 #[pyfunction]
 #[pyo3(signature = (name, text) -> "dict[str, typing.Any]")]
 pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py, PyAny>> {
-    let wrong =
-        |e: toml_edit::de::Error| Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "");
-    value::answer(py, &toml_edit::de::from_str(text).map_err(|e| Wrong::from(wrong(e)))?)
+    let wrong = |e: toml_edit::de::Error| {
+        Problem::new(ProblemKind::File, format!("{name}: {}", e.message()), "")
+    };
+    value::answer(
+        py,
+        &toml_edit::de::from_str(text).map_err(|e| Wrong::from(wrong(e)))?,
+    )
 }
 
 /// Maps and lists as a text in TOML.
@@ -56,5 +71,6 @@ pub fn toml<'py>(py: Python<'py>, name: &str, text: &str) -> PyResult<Bound<'py,
 #[pyo3(signature = (tables: "dict[str, typing.Any]"))]
 pub fn toml_text(tables: &Bound<'_, PyAny>) -> PyResult<String> {
     let wrong = |e: toml_edit::ser::Error| Problem::new(ProblemKind::File, e.to_string(), "");
-    Ok(toml_edit::ser::to_string_pretty(&value::request(tables)?).map_err(|e| Wrong::from(wrong(e)))?)
+    Ok(toml_edit::ser::to_string_pretty(&value::request(tables)?)
+        .map_err(|e| Wrong::from(wrong(e)))?)
 }

@@ -23,20 +23,22 @@ impl Formula {
     /// The formula of a file's text.
     #[new]
     fn new(name: String, text: &str) -> PyResult<Self> {
-        let read = Document::parse(text).map_err(|e| Wrong::from(Problem::from(e.in_file(Path::new(&name)))));
+        let read = Document::parse(text)
+            .map_err(|e| Wrong::from(Problem::from(e.in_file(Path::new(&name)))));
         match read? {
             Document::Section(formula) => Ok(Self { formula }),
             Document::Universal(_) => {
-                let message =
-                    "a universal formula depends on the whole muscle, not only on its diameter and wall";
-                let problem = Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
+                let message = "a universal formula depends on the whole muscle, not only on its \
+                    diameter and wall";
+                let problem =
+                    Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
                 Err(Wrong::from(problem).into())
             }
         }
     }
 
-    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one outside of the range raises, unless this is not
-    /// looked at; or it is NaN.
+    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one
+    /// outside of the range raises, unless this is not looked at; or it is NaN.
     #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided, nan))]
     fn fill(
         &self,
@@ -48,12 +50,20 @@ impl Formula {
         nan: bool,
     ) -> PyResult<()> {
         let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
-        let (numbers, places) = (points.as_slice().map_err(wrong)?, out.as_slice_mut().map_err(wrong)?);
+        let (numbers, places) = (
+            points.as_slice().map_err(wrong)?,
+            out.as_slice_mut().map_err(wrong)?,
+        );
         let count = places.len();
         let mut rows = numbers.chunks_exact(count.max(1));
-        let [Some(p), Some(e), Some(s), Some(d)] = [rows.next(), rows.next(), rows.next(), rows.next()]
+        let [Some(p), Some(e), Some(s), Some(d)] =
+            [rows.next(), rows.next(), rows.next(), rows.next()]
         else {
-            return if count == 0 { Ok(()) } else { Err(PyValueError::new_err("four rows of points")) };
+            return if count == 0 {
+                Ok(())
+            } else {
+                Err(PyValueError::new_err("four rows of points"))
+            };
         };
         Ok(run::quick(py, |_| {
             let range = &self.formula.range;
@@ -73,14 +83,20 @@ impl Formula {
                     if nan {
                         continue;
                     }
-                    let message = format!("{value} is outside of the formula's range, {low} to {high}");
+                    let message =
+                        format!("{value} is outside of the formula's range, {low} to {high}");
                     let hint = "extrapolate=True computes it all the same";
-                    let problem = Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
+                    let problem =
+                        Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
                     return Err(Wrong::Problem(problem, Some(index)));
                 }
                 let force = self.formula.force_n(d, s, p, e);
                 let nothing = force.abs() <= ROUNDING * p * PI * 0.25 * d * d;
-                *place = if nothing || (force < 0.0 && !two_sided) { 0.0 } else { force };
+                *place = if nothing || (force < 0.0 && !two_sided) {
+                    0.0
+                } else {
+                    force
+                };
             }
             Ok(())
         })?)

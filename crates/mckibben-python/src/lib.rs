@@ -1,9 +1,10 @@
 //! mckibben for Python: `mckibben._native`, on which the Python package is built.
 //!
-//! A thin border. Requests and answers are maps and lists of Python, turned into those of the application layer by way of JSON
-//! ([`ask`]); lists of numbers are NumPy arrays, read where they lie ([`model`]). The interpreter is released around all work, and
-//! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's
-//! exceptions ([`error`]); a panic is one of them.
+//! A thin border. Requests and answers are maps and lists of Python, turned into those of the
+//! application layer by way of JSON ([`ask`]); lists of numbers are NumPy arrays, read where they
+//! lie ([`model`]). The interpreter is released around all work, and hears of it now and then
+//! ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the
+//! package's exceptions ([`error`]); a panic is one of them.
 
 mod ask;
 mod error;

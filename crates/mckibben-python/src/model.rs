@@ -35,7 +35,8 @@ impl Model {
     }
 
     /// All that is known of each point, or why it has no answer.
-    #[pyo3(signature = (pressures, contractions, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]")]
+    #[pyo3(signature = (pressures, contractions, nan, progress: "collections.abc.Callable[[int, \
+        int], object] | None" = None) -> "list[dict[str, typing.Any]]")]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -47,10 +48,17 @@ impl Model {
         let points: Vec<(f64, f64)> = pressures.into_iter().zip(contractions).collect();
         let work = |progress: &dyn Progress| {
             let mut rows = vec![];
-            for (index, answer) in self.bound.answers(&points, progress)?.into_iter().enumerate() {
+            for (index, answer) in self
+                .bound
+                .answers(&points, progress)?
+                .into_iter()
+                .enumerate()
+            {
                 rows.push(match answer {
                     Ok(answer) => json!(answer),
-                    Err(problem) if nan => json!({ "status": problem.kind, "cause": problem.message }),
+                    Err(problem) if nan => {
+                        json!({ "status": problem.kind, "cause": problem.message })
+                    }
                     Err(problem) => return Err(Wrong::Problem(problem, Some(index))),
                 });
             }
@@ -59,7 +67,9 @@ impl Model {
         value::answer(py, &run::long(py, progress, work)?)
     }
 
-    /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+    /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
+    /// other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
+    /// first one raises).
     #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
@@ -82,13 +92,34 @@ impl Model {
             nan,
         };
         let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
-        let pairs = [first.as_slice().map_err(wrong)?, second.as_slice().map_err(wrong)?];
-        self.answer(py, pairs, &many, out.as_slice_mut().map_err(wrong)?, progress)
+        let pairs = [
+            first.as_slice().map_err(wrong)?,
+            second.as_slice().map_err(wrong)?,
+        ];
+        self.answer(
+            py,
+            pairs,
+            &many,
+            out.as_slice_mut().map_err(wrong)?,
+            progress,
+        )
     }
 
     /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
-    fn one(&self, py: Python<'_>, wanted: &str, first: f64, second: f64, nan: bool) -> PyResult<f64> {
-        let many = Many { wanted: self::wanted(wanted)?, slopes: false, parameters: vec![], nan };
+    fn one(
+        &self,
+        py: Python<'_>,
+        wanted: &str,
+        first: f64,
+        second: f64,
+        nan: bool,
+    ) -> PyResult<f64> {
+        let many = Many {
+            wanted: self::wanted(wanted)?,
+            slopes: false,
+            parameters: vec![],
+            nan,
+        };
         let mut place = [f64::NAN];
         self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
         Ok(place[0])
@@ -107,7 +138,11 @@ impl Model {
     ) -> PyResult<usize> {
         let moment = self.bound.is_moment(places.len());
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        Ok(if moment { run::quick(py, work) } else { run::long(py, progress, work) }?)
+        Ok(if moment {
+            run::quick(py, work)
+        } else {
+            run::long(py, progress, work)
+        }?)
     }
 }
 

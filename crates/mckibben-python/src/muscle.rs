@@ -5,8 +5,8 @@ use mckibben::muscle::Muscle as Held;
 use mckibben::muscle::measures::{STIFFNESS, fields};
 use mckibben::{muscle::file::to_toml, rubber::RubberLaw};
 use mckibben_app::{
-    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile, muscle_of,
-    understood, with_parameters,
+    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile,
+    muscle_of, understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
 use pyo3::exceptions::PyValueError;
@@ -25,7 +25,10 @@ pub struct Muscle {
 
 impl From<Held> for Muscle {
     fn from(held: Held) -> Self {
-        Self { text: to_toml(&held), held }
+        Self {
+            text: to_toml(&held),
+            held,
+        }
     }
 }
 
@@ -36,18 +39,26 @@ fn described(request: &Value, rubber: Option<&str>) -> Result<Held> {
         Some(file) => muscle_of(file)?,
         None => Held::prototype(),
     };
-    let Some(text) = rubber else { return fields.over(&base) };
+    let Some(text) = rubber else {
+        return fields.over(&base);
+    };
     let mut made = base.parts().clone();
-    let own = TextFile { name: String::new(), text: text.to_owned() };
+    let own = TextFile {
+        name: String::new(),
+        text: text.to_owned(),
+    };
     let wrong = |e: Problem| {
-        let message = e.message.trim_start_matches([':', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
+        let message = e
+            .message
+            .trim_start_matches([':', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
         Problem::new(ProblemKind::Rubber, message.trim_start(), e.hint.clone()).in_field("rubber")
     };
     made.tube.rubber = muscle_of(&own).map_err(wrong)?.parts().tube.rubber.clone();
     fields.over(&Held::from_parts(made)?.with_bench_of(&base))
 }
 
-/// With the field to blame: the first one of the request that the message names by itself or by its key in a muscle file.
+/// With the field to blame: the first one of the request that the message names by itself or by its
+/// key in a muscle file.
 fn blamed(problem: Problem, request: &Value) -> Problem {
     let named = match problem.kind {
         ProblemKind::Rubber => Some("rubber"),
@@ -55,10 +66,18 @@ fn blamed(problem: Problem, request: &Value) -> Problem {
         _ => {
             let keys = fields().map(|(field, measure)| (field, measure.key));
             let place = |(field, key): (&'static str, &str)| {
-                let place = problem.message.find(key).or_else(|| problem.message.find(&format!("`{field}`")));
-                place.filter(|_| request.get(field).is_some()).map(|place| (place, field))
+                let place = problem
+                    .message
+                    .find(key)
+                    .or_else(|| problem.message.find(&format!("`{field}`")));
+                place
+                    .filter(|_| request.get(field).is_some())
+                    .map(|place| (place, field))
             };
-            keys.chain([("stiffness", STIFFNESS.key)]).filter_map(place).min().map(|(_, field)| field)
+            keys.chain([("stiffness", STIFFNESS.key)])
+                .filter_map(place)
+                .min()
+                .map(|(_, field)| field)
         }
     };
     match (&problem.field, named) {
@@ -69,7 +88,8 @@ fn blamed(problem: Problem, request: &Value) -> Problem {
 
 #[pymethods]
 impl Muscle {
-    /// The muscle that a muscle file and fields describe; with a rubber, the table `tube.material` of one.
+    /// The muscle that a muscle file and fields describe; with a rubber, the table `tube.material`
+    /// of one.
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", rubber: "str | None" = None))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<Self> {
@@ -81,7 +101,8 @@ impl Muscle {
         })?)
     }
 
-    /// The fields by which a muscle is given, of this one; those that it does not have are left out.
+    /// The fields by which a muscle is given, of this one; those that it does not have are left
+    /// out.
     #[pyo3(signature = () -> "dict[str, typing.Any]")]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         value::answer(py, &json!(MuscleFields::from_muscle(&self.held)))
@@ -89,25 +110,38 @@ impl Muscle {
 
     /// Constants and measures by which a model has derivatives, with their values.
     fn parameters(&self) -> Vec<(String, f64)> {
-        let unknown =
-            [Target::ContractionOffset, Target::DeadVolume, Target::StiffnessExponent, Target::Modulus];
-        let all = Target::all(&self.held).into_iter().filter(|target| !unknown.contains(target));
-        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?))).collect()
+        let unknown = [
+            Target::ContractionOffset,
+            Target::DeadVolume,
+            Target::StiffnessExponent,
+            Target::Modulus,
+        ];
+        let all = Target::all(&self.held)
+            .into_iter()
+            .filter(|target| !unknown.contains(target));
+        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
+            .collect()
     }
 
     /// The same with other values of constants and measures, all others held.
     #[pyo3(signature = (values: "dict[str, float]"))]
     fn changed(&self, values: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let values = values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?)));
+        let values = values
+            .iter()
+            .map(|(name, value)| Ok((name.extract()?, value.extract()?)));
         let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
-        Ok(with_parameters(&self.held, &values).map(Self::from).map_err(Wrong::from)?)
+        Ok(with_parameters(&self.held, &values)
+            .map(Self::from)
+            .map_err(Wrong::from)?)
     }
 
-    /// Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+    /// Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`,
+    /// with plane stress and constant volume.
     fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
         let law = &self.held.tube().rubber.law;
         if let Some(wrong) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
-            let message = format!("a stretch of {wrong}: it is the length over that at rest, above 0");
+            let message =
+                format!("a stretch of {wrong}: it is the length over that at rest, above 0");
             let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
             return Err(Wrong::from(problem).into());
         }
@@ -117,7 +151,10 @@ impl Muscle {
             "equibiaxial" => RubberLaw::equibiaxial_stress_mpa,
             _ => return Err(PyValueError::new_err("uniaxial, planar or equibiaxial")),
         };
-        Ok(stretches.iter().map(|stretch| stress(law, *stretch)).collect())
+        Ok(stretches
+            .iter()
+            .map(|stretch| stress(law, *stretch))
+            .collect())
     }
 
     /// The model that a request names, of this muscle.
@@ -125,8 +162,11 @@ impl Muscle {
     fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
         let request = request::given(py, "force", request)?;
         Ok(run::quick(py, |_| {
-            let (model, asking): (ModelFields, AskFields) = (understood(&request)?, understood(&request)?);
-            Ok(Model { bound: BoundModel::new(&self.held, &model, asking)? })
+            let (model, asking): (ModelFields, AskFields) =
+                (understood(&request)?, understood(&request)?);
+            Ok(Model {
+                bound: BoundModel::new(&self.held, &model, asking)?,
+            })
         })?)
     }
 }

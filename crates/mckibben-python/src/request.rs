@@ -1,4 +1,5 @@
-//! Texts with a unit in a request, as the numbers that its schema wants; and numbers that were likely meant in another unit.
+//! Texts with a unit in a request, as the numbers that its schema wants; and numbers that were
+//! likely meant in another unit.
 
 use crate::{error::Wrong, value};
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
@@ -24,7 +25,8 @@ const LIKELY: [(&str, f64, f64); 7] = [
     ("max_pressure_mpa", 0.0, 1.0),
 ];
 
-/// A request of a command with numbers for its texts and with the files that it names; the caller is warned of numbers that were likely meant in another unit.
+/// A request of a command with numbers for its texts and with the files that it names; the caller
+/// is warned of numbers that were likely meant in another unit.
 #[pyfunction]
 #[pyo3(name = "given", signature = (command, request: "object") -> "dict[str, typing.Any]")]
 pub fn stated_request<'py>(
@@ -38,7 +40,9 @@ pub fn stated_request<'py>(
 /// The same as the crates have it.
 pub fn given(py: Python<'_>, command: &str, object: &Bound<'_, PyAny>) -> PyResult<Value> {
     let mut request = value::request(object)?;
-    let said = find(command).and_then(|entry| read(entry, &mut request)).map_err(Wrong::from)?;
+    let said = find(command)
+        .and_then(|entry| read(entry, &mut request))
+        .map_err(Wrong::from)?;
     value::warn(py, &said)?;
     Ok(request)
 }
@@ -51,13 +55,20 @@ fn read(entry: &'static CommandEntry, request: &mut Value) -> Result<Vec<String>
         let made = Arc::new(entry.schema()["request"].take());
         known().entry(entry.name).or_insert(made).clone()
     });
-    let mut reading = Reading { root: &schema, said: vec![] };
-    let Some(fields) = request.as_object_mut() else { return Ok(vec![]) };
+    let mut reading = Reading {
+        root: &schema,
+        said: vec![],
+    };
+    let Some(fields) = request.as_object_mut() else {
+        return Ok(vec![]);
+    };
     for (name, value) in fields {
-        reading.value(name, &schema["properties"][name], value).map_err(|problem| match problem.field {
-            None => problem.in_field(name.clone()),
-            Some(_) => problem,
-        })?;
+        reading
+            .value(name, &schema["properties"][name], value)
+            .map_err(|problem| match problem.field {
+                None => problem.in_field(name.clone()),
+                Some(_) => problem,
+            })?;
     }
     Ok(reading.said)
 }
@@ -80,12 +91,20 @@ fn several(text: &str, kind: Dimension) -> Result<mckibben::units::Values, Probl
 
 fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
     let digits = |part: &str| part.trim().parse::<f64>().is_ok();
-    let bare = !text.is_empty() && text.split([',', ':', ' ']).flat_map(|part| part.split("..")).all(digits);
+    let bare = !text.is_empty()
+        && text
+            .split([',', ':', ' '])
+            .flat_map(|part| part.split(".."))
+            .all(digits);
     if kind == Dimension::Ratio || !bare {
         return Ok(());
     }
     let hint = format!("expected {}", kind.expectation());
-    Err(Problem::new(ProblemKind::Quantity, format!("\"{text}\" has no unit"), hint))
+    Err(Problem::new(
+        ProblemKind::Quantity,
+        format!("\"{text}\" has no unit"),
+        hint,
+    ))
 }
 
 /// What is said of a bare number that was likely meant in another unit.
@@ -105,7 +124,8 @@ pub fn unlikely(name: &str, number: f64) -> Option<String> {
     };
     let meant = mckibben::units::short_numbers(&format!("{}", value * factor)).into_owned();
     Some(format!(
-        "{name}={value} is {value} {unit}; if {value} {other} is meant, give {meant}, or \"{value} {other}\"; \"{value} {unit}\" says that it is meant"
+        "{name}={value} is {value} {unit}; if {value} {other} is meant, give {meant}, or \"{value} \
+         {other}\"; \"{value} {unit}\" says that it is meant"
     ))
 }
 
@@ -119,24 +139,42 @@ impl<'a> Reading<'a> {
     /// A schema without its reference, and the name of that.
     fn resolved(&self, node: &'a Value) -> (&'a Value, &'a str) {
         let options = node["anyOf"].as_array().into_iter().flatten();
-        let reference = std::iter::once(node).chain(options).find_map(|part| part["$ref"].as_str());
-        let name = reference.and_then(|path| path.rsplit('/').next()).unwrap_or_default();
-        if name.is_empty() { (node, name) } else { (&self.root["$defs"][name], name) }
+        let reference = std::iter::once(node)
+            .chain(options)
+            .find_map(|part| part["$ref"].as_str());
+        let name = reference
+            .and_then(|path| path.rsplit('/').next())
+            .unwrap_or_default();
+        if name.is_empty() {
+            (node, name)
+        } else {
+            (&self.root["$defs"][name], name)
+        }
     }
 
     fn value(&mut self, name: &str, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
         let kind: Option<Dimension> = serde_json::from_value(node["x-quantity"].clone()).ok();
         let (target, of) = self.resolved(node);
         let is_list = node["type"] == "array" || node["type"][0] == "array";
-        let file = if is_list { self.resolved(&node["items"]).1 } else { of };
+        let file = if is_list {
+            self.resolved(&node["items"]).1
+        } else {
+            of
+        };
         if ["TextFile", "MeasuredFolder"].contains(&file) {
             if is_list && !value.is_array() {
                 *value = json!([value.take()]);
             }
-            let files = if let Value::Array(list) = value { list } else { std::slice::from_mut(value) };
+            let files = if let Value::Array(list) = value {
+                list
+            } else {
+                std::slice::from_mut(value)
+            };
             return files.iter_mut().try_for_each(|value| {
                 match value.as_str().map(Path::new) {
-                    Some(path) if file == "TextFile" => *value = json!(TextFile::of_field(name, path)?),
+                    Some(path) if file == "TextFile" => {
+                        *value = json!(TextFile::of_field(name, path)?)
+                    }
                     Some(path) => *value = json!(measured_folder(path)?),
                     None => {}
                 }
@@ -148,21 +186,27 @@ impl<'a> Reading<'a> {
                 let text = value.as_str().unwrap_or_default();
                 *value = match of {
                     "Choice" => json!(Choice::from(several(text, kind)?)),
-                    "Stiffness" if ["paper", "inextensible"].contains(&text.trim()) => json!(text.trim()),
+                    "Stiffness" if ["paper", "inextensible"].contains(&text.trim()) => {
+                        json!(text.trim())
+                    }
                     _ if is_list => json!(quantities(text, kind)?),
                     _ => json!(quantity(text, kind)?),
                 };
             }
             (value @ Value::Number(_), _) => {
-                self.said.extend(value.as_f64().and_then(|number| unlikely(name, number)));
+                self.said
+                    .extend(value.as_f64().and_then(|number| unlikely(name, number)));
                 if is_list {
                     *value = json!([value.take()]);
                 }
             }
-            (value @ (Value::Array(_) | Value::Object(_)), Some(kind)) => self.item(name, kind, value)?,
+            (value @ (Value::Array(_) | Value::Object(_)), Some(kind)) => {
+                self.item(name, kind, value)?
+            }
             (Value::Array(list), None) => {
                 let items = self.resolved(&target["items"]).0;
-                list.iter_mut().try_for_each(|item| self.fields(items, item))?;
+                list.iter_mut()
+                    .try_for_each(|item| self.fields(items, item))?;
             }
             (value @ Value::Object(_), None) => self.fields(target, value)?,
             _ => {}
@@ -171,19 +215,29 @@ impl<'a> Reading<'a> {
     }
 
     fn fields(&mut self, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
-        value.as_object_mut().into_iter().flatten().try_for_each(|(name, value)| {
-            self.value(name, &node["properties"][name], value).map_err(|problem| problem.in_field(name))
-        })
+        value
+            .as_object_mut()
+            .into_iter()
+            .flatten()
+            .try_for_each(|(name, value)| {
+                self.value(name, &node["properties"][name], value)
+                    .map_err(|problem| problem.in_field(name))
+            })
     }
 
     fn item(&mut self, name: &str, kind: Dimension, value: &mut Value) -> Result<(), Problem> {
         match value {
             Value::String(text) => *value = json!(quantity(text, kind)?),
             Value::Number(number) => {
-                self.said.extend(number.as_f64().and_then(|number| unlikely(name, number)));
+                self.said
+                    .extend(number.as_f64().and_then(|number| unlikely(name, number)));
             }
-            Value::Array(list) => list.iter_mut().try_for_each(|item| self.item(name, kind, item))?,
-            Value::Object(map) => map.values_mut().try_for_each(|end| self.item(name, kind, end))?,
+            Value::Array(list) => list
+                .iter_mut()
+                .try_for_each(|item| self.item(name, kind, item))?,
+            Value::Object(map) => map
+                .values_mut()
+                .try_for_each(|end| self.item(name, kind, end))?,
             _ => {}
         }
         Ok(())
@@ -194,5 +248,7 @@ impl<'a> Reading<'a> {
 pub fn kind_of(name: &str) -> Result<Dimension, Problem> {
     NamedUnit::of_field(name)
         .and_then(|of| of.dimension)
-        .ok_or_else(|| Problem::new(ProblemKind::Quantity, "a plain number is no text", "").in_field(name))
+        .ok_or_else(|| {
+            Problem::new(ProblemKind::Quantity, "a plain number is no text", "").in_field(name)
+        })
 }

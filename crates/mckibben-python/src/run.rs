@@ -1,8 +1,9 @@
 //! Work with the interpreter released.
 //!
-//! Work that may take long runs on a separate thread, while the calling thread waits: it sees signals (Ctrl-C) and calls the caller's
-//! progress function, which only the calling thread may do. Either may raise, and then the work is cancelled, is waited for, and what
-//! was raised is what the call ends with.
+//! Work that may take long runs on a separate thread, while the calling thread waits: it sees
+//! signals (Ctrl-C) and calls the caller's progress function, which only the calling thread may do.
+//! Either may raise, and then the work is cancelled, is waited for, and what was raised is what the
+//! call ends with.
 
 use crate::error::Wrong;
 use mckibben::{cancel::Cancel, progress::Progress};
@@ -48,16 +49,22 @@ pub fn long<T: Send>(
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
 ) -> Result<T, Wrong> {
     let watched = Watched::default();
-    let progress: Option<Py<PyAny>> = progress.filter(|p| !p.is_none()).map(|p| p.clone().unbind());
+    let progress: Option<Py<PyAny>> = progress
+        .filter(|p| !p.is_none())
+        .map(|p| p.clone().unbind());
     py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = sync_channel(1);
             let at_work = || within(&watched.cancel, || work(&watched));
             let body = move || drop(sender.send(at_work()));
-            let started = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, body);
+            let started = thread::Builder::new()
+                .stack_size(STACK_BYTES)
+                .spawn_scoped(scope, body);
             if let Err(error) = started {
                 let message = format!("cannot start a thread: {error}");
-                return Err(Problem::new(ProblemKind::Internal, message, "end other programs").into());
+                return Err(
+                    Problem::new(ProblemKind::Internal, message, "end other programs").into(),
+                );
             }
             let mut raised = None;
             let mut reported = (0, 0);
@@ -65,8 +72,9 @@ pub fn long<T: Send>(
                 match receiver.recv_timeout(TICK) {
                     Ok(done) => break done,
                     Err(RecvTimeoutError::Timeout) => {
-                        let heard =
-                            Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported));
+                        let heard = Python::attach(|py| {
+                            listen(py, &watched, progress.as_ref(), &mut reported)
+                        });
                         if let Err(error) = heard {
                             watched.cancel.cancel();
                             raised.get_or_insert(error);
@@ -97,8 +105,13 @@ fn listen(
     reported: &mut (usize, usize),
 ) -> PyResult<()> {
     py.check_signals()?;
-    let Some(progress) = progress else { return Ok(()) };
-    let now = (watched.done.load(Ordering::Relaxed), watched.total.load(Ordering::Relaxed));
+    let Some(progress) = progress else {
+        return Ok(());
+    };
+    let now = (
+        watched.done.load(Ordering::Relaxed),
+        watched.total.load(Ordering::Relaxed),
+    );
     if now != *reported {
         *reported = now;
         progress.call1(py, now)?;

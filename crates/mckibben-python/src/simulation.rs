@@ -30,15 +30,24 @@ impl Simulation {
     /// The drive of a request of `motion`, with steps of a length in s.
     #[new]
     #[pyo3(signature = (request: "dict[str, typing.Any]", step_s, records))]
-    fn new(py: Python<'_>, request: &Bound<'_, PyAny>, step_s: f64, records: bool) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        request: &Bound<'_, PyAny>,
+        step_s: f64,
+        records: bool,
+    ) -> PyResult<Self> {
         let request = request::given(py, "motion", request)?;
         Ok(run::long(py, None, |progress| {
             let request: MotionRequest = understood(&request)?;
-            Ok(Self { drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?), records })
+            Ok(Self {
+                drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?),
+                records,
+            })
         })?)
     }
 
-    /// One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
+    /// One step on, with a command for each of the drive's and a force in N or torque in N m from
+    /// outside; what was recorded at its end.
     fn step(&self, py: Python<'_>, commands: Vec<f64>, outside: f64) -> PyResult<Vec<f64>> {
         Ok(run::quick(py, |progress| {
             let mut drive = self.drive();
@@ -61,7 +70,10 @@ impl Simulation {
 
     /// Another one in the same state.
     fn copy(&self, py: Python<'_>) -> Self {
-        py.detach(|| Self { drive: Mutex::new(self.drive().duplicate()), records: self.records })
+        py.detach(|| Self {
+            drive: Mutex::new(self.drive().duplicate()),
+            records: self.records,
+        })
     }
 
     /// Where it is, as numbers.
@@ -72,7 +84,9 @@ impl Simulation {
 
     /// Goes to where a simulation of the same drive was, by its numbers.
     fn restore(&self, py: Python<'_>, numbers: Vec<f64>) -> PyResult<()> {
-        Ok(run::quick(py, |progress| Ok(self.drive().restore(&numbers, progress)?))?)
+        Ok(run::quick(py, |progress| {
+            Ok(self.drive().restore(&numbers, progress)?)
+        })?)
     }
 
     /// What was recorded last, in the order of the names.
@@ -92,7 +106,10 @@ impl Simulation {
         let (rows, width) = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows: Vec<f64> = (0..series.points()).filter_map(|i| series.row(i)).flatten().collect();
+            let rows: Vec<f64> = (0..series.points())
+                .filter_map(|i| series.row(i))
+                .flatten()
+                .collect();
             (rows, series.names().len())
         });
         let shape = [rows.len() / width.max(1), width];
@@ -106,7 +123,8 @@ impl Simulation {
         value::answer(py, &events)
     }
 
-    /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.
+    /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and
+    /// whether a joint is moved.
     #[getter]
     fn commands(&self, py: Python<'_>) -> (&'static str, usize, bool) {
         py.detach(|| {
@@ -117,8 +135,9 @@ impl Simulation {
     }
 }
 
-/// Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
-/// the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.
+/// Copies of a simulation, each with its own commands: a row of `commands` for each step of each
+/// copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
+/// side by side. Returns the first step that failed; from there on its copy is NaN.
 #[pyfunction]
 #[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
 pub fn rollout(
@@ -132,11 +151,16 @@ pub fn rollout(
 ) -> PyResult<()> {
     let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
     let count = commands.as_array().ncols();
-    let (rows, places) = (commands.as_slice().map_err(wrong)?, out.as_slice_mut().map_err(wrong)?);
+    let (rows, places) = (
+        commands.as_slice().map_err(wrong)?,
+        out.as_slice_mut().map_err(wrong)?,
+    );
     let width = py.detach(|| last(&simulation.drive()).len());
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
-        return Err(PyValueError::new_err("places for as many steps as there are commands"));
+        return Err(PyValueError::new_err(
+            "places for as many steps as there are commands",
+        ));
     }
     let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {
@@ -144,10 +168,15 @@ pub fn rollout(
         let failed: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
         Threads::shared().fill(places, whole, |place, part| {
             let copy = place / whole;
-            let mut drive = start.lock().unwrap_or_else(PoisonError::into_inner).duplicate();
+            let mut drive = start
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .duplicate();
             let own = rows.chunks_exact(count).skip(copy * steps);
             let mut ends = part.chunks_exact_mut(width);
-            ends.next().into_iter().for_each(|end| end.copy_from_slice(&last(&drive)));
+            ends.next()
+                .into_iter()
+                .for_each(|end| end.copy_from_slice(&last(&drive)));
             for (step, (commands, end)) in own.zip(&mut ends).enumerate() {
                 if let Err(problem) = drive.step(commands, 0.0, progress) {
                     end.fill(f64::NAN);
@@ -175,5 +204,9 @@ pub fn rollout(
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {
     let series = &drive.motion().series;
-    series.points().checked_sub(1).and_then(|i| series.row(i)).unwrap_or_default()
+    series
+        .points()
+        .checked_sub(1)
+        .and_then(|i| series.row(i))
+        .unwrap_or_default()
 }

@@ -23,7 +23,8 @@ pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String>
 
 /// A page with all that is known of a muscle.
 #[pyfunction]
-#[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+#[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, \
+    int], object] | None" = None))]
 pub fn report_html(
     py: Python<'_>,
     request: &Bound<'_, PyAny>,

@@ -31,7 +31,11 @@ pub(crate) struct Axes {
 
 impl Axes {
     pub fn frame(&self) -> Frame<'_> {
-        Frame { plot: self.plot, x: &self.x, y: &self.y }
+        Frame {
+            plot: self.plot,
+            x: &self.x,
+            y: &self.y,
+        }
     }
 }
 
@@ -66,7 +70,11 @@ pub(crate) fn extents(panel: &Panel) -> Extents {
     let points: Vec<(bool, (f64, f64))> = panel
         .series
         .iter()
-        .flat_map(|s| s.points.iter().map(|point| (s.style == Style::Band, *point)))
+        .flat_map(|s| {
+            s.points
+                .iter()
+                .map(|point| (s.style == Style::Band, *point))
+        })
         .chain(marks)
         .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
         .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
@@ -97,10 +105,16 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let mut room = Room::new(axes.plot);
     for series in &panel.series {
         if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
-            frame.line(&series.points).iter().for_each(|line| room.add_line(line));
+            frame
+                .line(&series.points)
+                .iter()
+                .for_each(|line| room.add_line(line));
         }
         if series.style == Style::Points {
-            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot));
+            frame
+                .markers(&series.points)
+                .into_iter()
+                .for_each(|spot| room.add_marker(spot));
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
@@ -111,10 +125,19 @@ impl<'a> Grid<'a, '_> {
     /// Puts every panel into its cell; plots of one column and of one row line up.
     pub fn place(&self) -> Result<Vec<Placed<'a>>> {
         let each = 0..self.panels.len();
-        let mut all: Vec<Gutters> = each.clone().map(|i| self.gutters(i)).collect::<Result<_, _>>()?;
-        let below: Vec<f64> = each.clone().map(|i| self.room_below(&all, i)).collect::<Result<_, _>>()?;
-        all.iter_mut().zip(&below).for_each(|(gutters, room)| gutters.bottom += room);
-        each.map(|i| self.place_one(i, self.aligned(&all, i), below[i])).collect()
+        let mut all: Vec<Gutters> = each
+            .clone()
+            .map(|i| self.gutters(i))
+            .collect::<Result<_, _>>()?;
+        let below: Vec<f64> = each
+            .clone()
+            .map(|i| self.room_below(&all, i))
+            .collect::<Result<_, _>>()?;
+        all.iter_mut()
+            .zip(&below)
+            .for_each(|(gutters, room)| gutters.bottom += room);
+        each.map(|i| self.place_one(i, self.aligned(&all, i), below[i]))
+            .collect()
     }
 
     fn wrapped(&self, text: &str, room: f64) -> Vec<String> {
@@ -122,7 +145,10 @@ impl<'a> Grid<'a, '_> {
         if lines.len() > 2 {
             lines = vec![lines[0].clone(), lines[1..].join(" ")];
         }
-        lines.iter().map(|l| self.metrics.fit(l, LABEL, room)).collect()
+        lines
+            .iter()
+            .map(|l| self.metrics.fit(l, LABEL, room))
+            .collect()
     }
 
     /// The horizontal scale with as many ticks as their texts allow.
@@ -130,7 +156,11 @@ impl<'a> Grid<'a, '_> {
         let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
         loop {
             let scale = ticks::scale(&panel.x, data, wanted)?;
-            let widest = scale.labels.iter().map(|l| self.metrics.width(l, TICK)).fold(0.0, f64::max);
+            let widest = scale
+                .labels
+                .iter()
+                .map(|l| self.metrics.width(l, TICK))
+                .fold(0.0, f64::max);
             let between = width / (scale.ticks.len().max(2) - 1) as f64;
             if widest + 8.0 <= between || wanted == 1 {
                 return Ok(scale);
@@ -149,28 +179,72 @@ impl<'a> Grid<'a, '_> {
             h: (cell.h - gutters.top - gutters.bottom).max(1.0),
         };
         let x = self.x_scale(panel, x_data, plot.w)?;
-        let y = ticks::scale(&panel.y, y_data, ((plot.h / 40.0).round() as usize).clamp(2, 8))?;
+        let y = ticks::scale(
+            &panel.y,
+            y_data,
+            ((plot.h / 40.0).round() as usize).clamp(2, 8),
+        )?;
         let x_label = self.wrapped(&panel.x.label, plot.w);
         let y_label = self.wrapped(&panel.y.label, plot.h);
-        Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })
+        Ok(Axes {
+            plot,
+            x,
+            y,
+            x_label,
+            y_label,
+            y_label_x: cell.x + LABEL_ROW / 2.0,
+        })
     }
 
     /// Gutters of a panel, without room for a legend.
     fn gutters(&self, i: usize) -> Result<Gutters> {
-        let row = self.panels.chunks(self.columns).nth(i / self.columns).unwrap_or_default();
-        let title = if row.iter().all(|p| p.title.is_empty()) { 0.0 } else { PANEL_TITLE + 5.0 };
-        let mut gutters = Gutters { left: 40.0, right: 10.0, top: 6.0 + title, bottom: 40.0 };
-        let widest =
-            |labels: &[String]| labels.iter().map(|l| self.metrics.width(l, TICK)).fold(0.0, f64::max);
+        let row = self
+            .panels
+            .chunks(self.columns)
+            .nth(i / self.columns)
+            .unwrap_or_default();
+        let title = if row.iter().all(|p| p.title.is_empty()) {
+            0.0
+        } else {
+            PANEL_TITLE + 5.0
+        };
+        let mut gutters = Gutters {
+            left: 40.0,
+            right: 10.0,
+            top: 6.0 + title,
+            bottom: 40.0,
+        };
+        let widest = |labels: &[String]| {
+            labels
+                .iter()
+                .map(|l| self.metrics.width(l, TICK))
+                .fold(0.0, f64::max)
+        };
         // twice: the scales depend on the room, the room on the texts of the scales
         for _ in 0..2 {
             let axes = self.axes(i, gutters)?;
-            let last = axes.x.labels.last().map_or(0.0, |l| self.metrics.width(l, TICK));
-            gutters.top = 6.0 + title + if axes.y.exponent == 0 { 0.0 } else { TICK + 2.0 };
-            gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest(&axes.y.labels) + TICK_LENGTH + 8.0;
+            let last = axes
+                .x
+                .labels
+                .last()
+                .map_or(0.0, |l| self.metrics.width(l, TICK));
+            gutters.top = 6.0
+                + title
+                + if axes.y.exponent == 0 {
+                    0.0
+                } else {
+                    TICK + 2.0
+                };
+            gutters.left =
+                axes.y_label.len() as f64 * LABEL_ROW + widest(&axes.y.labels) + TICK_LENGTH + 8.0;
             gutters.right = (last / 2.0 + 2.0).max(8.0);
-            let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() { LABEL_ROW } else { 0.0 };
-            gutters.bottom = TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
+            let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() {
+                LABEL_ROW
+            } else {
+                0.0
+            };
+            gutters.bottom =
+                TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
         }
         gutters.right = gutters.right.max(self.end_room(i, &self.axes(i, gutters)?));
         Ok(gutters)
@@ -179,9 +253,16 @@ impl<'a> Grid<'a, '_> {
     /// Room for the texts of lines that end at the right edge.
     fn end_room(&self, i: usize, axes: &Axes) -> f64 {
         let frame = axes.frame();
-        let at_edge = self.panels[i].series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
-            frame.line(&s.points).last().is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
-        });
+        let at_edge = self.panels[i]
+            .series
+            .iter()
+            .filter(|s| !s.end_label.trim().is_empty())
+            .filter(|s| {
+                frame
+                    .line(&s.points)
+                    .last()
+                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
+            });
         let width = |s: &crate::Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
     }
@@ -221,11 +302,17 @@ impl<'a> Grid<'a, '_> {
         let (panel, cell, metrics) = (&self.panels[index], (self.cell)(index), self.metrics);
         let axes = self.axes(index, gutters)?;
         let mut room = room_of(panel, &axes);
-        let legend = (below > 0.0)
-            .then(|| self.legend(index, (axes.plot.x, cell.bottom() - below + 4.0), axes.plot.w));
+        let legend = (below > 0.0).then(|| {
+            self.legend(
+                index,
+                (axes.plot.x, cell.bottom() - below + 4.0),
+                axes.plot.w,
+            )
+        });
         if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
             return Err(FigureError::Drawing(format!(
-                "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure larger or use fewer columns",
+                "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure \
+                 larger or use fewer columns",
                 index + 1,
                 self.title,
                 axes.plot.w / PER_MM,
@@ -233,7 +320,11 @@ impl<'a> Grid<'a, '_> {
             )));
         }
         let mut labels = labels::for_marks(&panel.marks, &axes.frame(), metrics, &mut room);
-        let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
+        let ended = panel
+            .series
+            .iter()
+            .enumerate()
+            .filter(|(_, s)| !s.end_label.trim().is_empty());
         let ended = ended.filter_map(|(i, s)| {
             let line = axes.frame().line(&s.points).pop()?;
             let number = s.number(i);
@@ -242,12 +333,22 @@ impl<'a> Grid<'a, '_> {
             };
             let has_meaning = s.neutral || panel.series.iter().enumerate().any(explained);
             let colour = (!has_meaning).then_some(number);
-            Some(Ended { text: s.end_label.trim().to_owned(), colour, line })
+            Some(Ended {
+                text: s.end_label.trim().to_owned(),
+                colour,
+                line,
+            })
         });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
-        Ok(Placed { panel, axes, title, legend, labels })
+        Ok(Placed {
+            panel,
+            axes,
+            title,
+            legend,
+            labels,
+        })
     }
 }
 
@@ -256,13 +357,16 @@ mod tests {
     use super::*;
     use crate::Series;
 
-    /// The frame cuts a band that is wider than its line: half of the line's height lies above and below.
+    /// The frame cuts a band that is wider than its line: half of the line's height lies above and
+    /// below.
     #[test]
     fn a_band_wider_than_its_line_does_not_fill_the_axis() {
         let line = Series::line("pull", vec![(0.0, 10.0), (1.0, 0.0)]);
         let panel = |half: f64| {
             let band = Series::band(&[(0.0, 10.0 - half, 10.0 + half), (1.0, -half, half)]);
-            Panel::new(Axis::new("x"), Axis::new("y")).series(line.clone()).series(band)
+            Panel::new(Axis::new("x"), Axis::new("y"))
+                .series(line.clone())
+                .series(band)
         };
         assert_eq!(extents(&panel(1.0)).1, Some((-1.0, 11.0)));
         assert_eq!(extents(&panel(1000.0)).1, Some((-5.0, 15.0)));

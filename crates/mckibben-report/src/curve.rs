@@ -28,7 +28,10 @@ impl Frame<'_> {
         // far outside is as good as very far outside, and stays a number
         let across = self.x.part(x).clamp(-1e4, 1e4);
         let up = self.y.part(y).clamp(-1e4, 1e4);
-        let spot = (self.plot.x + across * self.plot.w, self.plot.bottom() - up * self.plot.h);
+        let spot = (
+            self.plot.x + across * self.plot.w,
+            self.plot.bottom() - up * self.plot.h,
+        );
         (spot.0.is_finite() && spot.1.is_finite()).then_some(spot)
     }
 
@@ -36,12 +39,20 @@ impl Frame<'_> {
     pub fn line(&self, points: &[(f64, f64)]) -> Vec<Vec<Spot>> {
         let mut pieces = Vec::new();
         let mut run: Vec<Spot> = Vec::new();
-        for spot in points.iter().map(|p| self.spot(*p)).chain(std::iter::once(None)) {
+        for spot in points
+            .iter()
+            .map(|p| self.spot(*p))
+            .chain(std::iter::once(None))
+        {
             match spot {
                 Some(spot) => run.push(spot),
                 None if run.is_empty() => {}
                 None => {
-                    let seen = if run.len() > MANY { thin(&run) } else { smooth(&run) };
+                    let seen = if run.len() > MANY {
+                        thin(&run)
+                    } else {
+                        smooth(&run)
+                    };
                     clip(&seen, &self.plot.grown(0.01), &mut pieces);
                     run.clear();
                 }
@@ -55,8 +66,12 @@ impl Frame<'_> {
         let frame = &self.plot;
         let mut spots: Vec<Spot> = outline.iter().filter_map(|p| self.spot(*p)).collect();
         // How far inside of each edge a spot is (Sutherland and Hodgman).
-        let edges: [&dyn Fn(&Spot) -> f64; 4] =
-            [&|s| s.0 - frame.x, &|s| frame.right() - s.0, &|s| s.1 - frame.y, &|s| frame.bottom() - s.1];
+        let edges: [&dyn Fn(&Spot) -> f64; 4] = [
+            &|s| s.0 - frame.x,
+            &|s| frame.right() - s.0,
+            &|s| s.1 - frame.y,
+            &|s| frame.bottom() - s.1,
+        ];
         for inside in edges {
             let mut kept = Vec::with_capacity(spots.len() + 4);
             for (i, to) in spots.iter().enumerate() {
@@ -78,12 +93,17 @@ impl Frame<'_> {
     /// The visible markers of a series.
     pub fn markers(&self, points: &[(f64, f64)]) -> Vec<Spot> {
         let frame = self.plot.grown(0.01);
-        let spots = points.iter().filter_map(|p| self.spot(*p)).filter(|s| frame.has(*s));
+        let spots = points
+            .iter()
+            .filter_map(|p| self.spot(*p))
+            .filter(|s| frame.has(*s));
         if points.len() <= MANY {
             return spots.collect();
         }
         let mut taken = HashSet::new();
-        spots.filter(|(x, y)| taken.insert(((x / CELL).round() as i64, (y / CELL).round() as i64))).collect()
+        spots
+            .filter(|(x, y)| taken.insert(((x / CELL).round() as i64, (y / CELL).round() as i64)))
+            .collect()
     }
 }
 
@@ -100,7 +120,11 @@ fn thin(run: &[Spot]) -> Vec<Spot> {
         let height = |a: &usize, b: &usize| stretch[*a].1.total_cmp(&stretch[*b].1);
         let highest = places.clone().min_by(height);
         let lowest = places.clone().rev().max_by(height);
-        let mut which: Vec<usize> = highest.into_iter().chain(lowest).chain([0, places.end - 1]).collect();
+        let mut which: Vec<usize> = highest
+            .into_iter()
+            .chain(lowest)
+            .chain([0, places.end - 1])
+            .collect();
         which.sort_unstable();
         which.dedup();
         kept.extend(which.into_iter().map(|i| stretch[i]));
@@ -121,7 +145,10 @@ fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
             if !goes_on {
                 pieces.push(vec![from]);
             }
-            pieces.last_mut().into_iter().for_each(|piece| piece.push(to));
+            pieces
+                .last_mut()
+                .into_iter()
+                .for_each(|piece| piece.push(to));
         }
         goes_on = inside.is_some_and(|(_, to)| to == b);
     }
@@ -131,8 +158,12 @@ fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
 fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    let walls =
-        [(-dx, a.0 - frame.x), (dx, frame.right() - a.0), (-dy, a.1 - frame.y), (dy, frame.bottom() - a.1)];
+    let walls = [
+        (-dx, a.0 - frame.x),
+        (dx, frame.right() - a.0),
+        (-dy, a.1 - frame.y),
+        (dy, frame.bottom() - a.1),
+    ];
     for (toward, room) in walls {
         if toward == 0.0 {
             if room < 0.0 {
@@ -148,5 +179,8 @@ fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
         return None;
     }
     let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
-    Some((if from == 0.0 { a } else { at(from) }, if to == 1.0 { b } else { at(to) }))
+    Some((
+        if from == 0.0 { a } else { at(from) },
+        if to == 1.0 { b } else { at(to) },
+    ))
 }

@@ -5,17 +5,23 @@ use crate::xml::escape;
 use crate::{Figure, Panel, Result};
 use std::fmt::Write as _;
 
-const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu Sans,Helvetica,Arial,sans-serif}\
+const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu \
+    Sans,Helvetica,Arial,sans-serif}\
 svg{width:100%;height:auto}table{border-collapse:collapse}th,td{padding:0 1em;text-align:right}";
 
 impl Figure {
-    /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and the points of each
-    /// panel as a table with six significant digits.
+    /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and
+    /// the points of each panel as a table with six significant digits.
     pub fn to_html(&self) -> Result<String> {
-        let title = if self.title.trim().is_empty() { "Figure" } else { self.title.trim() };
+        let title = if self.title.trim().is_empty() {
+            "Figure"
+        } else {
+            self.title.trim()
+        };
         let mut out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src \
+             'unsafe-inline'\">\n\
              <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}",
             escape(title),
             self.to_svg()?,
@@ -38,15 +44,26 @@ fn table(out: &mut String, panel: &Panel) {
     );
     for series in &panel.series {
         let name = [series.label.trim(), series.end_label.trim()].join(" ");
-        series.points.iter().for_each(|point| row(out, name.trim(), *point));
+        series
+            .points
+            .iter()
+            .for_each(|point| row(out, name.trim(), *point));
     }
-    panel.marks.iter().for_each(|mark| row(out, mark.label.trim(), (mark.x, mark.y)));
+    panel
+        .marks
+        .iter()
+        .for_each(|mark| row(out, mark.label.trim(), (mark.x, mark.y)));
     out.push_str("</table></details>\n");
 }
 
 fn row(out: &mut String, name: &str, (x, y): (f64, f64)) {
     if x.is_finite() && y.is_finite() {
-        let _ =
-            writeln!(out, "<tr><th>{}</th><td>{}</td><td>{}</td></tr>", escape(name), number(x), number(y));
+        let _ = writeln!(
+            out,
+            "<tr><th>{}</th><td>{}</td><td>{}</td></tr>",
+            escape(name),
+            number(x),
+            number(y)
+        );
     }
 }

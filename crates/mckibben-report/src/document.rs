@@ -49,14 +49,15 @@ pub enum Part {
 const STYLE: &str = include_str!("document.css");
 
 impl Document {
-    /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each body's data in an element
-    /// `.body` as JSON and shows it there.
+    /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each
+    /// body's data in an element `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String> {
         let title = escape(&self.title);
         let mut out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src \
+             'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
              <title>{title}</title><style>{STYLE}</style></head>\n<body>\n<header><h1>{title}</h1>{}</header>\n<p class=\"lead\">{}</p>\n",
             title_block(&self.title_block),
             escape(&self.lead)
@@ -66,7 +67,11 @@ impl Document {
         }
         let _ = writeln!(out, "<footer>{}</footer>", escape(&self.footer));
         if self.parts.iter().any(|part| matches!(part, Part::Body(_))) {
-            let _ = writeln!(out, "<script type=\"module\">\n{}\n</script>", viewer.replace("</", "<\\/"));
+            let _ = writeln!(
+                out,
+                "<script type=\"module\">\n{}\n</script>",
+                viewer.replace("</", "<\\/")
+            );
         }
         out.push_str("</body></html>\n");
         Ok(out)
@@ -80,7 +85,10 @@ impl Part {
             Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
             Self::Text(text) => writeln!(out, "<p>{}</p>", escape(text)),
             Self::List(list) => {
-                let items: String = list.iter().map(|text| format!("<li>{}</li>", escape(text))).collect();
+                let items: String = list
+                    .iter()
+                    .map(|text| format!("<li>{}</li>", escape(text)))
+                    .collect();
                 writeln!(out, "<ul>{items}</ul>")
             }
             Self::Table { head, rows } => writeln!(out, "{}", table(head, rows)),
@@ -92,7 +100,10 @@ impl Part {
             }
             Self::Body(data) => {
                 let data = clean::json(data);
-                writeln!(out, "<div class=\"body\"><script type=\"application/json\">{data}</script></div>")
+                writeln!(
+                    out,
+                    "<div class=\"body\"><script type=\"application/json\">{data}</script></div>"
+                )
             }
         };
         Ok(())
@@ -101,10 +112,18 @@ impl Part {
 
 fn title_block(fields: &[(String, String)]) -> String {
     let one = |(name, value): &(String, String)| {
-        format!("<div><dt>{}</dt><dd>{}</dd></div>", escape(name), escape(value))
+        format!(
+            "<div><dt>{}</dt><dd>{}</dd></div>",
+            escape(name),
+            escape(value)
+        )
     };
     let all: String = fields.iter().map(one).collect();
-    if all.is_empty() { all } else { format!("<dl class=\"block\">{all}</dl>") }
+    if all.is_empty() {
+        all
+    } else {
+        format!("<dl class=\"block\">{all}</dl>")
+    }
 }
 
 fn table(head: &[String], rows: &[Vec<String>]) -> String {
@@ -112,13 +131,23 @@ fn table(head: &[String], rows: &[Vec<String>]) -> String {
         let cell = |(i, text): (usize, &String)| {
             let tag = if i == 0 { first } else { other };
             // Sentences begin at the left.
-            let class = if text.chars().count() > 40 { " class=\"words\"" } else { "" };
+            let class = if text.chars().count() > 40 {
+                " class=\"words\""
+            } else {
+                ""
+            };
             format!("<{tag}{class}>{}</{tag}>", escape(text))
         };
-        format!("<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>())
+        format!(
+            "<tr>{}</tr>",
+            row.iter().enumerate().map(cell).collect::<String>()
+        )
     };
-    let head =
-        if head.is_empty() { String::new() } else { format!("<thead>{}</thead>", line(head, "th", "th")) };
+    let head = if head.is_empty() {
+        String::new()
+    } else {
+        format!("<thead>{}</thead>", line(head, "th", "th"))
+    };
     let body: String = rows.iter().map(|row| line(row, "th", "td")).collect();
     format!("<table>{head}{body}</table>")
 }
@@ -136,14 +165,25 @@ mod tests {
             Part::Heading(one()),
             Part::Text(one()),
             Part::List(vec![one()]),
-            Part::Table { head: vec![one()], rows: vec![vec![one()]] },
+            Part::Table {
+                head: vec![one()],
+                rows: vec![vec![one()]],
+            },
             Part::Code(one()),
             Part::Body(format!("\"{evil}\"")),
         ];
-        let html =
-            Document { title: one(), title_block: vec![(one(), one())], lead: one(), parts, footer: one() }
-                .to_html("")
-                .unwrap_or_default();
-        assert!(html.len() > 1000 && !html.contains("<script>alert"), "{html}");
+        let html = Document {
+            title: one(),
+            title_block: vec![(one(), one())],
+            lead: one(),
+            parts,
+            footer: one(),
+        }
+        .to_html("")
+        .unwrap_or_default();
+        assert!(
+            html.len() > 1000 && !html.contains("<script>alert"),
+            "{html}"
+        );
     }
 }

@@ -28,15 +28,17 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Columns of the grid of panels; 0 lets the figure choose.
     pub columns: usize,
-    /// Width and height of the paper, mm; a height of 0 follows from the contents. `None` takes 160 × 100 for one panel
-    /// and a size that grows with the grid for several.
+    /// Width and height of the paper, mm; a height of 0 follows from the contents. `None` takes 160
+    /// × 100 for one panel and a size that grows with the grid for several.
     pub size_mm: Option<(f64, f64)>,
     /// How colours follow from the colour numbers of the series.
     pub palette: Palette,
 }
 
 /// How the colour number of a series becomes a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Palette {
     /// Clearly different colours that stay apart for colour-blind readers (Okabe and Ito,
@@ -85,7 +87,8 @@ pub struct Series {
     /// Text of the legend; an empty text makes no legend entry. Series of one panel with
     /// the same label, style and colour share one entry.
     pub label: String,
-    /// The points (x, y), in the units of the axes; a coordinate that is not finite is `null` in JSON.
+    /// The points (x, y), in the units of the axes; a coordinate that is not finite is `null` in
+    /// JSON.
     #[serde(with = "gaps")]
     #[schemars(with = "Vec<(Option<f64>, Option<f64>)>")]
     pub points: Vec<(f64, f64)>,
@@ -94,8 +97,8 @@ pub struct Series {
     /// Colour number; `None` takes the position of the series in its panel. Series with
     /// the same number share a colour (and a marker shape).
     pub colour: Option<usize>,
-    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the colour of the line, unless that colour has
-    /// a meaning in the legend.
+    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the
+    /// colour of the line, unless that colour has a meaning in the legend.
     pub end_label: String,
     /// Drawn in the colour of the text: its colour means nothing.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -103,7 +106,9 @@ pub struct Series {
 }
 
 /// How a series is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
     /// A line whose dash pattern goes with its colour number, so that lines stay apart
@@ -139,7 +144,10 @@ pub struct Mark {
 impl Figure {
     /// A figure with a title and nothing else.
     pub fn new(title: impl Into<String>) -> Self {
-        Self { title: title.into(), ..Self::default() }
+        Self {
+            title: title.into(),
+            ..Self::default()
+        }
     }
 
     /// Sets the small text below the panels.
@@ -165,7 +173,8 @@ impl Figure {
         self
     }
 
-    /// Sets the width of the paper, mm, such as that of a column of a journal; the height follows from the contents.
+    /// Sets the width of the paper, mm, such as that of a column of a journal; the height follows
+    /// from the contents.
     pub fn width_mm(self, width: f64) -> Self {
         self.size_mm(width, 0.0)
     }
@@ -180,7 +189,11 @@ impl Figure {
 impl Panel {
     /// A panel with two axes and no data yet.
     pub fn new(x: Axis, y: Axis) -> Self {
-        Self { x, y, ..Self::default() }
+        Self {
+            x,
+            y,
+            ..Self::default()
+        }
     }
 
     /// Sets the title above the axes.
@@ -204,7 +217,10 @@ impl Panel {
 impl Axis {
     /// An axis whose range follows from the data; the label names quantity and unit.
     pub fn new(label: impl Into<String>) -> Self {
-        Self { label: label.into(), ..Self::default() }
+        Self {
+            label: label.into(),
+            ..Self::default()
+        }
     }
 
     /// Fixes the range, in the unit of the axis.
@@ -223,7 +239,11 @@ impl Axis {
 impl Series {
     /// A line whose dash pattern goes with its colour ([`Style::Auto`]).
     pub fn new(label: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        Self { label: label.into(), points: points.into_iter().collect(), ..Self::default() }
+        Self {
+            label: label.into(),
+            points: points.into_iter().collect(),
+            ..Self::default()
+        }
     }
 
     /// A solid line ([`Style::Line`]).
@@ -276,7 +296,11 @@ impl Series {
 impl Mark {
     /// An operating point at (x, y), in the units of the axes.
     pub fn new(x: f64, y: f64, label: impl Into<String>) -> Self {
-        Self { x, y, label: label.into() }
+        Self {
+            x,
+            y,
+            label: label.into(),
+        }
     }
 }
 
@@ -293,7 +317,10 @@ mod gaps {
 
     pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(f64, f64)>, D::Error> {
         let points = Vec::<Point>::deserialize(from)?;
-        Ok(points.into_iter().map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN))).collect())
+        Ok(points
+            .into_iter()
+            .map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)))
+            .collect())
     }
 }
 

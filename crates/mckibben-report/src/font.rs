@@ -14,10 +14,12 @@ pub(crate) struct Metrics {
 }
 
 impl Metrics {
-    /// Reads DejaVu Sans 2.37, of which `pyftsubset` left Latin, Greek, Cyrillic and signs, without hints and features: a fifth of the bytes.
+    /// Reads DejaVu Sans 2.37, of which `pyftsubset` left Latin, Greek, Cyrillic and signs, without
+    /// hints and features: a fifth of the bytes.
     pub fn new() -> Result<Self> {
-        let font = Face::parse(include_bytes!("../data/DejaVuSans.ttf"), 0)
-            .map_err(|error| FigureError::Drawing(format!("the embedded font cannot be read: {error}")))?;
+        let font = Face::parse(include_bytes!("../data/DejaVuSans.ttf"), 0).map_err(|error| {
+            FigureError::Drawing(format!("the embedded font cannot be read: {error}"))
+        })?;
         Ok(Self { font })
     }
 
@@ -28,7 +30,10 @@ impl Metrics {
 
     /// How far a character moves the pen; one that the font lacks takes 0.7 of the size.
     pub(crate) fn advance(&self, c: char, size: f64) -> f64 {
-        let advance = self.font.glyph_index(c).and_then(|glyph| self.font.glyph_hor_advance(glyph));
+        let advance = self
+            .font
+            .glyph_index(c)
+            .and_then(|glyph| self.font.glyph_hor_advance(glyph));
         advance.map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
     }
 
@@ -42,7 +47,11 @@ impl Metrics {
         for paragraph in text.lines() {
             let mut line = String::new();
             for word in paragraph.split_whitespace() {
-                let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+                let longer = if line.is_empty() {
+                    word.to_owned()
+                } else {
+                    format!("{line} {word}")
+                };
                 if line.is_empty() || self.width(&longer, size) <= room {
                     line = longer;
                 } else {

@@ -14,8 +14,9 @@ pub(crate) const RING: f64 = 5.2;
 pub(crate) const HEIGHT: f64 = 11.0;
 
 /// Directions tried for the text of a mark, degrees, the best liked first.
-const DIRECTIONS: [f64; 14] =
-    [30.0, -30.0, 150.0, -150.0, 0.0, 180.0, 90.0, -90.0, 60.0, -60.0, 120.0, -120.0, 15.0, -15.0];
+const DIRECTIONS: [f64; 14] = [
+    30.0, -30.0, 150.0, -150.0, 0.0, 180.0, 90.0, -90.0, 60.0, -60.0, 120.0, -120.0, 15.0, -15.0,
+];
 
 /// Distances tried between ring and text.
 const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
@@ -32,7 +33,12 @@ pub(crate) struct Label {
 }
 
 pub(crate) fn around(at: Spot, w: f64) -> Rect {
-    Rect { x: at.0, y: at.1 - HEIGHT / 2.0, w, h: HEIGHT }
+    Rect {
+        x: at.0,
+        y: at.1 - HEIGHT / 2.0,
+        w,
+        h: HEIGHT,
+    }
 }
 
 /// The cost of a box: drawn lines and points under it, texts under it, parts outside of the plot.
@@ -49,25 +55,48 @@ pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
 
 /// Notes the rings of the marks, so that texts keep away from all of them.
 pub(crate) fn add_rings(marks: &[Mark], frame: &Frame<'_>, room: &mut Room) {
-    for spot in marks.iter().filter_map(|m| frame.spot((m.x, m.y))).filter(|s| frame.plot.has(*s)) {
+    for spot in marks
+        .iter()
+        .filter_map(|m| frame.spot((m.x, m.y)))
+        .filter(|s| frame.plot.has(*s))
+    {
         let r = RING + 1.0;
-        room.add_box(Rect { x: spot.0 - r, y: spot.1 - r, w: 2.0 * r, h: 2.0 * r });
+        room.add_box(Rect {
+            x: spot.0 - r,
+            y: spot.1 - r,
+            w: 2.0 * r,
+            h: 2.0 * r,
+        });
     }
 }
 
 /// Places the texts of the marks.
-pub(crate) fn for_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+pub(crate) fn for_marks(
+    marks: &[Mark],
+    frame: &Frame<'_>,
+    metrics: &Metrics,
+    room: &mut Room,
+) -> Vec<Label> {
     let within = frame.plot.grown(-2.0);
     let mut labels = Vec::new();
     for mark in marks {
-        let spot = frame.spot((mark.x, mark.y)).filter(|s| frame.plot.grown(0.01).has(*s));
+        let spot = frame
+            .spot((mark.x, mark.y))
+            .filter(|s| frame.plot.grown(0.01).has(*s));
         let text = metrics.fit(mark.label.trim(), SIZE, within.w);
-        let Some(spot) = spot.filter(|_| !text.is_empty()) else { continue };
+        let Some(spot) = spot.filter(|_| !text.is_empty()) else {
+            continue;
+        };
         let w = metrics.width(&text, SIZE);
         let at = inside(best_place(spot, w, room, &within), w, &within);
         let rect = around(at, w);
         room.add_box(rect);
-        labels.push(Label { at, text, colour: None, leader: leader(spot, &rect) });
+        labels.push(Label {
+            at,
+            text,
+            colour: None,
+            leader: leader(spot, &rect),
+        });
     }
     labels
 }
@@ -80,8 +109,15 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
         for (turn, angle) in DIRECTIONS.into_iter().enumerate() {
             let (up, across) = f64::to_radians(angle).sin_cos();
             // the text begins or ends at this distance; straight above and below it is centred
-            let half = if across.abs() > 0.01 { across.signum() * w / 2.0 } else { 0.0 };
-            let middle = (spot.0 + across * distance + half, spot.1 - up * (distance + HEIGHT / 2.0 - 2.0));
+            let half = if across.abs() > 0.01 {
+                across.signum() * w / 2.0
+            } else {
+                0.0
+            };
+            let middle = (
+                spot.0 + across * distance + half,
+                spot.1 - up * (distance + HEIGHT / 2.0 - 2.0),
+            );
             let at = (middle.0 - w / 2.0, middle.1);
             let rect = around(at, w);
             let cost = cost_of(&rect, room, within) + 5.0 * ring as f64 + 0.4 * turn as f64;
@@ -105,13 +141,18 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
 /// Moves a text into the allowed rectangle.
 pub(crate) fn inside(at: Spot, w: f64, within: &Rect) -> Spot {
     let x = at.0.min(within.right() - w).max(within.x);
-    let y = at.1.min(within.bottom() - HEIGHT / 2.0).max(within.y + HEIGHT / 2.0);
+    let y =
+        at.1.min(within.bottom() - HEIGHT / 2.0)
+            .max(within.y + HEIGHT / 2.0);
     (x, y)
 }
 
 /// The line from a ring to the nearest place of a text's box.
 fn leader(spot: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
-    let near = (spot.0.clamp(rect.x - 1.0, rect.right() + 1.0), spot.1.clamp(rect.y, rect.bottom()));
+    let near = (
+        spot.0.clamp(rect.x - 1.0, rect.right() + 1.0),
+        spot.1.clamp(rect.y, rect.bottom()),
+    );
     let (dx, dy) = (near.0 - spot.0, near.1 - spot.1);
     let length = dx.hypot(dy);
     (length > RING + 5.5).then(|| {

@@ -7,7 +7,8 @@ use crate::rect::Rect;
 use crate::{Figure, FigureError, Result};
 
 const MARGIN: f64 = 16.0;
-/// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over the width.
+/// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over
+/// the width.
 const PANEL_MM: f64 = 75.0;
 const PANEL_SHARE: f64 = 0.62;
 const CAPTION_ROW: f64 = 12.0;
@@ -29,7 +30,10 @@ pub(crate) struct Page<'a> {
 
 /// Number of different colours of a figure.
 pub(crate) fn colour_count(figure: &Figure) -> usize {
-    let numbers = figure.panels.iter().flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.number(i)));
+    let numbers = figure
+        .panels
+        .iter()
+        .flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.number(i)));
     numbers.max().map_or(1, |last| last.saturating_add(1))
 }
 
@@ -52,11 +56,16 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
 
 /// Each side of the paper is 20 to 2000 mm.
 pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
-    if [width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
+    if [width_mm, height_mm]
+        .iter()
+        .all(|side| (20.0..=2000.0).contains(side))
+    {
         return Ok(());
     }
     let paper = format!("{width_mm} mm × {height_mm} mm");
-    Err(FigureError::Drawing(format!("a figure of {paper} cannot be drawn (20 to 2000 mm a side)")))
+    Err(FigureError::Drawing(format!(
+        "a figure of {paper} cannot be drawn (20 to 2000 mm a side)"
+    )))
 }
 
 /// Lays a figure out.
@@ -67,8 +76,14 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     }
     let (columns, rows) = grid(figure);
     let single = figure.panels.len() == 1;
-    let usual =
-        if single { (160.0, 100.0) } else { ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0) };
+    let usual = if single {
+        (160.0, 100.0)
+    } else {
+        (
+            (84.0 * columns as f64).max(160.0),
+            64.0 * rows as f64 + 20.0,
+        )
+    };
     let (width_mm, height_mm) = figure.size_mm.unwrap_or(usual);
     let grows = figure.size_mm.is_none_or(|(_, height)| height == 0.0);
     let width = width_mm * PER_MM;
@@ -77,9 +92,17 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     let title = metrics.wrap(&figure.title, TITLE, inner);
     let top = 10.0 + title.len() as f64 * (TITLE + 4.0) + if title.is_empty() { 2.0 } else { 5.0 };
     let caption = metrics.wrap(&figure.caption, CAPTION, inner);
-    let caption_room = if caption.is_empty() { 0.0 } else { caption.len() as f64 * CAPTION_ROW + 5.0 };
+    let caption_room = if caption.is_empty() {
+        0.0
+    } else {
+        caption.len() as f64 * CAPTION_ROW + 5.0
+    };
     let height_mm = if height_mm == 0.0 {
-        let panels_mm = if single { PANEL_SHARE * width_mm } else { 64.0 * rows as f64 };
+        let panels_mm = if single {
+            PANEL_SHARE * width_mm
+        } else {
+            64.0 * rows as f64
+        };
         panels_mm + (top + caption_room) / PER_MM
     } else {
         height_mm
@@ -87,8 +110,11 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     check_paper(width_mm, height_mm)?;
     let mut height = height_mm * PER_MM;
     let mut bottom = height - 9.0 - caption_room;
-    let common =
-        if single { Some(legend::entries(&figure.panels[0])) } else { legend::shared(&figure.panels) };
+    let common = if single {
+        Some(legend::entries(&figure.panels[0]))
+    } else {
+        legend::shared(&figure.panels)
+    };
     let has_legends = common.is_none();
     let under = common.filter(|entries| !entries.is_empty());
     let legend = under.map(|entries| {
@@ -104,7 +130,11 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         placed.frame.y = y;
         placed.entries.iter_mut().for_each(|e| e.1 += y);
         // rows narrower than the paper are centred
-        let right = placed.entries.iter().map(|e| entry_end(e, metrics)).fold(MARGIN, f64::max);
+        let right = placed
+            .entries
+            .iter()
+            .map(|e| entry_end(e, metrics))
+            .fold(MARGIN, f64::max);
         let shift = ((MARGIN + inner - right) / 2.0).max(0.0);
         placed.entries.iter_mut().for_each(|e| e.0 += shift);
         bottom = y - 8.0;
@@ -121,9 +151,30 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         w: cell_w,
         h: cell_h,
     };
-    let Figure { title: name, panels, .. } = figure;
-    let panels = Grid { title: name, panels, columns, cell: &cell, has_legends, metrics }.place()?;
-    Ok(Page { width, height, left: MARGIN, title, caption, caption_y, panels, legend })
+    let Figure {
+        title: name,
+        panels,
+        ..
+    } = figure;
+    let panels = Grid {
+        title: name,
+        panels,
+        columns,
+        cell: &cell,
+        has_legends,
+        metrics,
+    }
+    .place()?;
+    Ok(Page {
+        width,
+        height,
+        left: MARGIN,
+        title,
+        caption,
+        caption_y,
+        panels,
+        legend,
+    })
 }
 
 fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {

@@ -31,7 +31,11 @@ pub(crate) struct Legend {
 pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
     let mut all = Vec::new();
     for (i, series) in panel.series.iter().enumerate() {
-        let entry = Entry { label: series.label.clone(), style: series.style, colour: series.number(i) };
+        let entry = Entry {
+            label: series.label.clone(),
+            style: series.style,
+            colour: series.number(i),
+        };
         if !entry.label.trim().is_empty() && !all.contains(&entry) {
             all.push(entry);
         }
@@ -51,17 +55,21 @@ pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
             all.push(entry);
         }
     }
-    let clash = all
-        .iter()
-        .enumerate()
-        .any(|(i, a)| all[..i].iter().any(|b| a.style == b.style && a.colour == b.colour));
+    let clash = all.iter().enumerate().any(|(i, a)| {
+        all[..i]
+            .iter()
+            .any(|b| a.style == b.style && a.colour == b.colour)
+    });
     (with_entries > 1 && all.len() <= most + 2 && !clash).then_some(all)
 }
 
 /// The entries with texts shortened to what fits beside a sample in a width.
 pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
     let room = width - SAMPLE - 3.0 * GAP;
-    let short = |e: Entry| Entry { label: metrics.fit(&e.label, SIZE, room), ..e };
+    let short = |e: Entry| Entry {
+        label: metrics.fit(&e.label, SIZE, room),
+        ..e
+    };
     entries.into_iter().map(short).collect()
 }
 
@@ -80,10 +88,22 @@ pub(crate) fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: 
     let mut placed = Vec::new();
     let mut at = x;
     for (i, entry) in entries.iter().enumerate() {
-        let left = if count == 1 { at } else { x + (i % columns) as f64 * widest };
+        let left = if count == 1 {
+            at
+        } else {
+            x + (i % columns) as f64 * widest
+        };
         placed.push((left, y + ((i / columns) as f64 + 0.5) * ROW, entry.clone()));
         at += long(entry) + 18.0;
     }
-    let frame = Rect { x, y, w: width, h: count as f64 * ROW };
-    Legend { frame, entries: placed }
+    let frame = Rect {
+        x,
+        y,
+        w: width,
+        h: count as f64 * ROW,
+    };
+    Legend {
+        frame,
+        entries: placed,
+    }
 }

@@ -1,4 +1,5 @@
-//! Texts that name lines directly: beside the plot where lines reach its right edge, otherwise beside the line.
+//! Texts that name lines directly: beside the plot where lines reach its right edge, otherwise
+//! beside the line.
 
 use crate::font::Metrics;
 use crate::labels::{HEIGHT, Label, SIZE, around, cost_of, inside};
@@ -18,16 +19,23 @@ const STATIONS: usize = 40;
 
 /// Whether the text of a line belongs to the right of the plot: the line reaches the edge.
 pub(crate) fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
-    line.last().is_some_and(|end| end.0 > plot.right() - 0.02 * plot.w)
+    line.last()
+        .is_some_and(|end| end.0 > plot.right() - 0.02 * plot.w)
 }
 
 /// Places the texts of the lines.
 pub(crate) fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
     let plot = room.plot;
-    let (edge, inner): (Vec<_>, Vec<_>) =
-        lines.into_iter().filter(|l| !l.line.is_empty()).partition(|l| reaches_edge(&l.line, &plot));
+    let (edge, inner): (Vec<_>, Vec<_>) = lines
+        .into_iter()
+        .filter(|l| !l.line.is_empty())
+        .partition(|l| reaches_edge(&l.line, &plot));
     let mut labels = beside_plot(edge, &plot);
-    labels.extend(inner.into_iter().filter_map(|line| along(line, metrics, room)));
+    labels.extend(
+        inner
+            .into_iter()
+            .filter_map(|line| along(line, metrics, room)),
+    );
     labels
 }
 
@@ -41,7 +49,12 @@ fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
     let place = |(line, y): (&Ended, f64)| {
         let from = (plot.right() + 1.0, end(line));
         let leader = ((from.1 - y).abs() > 3.0).then_some((from, (text_x - 1.0, y)));
-        Label { at: (text_x, y), text: line.text.clone(), colour: line.colour, leader }
+        Label {
+            at: (text_x, y),
+            text: line.text.clone(),
+            colour: line.colour,
+            leader,
+        }
     };
     lines.iter().zip(heights).map(place).collect()
 }
@@ -66,7 +79,10 @@ fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
             groups.push(both);
         }
     }
-    groups.iter().flat_map(|g| (0..g.1).map(move |k| top(g) + k as f64 * step)).collect()
+    groups
+        .iter()
+        .flat_map(|g| (0..g.1).map(move |k| top(g) + k as f64 * step))
+        .collect()
 }
 
 /// A text beside its line, as near to its end as there is room.
@@ -92,11 +108,17 @@ fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
     let (_, at) = best?;
     let at = inside(at, w, &within);
     room.add_box(around(at, w));
-    Some(Label { at, text: line.text, colour: line.colour, leader: None })
+    Some(Label {
+        at,
+        text: line.text,
+        colour: line.colour,
+        leader: None,
+    })
 }
 
 fn lengths(line: &[Spot]) -> impl Iterator<Item = f64> {
-    line.windows(2).map(|p| (p[1].0 - p[0].0).hypot(p[1].1 - p[0].1))
+    line.windows(2)
+        .map(|p| (p[1].0 - p[0].0).hypot(p[1].1 - p[0].1))
 }
 
 /// The spot a part of the way back from the end of a line, and the direction there.
@@ -107,9 +129,15 @@ fn station(line: &[Spot], part: f64) -> (Spot, Spot) {
         if length <= 0.0 {
             continue;
         }
-        let direction = ((pair[1].0 - pair[0].0) / length, (pair[1].1 - pair[0].1) / length);
+        let direction = (
+            (pair[1].0 - pair[0].0) / length,
+            (pair[1].1 - pair[0].1) / length,
+        );
         let t = rest.min(length);
-        last = ((pair[0].0 + direction.0 * t, pair[0].1 + direction.1 * t), direction);
+        last = (
+            (pair[0].0 + direction.0 * t, pair[0].1 + direction.1 * t),
+            direction,
+        );
         if rest <= length {
             break;
         }

@@ -9,13 +9,15 @@ use crate::Result;
 use crate::font::Metrics;
 use crate::png::raster;
 
-/// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element replaced by a `path`: the outlines of its
-/// characters in the embedded font. The n-th one, from 0, has the id `text-n`.
+/// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element
+/// replaced by a `path`: the outlines of its characters in the embedded font. The n-th one, from 0,
+/// has the id `text-n`.
 pub fn texts_as_outlines(svg: &str) -> Result<String> {
     let metrics = Metrics::new()?;
     let document = Document::parse(svg).map_err(raster)?;
-    let texts =
-        document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    let texts = document
+        .descendants()
+        .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
     let (mut out, mut copied) = (String::with_capacity(2 * svg.len()), 0);
     for (i, text) in texts.enumerate() {
         let range = text.range();
@@ -41,9 +43,16 @@ fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) 
         _ => x,
     };
     // Writing into a string does not fail.
-    let _ = write!(out, "<path id=\"text-{number}\" d=\"{}\"", metrics.outlines(words, size, (start, y)));
+    let _ = write!(
+        out,
+        "<path id=\"text-{number}\" d=\"{}\"",
+        metrics.outlines(words, size, (start, y))
+    );
     for attribute in text.attributes() {
-        if !matches!(attribute.name(), "x" | "y" | "font-size" | "text-anchor" | "aria-hidden") {
+        if !matches!(
+            attribute.name(),
+            "x" | "y" | "font-size" | "text-anchor" | "aria-hidden"
+        ) {
             let _ = write!(out, " {}=\"{}\"", attribute.name(), attribute.value());
         }
     }
@@ -54,7 +63,12 @@ fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) 
 impl Metrics {
     /// The outlines of a text that starts at `at` on its base line, as the data of an SVG path.
     pub fn outlines(&self, text: &str, size: f64, at: (f64, f64)) -> String {
-        let mut pen = Pen { out: String::new(), x: at.0, y: at.1, scale: self.scale(size) };
+        let mut pen = Pen {
+            out: String::new(),
+            x: at.0,
+            y: at.1,
+            scale: self.scale(size),
+        };
         for c in text.chars() {
             // A character that the font lacks is its empty box, glyph 0.
             let glyph = self.font.glyph_index(c).unwrap_or(GlyphId(0));
@@ -77,7 +91,10 @@ impl Pen {
     fn command(&mut self, letter: char, points: &[(f32, f32)]) {
         self.out.push(letter);
         for (i, (x, y)) in points.iter().enumerate() {
-            let (x, y) = (self.x + f64::from(*x) * self.scale, self.y - f64::from(*y) * self.scale);
+            let (x, y) = (
+                self.x + f64::from(*x) * self.scale,
+                self.y - f64::from(*y) * self.scale,
+            );
             // Writing into a string does not fail.
             let _ = write!(self.out, "{}{x:.3} {y:.3}", if i > 0 { " " } else { "" });
         }

@@ -24,8 +24,14 @@ const RAMP: [[u8; 3]; 6] = [
 ];
 
 /// Dash patterns in units of the line width, solid first.
-const DASHES: [&[f64]; 6] =
-    [&[], &[5.0, 2.5], &[1.2, 1.8], &[6.0, 2.0, 1.2, 2.0], &[9.0, 3.0], &[6.0, 1.8, 1.2, 1.8, 1.2, 1.8]];
+const DASHES: [&[f64]; 6] = [
+    &[],
+    &[5.0, 2.5],
+    &[1.2, 1.8],
+    &[6.0, 2.0, 1.2, 2.0],
+    &[9.0, 3.0],
+    &[6.0, 1.8, 1.2, 1.8, 1.2, 1.8],
+];
 
 /// The colour of a number; `count` is the number of different colours in the figure.
 fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {

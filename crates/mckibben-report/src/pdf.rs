@@ -1,4 +1,5 @@
-//! The figure as PDF: the same SVG as one page of vectors of the figure's size, its texts as outlines.
+//! The figure as PDF: the same SVG as one page of vectors of the figure's size, its texts as
+//! outlines.
 
 use std::io::Write as _;
 
@@ -25,26 +26,40 @@ impl Figure {
 
 /// A drawing as a PDF page of its size.
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
+    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
+        .map_err(raster)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
-    let mut drawn = Drawn { content: Content::new(), opacities: vec![] };
+    let mut drawn = Drawn {
+        content: Content::new(),
+        opacities: vec![],
+    };
     // From pixels below the upper edge to points above the lower one.
-    drawn.content.transform([POINTS, 0.0, 0.0, -POINTS, 0.0, rounded(height)]);
+    drawn
+        .content
+        .transform([POINTS, 0.0, 0.0, -POINTS, 0.0, rounded(height)]);
     drawn.group(tree.root())?;
     let mut stream = ZlibEncoder::new(vec![], Compression::default());
-    let content = stream.write_all(&drawn.content.finish()).and_then(|()| stream.finish());
+    let content = stream
+        .write_all(&drawn.content.finish())
+        .and_then(|()| stream.finish());
     let content = content.map_err(raster)?;
     let [info, catalog, pages, sheet, body] = [1, 2, 3, 4, 5].map(Ref::new);
     let mut pdf = Pdf::new();
-    pdf.document_info(info).producer(TextStr("mckibben figure")).title(TextStr(title));
+    pdf.document_info(info)
+        .producer(TextStr("mckibben figure"))
+        .title(TextStr(title));
     pdf.catalog(catalog).pages(pages);
     pdf.pages(pages).kids([sheet]).count(1);
     let mut page = pdf.page(sheet);
-    page.parent(pages).media_box(Rect::new(0.0, 0.0, rounded(width), rounded(height))).contents(body);
+    page.parent(pages)
+        .media_box(Rect::new(0.0, 0.0, rounded(width), rounded(height)))
+        .contents(body);
     let mut resources = page.resources();
     let mut states = resources.ext_g_states();
     for (i, (fill, stroke)) in drawn.opacities.iter().enumerate() {
-        let mut state = states.insert(Name(state_name(i).as_bytes())).start::<ExtGraphicsState<'_>>();
+        let mut state = states
+            .insert(Name(state_name(i).as_bytes()))
+            .start::<ExtGraphicsState<'_>>();
         state.non_stroking_alpha(*fill).stroking_alpha(*stroke);
     }
     drop(states);
@@ -81,9 +96,17 @@ impl Drawn {
 
     fn path(&mut self, path: &usvg::Path) -> Result<()> {
         self.content.save_state();
-        let Transform { sx, ky, kx, sy, tx, ty } = path.abs_transform();
+        let Transform {
+            sx,
+            ky,
+            kx,
+            sy,
+            tx,
+            ty,
+        } = path.abs_transform();
         if !path.abs_transform().is_identity() {
-            self.content.transform([sx, ky, kx, sy, tx, ty].map(rounded));
+            self.content
+                .transform([sx, ky, kx, sy, tx, ty].map(rounded));
         }
         let opacity = (
             path.fill().map_or(1.0, |fill| fill.opacity().get()),
@@ -127,7 +150,12 @@ impl Drawn {
             LineJoin::Round => LineJoinStyle::RoundJoin,
             LineJoin::Bevel => LineJoinStyle::BevelJoin,
         };
-        let dashes = stroke.dasharray().unwrap_or_default().iter().copied().map(rounded);
+        let dashes = stroke
+            .dasharray()
+            .unwrap_or_default()
+            .iter()
+            .copied()
+            .map(rounded);
         self.content
             .set_stroke_rgb(r, g, b)
             .set_line_width(rounded(stroke.width().get()))
@@ -177,7 +205,9 @@ impl Drawn {
 
 fn colour(paint: &Paint) -> Result<[f32; 3]> {
     match paint {
-        Paint::Color(c) => Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0))),
+        Paint::Color(c) => {
+            Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0)))
+        }
         _ => Err(raster("it has gradients or patterns")),
     }
 }

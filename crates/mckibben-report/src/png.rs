@@ -16,12 +16,15 @@ impl Figure {
 }
 
 pub(crate) fn raster(reason: impl std::fmt::Display) -> FigureError {
-    FigureError::Drawing(format!("the figure cannot be turned into an image: {reason}"))
+    FigureError::Drawing(format!(
+        "the figure cannot be turned into an image: {reason}"
+    ))
 }
 
 /// Pixels of a drawing.
 fn drawn(svg: &str) -> Result<tiny_skia::Pixmap> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default()).map_err(raster)?;
+    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
+        .map_err(raster)?;
     // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
     let size = tree.size();
     let units = 4.0 * 25.4 / 96.0;

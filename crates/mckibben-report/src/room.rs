@@ -20,14 +20,22 @@ impl Room {
     pub fn new(plot: Rect) -> Self {
         let columns = (plot.w / CELL).ceil().max(1.0) as usize;
         let rows = (plot.h / CELL).ceil().max(1.0) as usize;
-        Self { plot, columns, rows, cells: vec![false; columns * rows], boxes: Vec::new() }
+        Self {
+            plot,
+            columns,
+            rows,
+            cells: vec![false; columns * rows],
+            boxes: Vec::new(),
+        }
     }
 
     /// Notes a drawn line.
     pub fn add_line(&mut self, line: &[Spot]) {
         for pair in line.windows(2) {
             let (a, b) = (pair[0], pair[1]);
-            let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / (0.5 * CELL)).ceil().max(1.0);
+            let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / (0.5 * CELL))
+                .ceil()
+                .max(1.0);
             for i in 0..=steps as usize {
                 let t = i as f64 / steps;
                 self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
@@ -40,8 +48,12 @@ impl Room {
 
     /// Notes a drawn point.
     pub fn add_spot(&mut self, (x, y): Spot) {
-        let column = ((x - self.plot.x) / CELL).floor().clamp(0.0, (self.columns - 1) as f64) as usize;
-        let row = ((y - self.plot.y) / CELL).floor().clamp(0.0, (self.rows - 1) as f64) as usize;
+        let column = ((x - self.plot.x) / CELL)
+            .floor()
+            .clamp(0.0, (self.columns - 1) as f64) as usize;
+        let row = ((y - self.plot.y) / CELL)
+            .floor()
+            .clamp(0.0, (self.rows - 1) as f64) as usize;
         self.cells[row * self.columns + column] = true;
     }
 
@@ -66,19 +78,23 @@ impl Room {
 
     /// Whether the way from `a` to `b` runs through a noted box that does not hold `a`.
     pub fn crosses_box(&self, a: Spot, b: Spot) -> bool {
-        let way =
-            (1..=24).map(|i| f64::from(i) / 24.0).map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+        let way = (1..=24)
+            .map(|i| f64::from(i) / 24.0)
+            .map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
         let others: Vec<_> = self.boxes.iter().filter(|taken| !taken.has(a)).collect();
-        way.into_iter().any(|spot| others.iter().any(|taken| taken.has(spot)))
+        way.into_iter()
+            .any(|spot| others.iter().any(|taken| taken.has(spot)))
     }
 
     /// How many cells with something drawn lie under a rectangle.
     pub fn drawn_under(&self, rect: &Rect) -> usize {
         let index = |v: f64, last: usize| (v / CELL).floor().clamp(0.0, (last - 1) as f64) as usize;
-        let columns =
-            index(rect.x - self.plot.x, self.columns)..=index(rect.right() - self.plot.x, self.columns);
-        let rows = index(rect.y - self.plot.y, self.rows)..=index(rect.bottom() - self.plot.y, self.rows);
+        let columns = index(rect.x - self.plot.x, self.columns)
+            ..=index(rect.right() - self.plot.x, self.columns);
+        let rows =
+            index(rect.y - self.plot.y, self.rows)..=index(rect.bottom() - self.plot.y, self.rows);
         let drawn = |row: usize, column: usize| self.cells[row * self.columns + column];
-        rows.map(|row| columns.clone().filter(|column| drawn(row, *column)).count()).sum()
+        rows.map(|row| columns.clone().filter(|column| drawn(row, *column)).count())
+            .sum()
     }
 }

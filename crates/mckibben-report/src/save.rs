@@ -5,13 +5,17 @@ use std::path::Path;
 use crate::{Figure, FigureError, Result};
 
 impl Figure {
-    /// The bytes of a file of this name; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the format.
+    /// The bytes of a file of this name; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the
+    /// format.
     ///
     /// # Errors
     /// [`FigureError::UnknownExtension`] for any other ending, and the errors of drawing.
     pub fn bytes(&self, path: &Path) -> Result<Vec<u8>> {
-        let ending =
-            path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
+        let ending = path
+            .extension()
+            .and_then(|e| e.to_str())
+            .map(str::to_ascii_lowercase)
+            .unwrap_or_default();
         Ok(match &*ending {
             "svg" => self.to_svg()?.into_bytes(),
             #[cfg(feature = "png")]

@@ -1,6 +1,8 @@
-//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG, and as PDF by way of it.
+//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG, and as PDF by way of
+//! it.
 //!
-//! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO 128-2: outlines twice as wide as all others.
+//! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO
+//! 128-2: outlines twice as wide as all others.
 
 use crate::layout::{PER_MM, check_paper};
 use crate::rect::Spot;
@@ -40,8 +42,11 @@ impl Pen {
     fn stroke(self) -> String {
         let width_mm = if self == Self::Outline { 0.5 } else { 0.25 };
         let dashes = [6.0, 1.0, 0.5, 1.0].map(|mm| n(mm * PER_MM)).join(" ");
-        let dashes =
-            if self == Self::Axis { format!(" stroke-dasharray=\"{dashes}\"") } else { String::new() };
+        let dashes = if self == Self::Axis {
+            format!(" stroke-dasharray=\"{dashes}\"")
+        } else {
+            String::new()
+        };
         let width = n(width_mm * PER_MM);
         format!(" stroke=\"{INK}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}")
     }
@@ -58,7 +63,12 @@ pub enum Anchor {
 impl Sheet {
     /// An empty sheet of a size in mm; the title says what the drawing shows.
     pub fn new(title: String, width_mm: f64, height_mm: f64) -> Self {
-        Self { title, width_mm, height_mm, ..Self::default() }
+        Self {
+            title,
+            width_mm,
+            height_mm,
+            ..Self::default()
+        }
     }
 
     /// A place in units of the drawing, y downwards.
@@ -77,7 +87,11 @@ impl Sheet {
     /// A line through points.
     pub fn line(&mut self, pen: Pen, points: impl Into<Vec<[f64; 2]>>) {
         let d = self.path(points.into());
-        let _ = writeln!(self.drawn, "<path d=\"{d}\" fill=\"none\"{}/>", pen.stroke());
+        let _ = writeln!(
+            self.drawn,
+            "<path d=\"{d}\" fill=\"none\"{}/>",
+            pen.stroke()
+        );
     }
 
     /// A closed line through corners.
@@ -97,7 +111,10 @@ impl Sheet {
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let ((x, y), r) = (self.place(centre), n(radius_mm * PER_MM));
         let (x, y, stroke) = (n(x), n(y), pen.stroke());
-        let _ = writeln!(self.drawn, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{stroke}/>");
+        let _ = writeln!(
+            self.drawn,
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{stroke}/>"
+        );
     }
 
     /// A text that reads to the right: the place of its base line, and the height of its capitals.
@@ -106,11 +123,23 @@ impl Sheet {
     }
 
     /// A text that reads upwards.
-    pub fn text_upwards(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl Into<String>) {
+    pub fn text_upwards(
+        &mut self,
+        at: [f64; 2],
+        height_mm: f64,
+        anchor: Anchor,
+        text: impl Into<String>,
+    ) {
         self.write(at, height_mm, anchor, (&text.into(), true));
     }
 
-    fn write(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, (text, upwards): (&str, bool)) {
+    fn write(
+        &mut self,
+        at: [f64; 2],
+        height_mm: f64,
+        anchor: Anchor,
+        (text, upwards): (&str, bool),
+    ) {
         let (x, y) = self.place(at);
         let (x, y, size, text) = (n(x), n(y), n(height_mm * PER_MM / CAPITALS), escape(text));
         let anchor = match anchor {
@@ -118,10 +147,15 @@ impl Sheet {
             Anchor::Middle => " text-anchor=\"middle\"",
             Anchor::End => " text-anchor=\"end\"",
         };
-        let turn = if upwards { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+        let turn = if upwards {
+            format!(" transform=\"rotate(-90 {x} {y})\"")
+        } else {
+            String::new()
+        };
         let _ = writeln!(
             self.drawn,
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{INK}\"{anchor}{turn}>{text}</text>"
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" \
+             fill=\"{INK}\"{anchor}{turn}>{text}</text>"
         );
     }
 
@@ -129,7 +163,10 @@ impl Sheet {
     pub fn to_svg(&self) -> Result<String> {
         check_paper(self.width_mm, self.height_mm)?;
         if self.is_lost {
-            let what = format!("a place of the drawing \"{}\" is not a finite number", self.title);
+            let what = format!(
+                "a place of the drawing \"{}\" is not a finite number",
+                self.title
+            );
             return Err(FigureError::Drawing(what));
         }
         let head = head(&self.title, self.width_mm * PER_MM, self.height_mm * PER_MM);

@@ -22,15 +22,22 @@ pub(crate) struct Brush {
 
 /// Draws the runs of a series: lines, or markers.
 pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: &Brush) {
-    let Brush { number, hex: colour, palette } = brush;
+    let Brush {
+        number,
+        hex: colour,
+        palette,
+    } = brush;
     if style == Style::Points {
         let (shape, mut shapes) = (palette::shape(*number), String::new());
-        runs.iter().flatten().for_each(|spot| marker(&mut shapes, shape, *spot));
+        runs.iter()
+            .flatten()
+            .for_each(|spot| marker(&mut shapes, shape, *spot));
         if !shapes.is_empty() {
             let width = if shape == Shape::Cross { 1.4 } else { 1.3 };
             let _ = writeln!(
                 out,
-                "<path d=\"{shapes}\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
+                "<path d=\"{shapes}\" fill=\"#ffffff\" stroke=\"{colour}\" \
+                 stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
             );
         }
         return;
@@ -39,7 +46,12 @@ pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: 
     let mut alone = String::new();
     for line in runs {
         if let [(x, y)] = line.as_slice() {
-            let _ = write!(alone, "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\"/>", n(*x), n(*y));
+            let _ = write!(
+                alone,
+                "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\"/>",
+                n(*x),
+                n(*y)
+            );
             continue;
         }
         through(&mut path, line);
@@ -63,7 +75,10 @@ pub(crate) fn area(out: &mut String, outline: &[Spot], hex: &str) {
     let mut path = String::new();
     through(&mut path, outline);
     if outline.len() > 2 {
-        let _ = writeln!(out, "<path d=\"{path}Z\" fill=\"{hex}\" fill-opacity=\"{PALE}\"/>");
+        let _ = writeln!(
+            out,
+            "<path d=\"{path}Z\" fill=\"{hex}\" fill-opacity=\"{PALE}\"/>"
+        );
     }
 }
 
@@ -78,7 +93,13 @@ fn dashes(pattern: &[f64]) -> String {
 /// Adds a line through spots to a path.
 pub(crate) fn through(path: &mut String, spots: &[Spot]) {
     for (i, (x, y)) in spots.iter().enumerate() {
-        let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
+        let _ = write!(
+            path,
+            "{}{} {}",
+            if i == 0 { "M" } else { "L" },
+            n(*x),
+            n(*y)
+        );
     }
 }
 
@@ -94,16 +115,30 @@ fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
     match shape {
         Shape::Circle => {
             let (d, r2) = (n(2.0 * r), n(r));
-            let _ = write!(path, "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z", n(x - r), n(y));
+            let _ = write!(
+                path,
+                "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z",
+                n(x - r),
+                n(y)
+            );
         }
         Shape::Square => {
             let s = 0.9 * r;
-            let _ = write!(path, "M{} {}h{d}v{d}h-{d}Z", n(x - s), n(y - s), d = n(2.0 * s));
+            let _ = write!(
+                path,
+                "M{} {}h{d}v{d}h-{d}Z",
+                n(x - s),
+                n(y - s),
+                d = n(2.0 * s)
+            );
         }
         Shape::Triangle | Shape::TriangleDown => {
             let up = if shape == Shape::Triangle { 1.0 } else { -1.0 };
             let (top, foot) = (y - 1.2 * r * up, y + 0.85 * r * up);
-            around(path, &[(x, top), (x + 1.15 * r, foot), (x - 1.15 * r, foot)]);
+            around(
+                path,
+                &[(x, top), (x + 1.15 * r, foot), (x - 1.15 * r, foot)],
+            );
         }
         Shape::Diamond => {
             let s = 1.3 * r;

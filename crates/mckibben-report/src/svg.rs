@@ -20,7 +20,8 @@ impl Figure {
     /// The figure as SVG: self-contained, with real text, sized in millimetres.
     ///
     /// # Errors
-    /// [`FigureError::Drawing`] without panels, for a range that is empty or not finite, and where paper or panel is too small.
+    /// [`FigureError::Drawing`] without panels, for a range that is empty or not finite, and where
+    /// paper or panel is too small.
     pub fn to_svg(&self) -> Result<String> {
         let metrics = Metrics::new()?;
         let page = layout::page(self, &metrics)?;
@@ -36,7 +37,11 @@ struct Pen<'a> {
 
 impl Pen<'_> {
     fn brush(&self, number: usize) -> Brush {
-        Brush { number, hex: self.hex(number), palette: self.figure.palette }
+        Brush {
+            number,
+            hex: self.hex(number),
+            palette: self.figure.palette,
+        }
     }
 
     fn hex(&self, number: usize) -> String {
@@ -48,7 +53,8 @@ impl Pen<'_> {
 pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
     let (w, h) = (n(width), n(height));
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 \
+         {w} {h}\" \
          font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
         n(width / PER_MM),
@@ -59,7 +65,10 @@ pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
 
 /// Writes a laid-out page.
 pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
-    let pen = Pen { figure, colours: layout::colour_count(figure) };
+    let pen = Pen {
+        figure,
+        colours: layout::colour_count(figure),
+    };
     let mut out = head(&figure.title, page.width, page.height);
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
@@ -74,7 +83,14 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
         draw_legend(&mut out, legend, &pen);
     }
     for (i, line) in page.caption.iter().enumerate() {
-        text(&mut out, (page.left, page.caption_y + i as f64 * 12.0), CAPTION, SOFT, "", line);
+        text(
+            &mut out,
+            (page.left, page.caption_y + i as f64 * 12.0),
+            CAPTION,
+            SOFT,
+            "",
+            line,
+        );
     }
     out.push_str("</svg>\n");
     out
@@ -107,17 +123,36 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     let frame = placed.axes.frame();
     let mut anything = false;
     let bands = |s: &&crate::Series| s.style == Style::Band;
-    for (i, band) in placed.panel.series.iter().enumerate().filter(|(_, s)| bands(s)) {
+    for (i, band) in placed
+        .panel
+        .series
+        .iter()
+        .enumerate()
+        .filter(|(_, s)| bands(s))
+    {
         area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
     }
-    for (i, series) in placed.panel.series.iter().enumerate().filter(|(_, s)| !bands(s)) {
+    for (i, series) in placed
+        .panel
+        .series
+        .iter()
+        .enumerate()
+        .filter(|(_, s)| !bands(s))
+    {
         let runs = match series.style {
             Style::Points => vec![frame.markers(&series.points)],
             _ => frame.line(&series.points),
         };
         anything |= runs.iter().any(|run| !run.is_empty());
         let brush = pen.brush(series.number(i));
-        let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
+        let brush = if series.neutral {
+            Brush {
+                hex: INK.into(),
+                ..brush
+            }
+        } else {
+            brush
+        };
         draw_series(out, &runs, series.style, &brush);
     }
     anything |= draw_marks(out, placed);
@@ -142,26 +177,45 @@ fn draw_axes(out: &mut String, axes: &Axes) {
     let (mut grid, mut small) = (String::new(), String::new());
     for v in &axes.x.ticks {
         through(&mut grid, &[(at_x(*v), plot.y), (at_x(*v), plot.bottom())]);
-        through(&mut small, &[(at_x(*v), plot.bottom()), (at_x(*v), plot.bottom() + TICK_LENGTH)]);
+        through(
+            &mut small,
+            &[
+                (at_x(*v), plot.bottom()),
+                (at_x(*v), plot.bottom() + TICK_LENGTH),
+            ],
+        );
     }
     for v in &axes.y.ticks {
         through(&mut grid, &[(plot.x, at_y(*v)), (plot.right(), at_y(*v))]);
-        through(&mut small, &[(plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v))]);
+        through(
+            &mut small,
+            &[(plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v))],
+        );
     }
-    let _ = writeln!(out, "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>");
+    let _ = writeln!(
+        out,
+        "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>"
+    );
     let mut zero = String::new();
     if axes.y.low < 0.0 && axes.y.high > 0.0 {
         through(&mut zero, &[(plot.x, at_y(0.0)), (plot.right(), at_y(0.0))]);
     }
     if axes.x.low < 0.0 && axes.x.high > 0.0 {
-        through(&mut zero, &[(at_x(0.0), plot.y), (at_x(0.0), plot.bottom())]);
+        through(
+            &mut zero,
+            &[(at_x(0.0), plot.y), (at_x(0.0), plot.bottom())],
+        );
     }
     if !zero.is_empty() {
-        let _ = writeln!(out, "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>");
+        let _ = writeln!(
+            out,
+            "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>"
+        );
     }
     let _ = writeln!(
         out,
-        "<path d=\"{small}M{} {}V{}H{}\" stroke=\"{INK}\" stroke-width=\"1\" fill=\"none\" stroke-linecap=\"square\"/>",
+        "<path d=\"{small}M{} {}V{}H{}\" stroke=\"{INK}\" stroke-width=\"1\" fill=\"none\" \
+         stroke-linecap=\"square\"/>",
         n(plot.x),
         n(plot.y),
         n(plot.bottom()),
@@ -172,21 +226,45 @@ fn draw_axes(out: &mut String, axes: &Axes) {
         text(out, (at_x(*v), below), TICK, INK, MIDDLE, label);
     }
     for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
-        text(out, (plot.x - TICK_LENGTH - 3.0, at_y(*v)), TICK, INK, END, label);
+        text(
+            out,
+            (plot.x - TICK_LENGTH - 3.0, at_y(*v)),
+            TICK,
+            INK,
+            END,
+            label,
+        );
     }
     let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
     if axes.x.exponent != 0 {
-        text(out, (plot.right(), row), TICK, INK, END, &ticks::power_text(axes.x.exponent));
+        text(
+            out,
+            (plot.right(), row),
+            TICK,
+            INK,
+            END,
+            &ticks::power_text(axes.x.exponent),
+        );
     }
     if axes.y.exponent != 0 {
-        text(out, (plot.x, plot.y - 8.0), TICK, INK, "", &ticks::power_text(axes.y.exponent));
+        text(
+            out,
+            (plot.x, plot.y - 8.0),
+            TICK,
+            INK,
+            "",
+            &ticks::power_text(axes.y.exponent),
+        );
     }
     for (i, line) in axes.x_label.iter().enumerate() {
         let at = (plot.x + plot.w / 2.0, row + i as f64 * (LABEL + 2.5));
         text(out, at, LABEL, INK, MIDDLE, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
-        let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), plot.y + plot.h / 2.0);
+        let at = (
+            axes.y_label_x + i as f64 * (LABEL + 2.5),
+            plot.y + plot.h / 2.0,
+        );
         let turned = format!("{MIDDLE} transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
         text(out, at, LABEL, INK, &turned, line);
     }
@@ -197,13 +275,16 @@ fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
     let frame = placed.axes.frame();
     let mut any = false;
     for mark in &placed.panel.marks {
-        let spot = frame.spot((mark.x, mark.y)).filter(|s| placed.axes.plot.grown(0.01).has(*s));
+        let spot = frame
+            .spot((mark.x, mark.y))
+            .filter(|s| placed.axes.plot.grown(0.01).has(*s));
         let Some((x, y)) = spot else { continue };
         any = true;
         let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
         let _ = writeln!(
             out,
-            "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"1.3\"/>\
+            "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" \
+             stroke-width=\"1.3\"/>\
              <circle cx=\"{x}\" cy=\"{y}\" r=\"2.2\" fill=\"{INK}\"/></g>"
         );
     }
@@ -211,14 +292,20 @@ fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
 }
 
 fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
-    let colour = label.colour.map_or_else(|| INK.to_owned(), |number| pen.hex(number));
+    let colour = label
+        .colour
+        .map_or_else(|| INK.to_owned(), |number| pen.hex(number));
     if let Some((a, b)) = label.leader {
         let mut path = String::new();
         through(&mut path, &[a, b]);
-        let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
+        let _ = writeln!(
+            out,
+            "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>"
+        );
     }
     // A white outline below keeps the text readable over a line.
-    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" aria-hidden=\"true\"";
+    let halo =
+        " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" aria-hidden=\"true\"";
     text(out, label.at, labels::SIZE, "#ffffff", halo, &label.text);
     text(out, label.at, labels::SIZE, &colour, "", &label.text);
 }
@@ -231,7 +318,14 @@ fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
             _ => vec![(*x, *y), (x + legend::SAMPLE, *y)],
         };
         draw_series(out, &[run], entry.style, &pen.brush(entry.colour));
-        text(out, (x + legend::SAMPLE + 6.0, *y), legend::SIZE, INK, "", &entry.label);
+        text(
+            out,
+            (x + legend::SAMPLE + 6.0, *y),
+            legend::SIZE,
+            INK,
+            "",
+            &entry.label,
+        );
     }
     out.push_str("</g>\n");
 }

@@ -24,22 +24,28 @@ impl Scale {
 
 /// Lowest and highest finite value, if there is any.
 pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values.filter(|v| v.is_finite()).fold(None, |seen, v| match seen {
-        None => Some((v, v)),
-        Some((low, high)) => Some((v.min(low), v.max(high))),
-    })
+    values
+        .filter(|v| v.is_finite())
+        .fold(None, |seen, v| match seen {
+            None => Some((v, v)),
+            Some((low, high)) => Some((v.min(low), v.max(high))),
+        })
 }
 
 /// Chooses range and ticks of an axis with about `wanted` intervals.
 pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale> {
     let wrong = |low: f64, high: f64| {
         let name = &axis.label;
-        FigureError::Drawing(format!("axis \"{name}\": {low} to {high} is not a range that can be drawn"))
+        FigureError::Drawing(format!(
+            "axis \"{name}\": {low} to {high} is not a range that can be drawn"
+        ))
     };
     if let Some((low, high)) = axis.range {
         let span = high - low;
         // the span must be finite, positive and not lost in the rounding of its ends
-        if !(span.is_finite() && span > 1e-12 * low.abs().max(high.abs()) && span >= f64::MIN_POSITIVE * 1e20)
+        if !(span.is_finite()
+            && span > 1e-12 * low.abs().max(high.abs())
+            && span >= f64::MIN_POSITIVE * 1e20)
         {
             return Err(wrong(low, high));
         }
@@ -65,7 +71,11 @@ fn widen(low: f64, high: f64) -> (f64, f64) {
     if size < 1e-280 {
         return (if low < 0.0 { -1.0 } else { 0.0 }, 1.0);
     }
-    if high - low > 1e-9 * size { (low, high) } else { (low - 0.1 * size, high + 0.1 * size) }
+    if high - low > 1e-9 * size {
+        (low, high)
+    } else {
+        (low - 0.1 * size, high + 0.1 * size)
+    }
 }
 
 /// The 1-2-5 step whose ticks fit best: near the wanted number, little empty room.
@@ -122,8 +132,17 @@ fn finish(low: f64, high: f64, step: f64, outward: bool) -> Scale {
         (low, high)
     };
     let exponent = exponent_for(low, high);
-    let labels = ticks.iter().map(|t| tick_text(*t, step, exponent)).collect();
-    Scale { low, high, ticks, labels, exponent }
+    let labels = ticks
+        .iter()
+        .map(|t| tick_text(*t, step, exponent))
+        .collect();
+    Scale {
+        low,
+        high,
+        ticks,
+        labels,
+        exponent,
+    }
 }
 
 /// `number` × `step` without the dust of the multiplication (0.3, not 0.30000000000000004).
@@ -131,14 +150,18 @@ fn nice(number: f64, step: f64) -> f64 {
     let value = number * step;
     let decimals = decimals_of(step);
     if (0..=15).contains(&decimals) {
-        format!("{value:.*}", decimals as usize).parse().unwrap_or(value)
+        format!("{value:.*}", decimals as usize)
+            .parse()
+            .unwrap_or(value)
     } else {
         value
     }
 }
 
 fn times_ten(digit: f64, exponent: i32) -> f64 {
-    format!("{digit}e{exponent}").parse().unwrap_or(digit * 10f64.powi(exponent))
+    format!("{digit}e{exponent}")
+        .parse()
+        .unwrap_or(digit * 10f64.powi(exponent))
 }
 
 /// Decimals needed to write a 1-2-5 step (negative for steps of ten and more).
@@ -149,12 +172,20 @@ fn decimals_of(step: f64) -> i32 {
 /// Power of ten to take out of the tick texts so that they stay short.
 fn exponent_for(low: f64, high: f64) -> i32 {
     let size = low.abs().max(high.abs());
-    if (1e-2..1e5).contains(&size) { 0 } else { ((size.log10() + 1e-9) / 3.0).floor() as i32 * 3 }
+    if (1e-2..1e5).contains(&size) {
+        0
+    } else {
+        ((size.log10() + 1e-9) / 3.0).floor() as i32 * 3
+    }
 }
 
 fn tick_text(tick: f64, step: f64, exponent: i32) -> String {
     let decimals = (decimals_of(step) + exponent).clamp(0, 15) as usize;
-    let scaled = if exponent == 0 { tick } else { tick / 10f64.powi(exponent) };
+    let scaled = if exponent == 0 {
+        tick
+    } else {
+        tick / 10f64.powi(exponent)
+    };
     typographic(&format!("{scaled:.decimals$}"))
 }
 
@@ -174,7 +205,9 @@ pub(crate) fn power_text(exponent: i32) -> String {
     }
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = exponent.to_string();
-    let raised = digits.chars().map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]));
+    let raised = digits
+        .chars()
+        .map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]));
     "×10".chars().chain(raised).collect()
 }
 

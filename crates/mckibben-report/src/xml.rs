@@ -4,5 +4,9 @@ pub(crate) use mckibben_io::clean::markup as escape;
 
 /// A length of the drawing with at most two decimals.
 pub(crate) fn length(value: f64) -> String {
-    if value.is_finite() { mckibben_io::units::trimmed(value, 2) } else { "0".to_owned() }
+    if value.is_finite() {
+        mckibben_io::units::trimmed(value, 2)
+    } else {
+        "0".to_owned()
+    }
 }

@@ -15,8 +15,8 @@ use tokio::{sync::Semaphore, task::spawn_blocking};
 /// The content type of packed answers.
 const PACKED: &str = "application/octet-stream";
 
-/// Long work has separate threads, so that the parts of a short request do not wait behind those of a long one. Where the system gives no
-/// more of them, it works alone.
+/// Long work has separate threads, so that the parts of a short request do not wait behind those of
+/// a long one. Where the system gives no more of them, it works alone.
 static LONG: LazyLock<Threads> =
     LazyLock::new(|| Threads::new(Threads::shared().count()).unwrap_or_default());
 
@@ -35,18 +35,34 @@ pub async fn ask(
     headers: HeaderMap,
     request: Result<Json<Value>, JsonRejection>,
 ) -> Result<Response, Refusal> {
-    let command = mckibben_app::find(&command)
-        .map_err(|problem| Refusal { status: StatusCode::NOT_FOUND, problem: Box::new(problem) })?;
+    let command = mckibben_app::find(&command).map_err(|problem| Refusal {
+        status: StatusCode::NOT_FOUND,
+        problem: Box::new(problem),
+    })?;
     let Json(request) = request.map_err(|e| Refusal::new(e.status(), e.body_text(), ""))?;
     if command.touches_disk(&request) {
-        let hint = format!("on the command line it is `mckibben {}`", command.name.replace('-', " "));
-        return Err(Refusal::new(StatusCode::FORBIDDEN, "the server touches no files", hint));
+        let hint = format!(
+            "on the command line it is `mckibben {}`",
+            command.name.replace('-', " ")
+        );
+        return Err(Refusal::new(
+            StatusCode::FORBIDDEN,
+            "the server touches no files",
+            hint,
+        ));
     }
     let place = places.try_acquire_owned().map_err(|_| {
         let message = "too many requests are worked on";
-        Refusal::new(StatusCode::SERVICE_UNAVAILABLE, message, "send the request again in a second")
+        Refusal::new(
+            StatusCode::SERVICE_UNAVAILABLE,
+            message,
+            "send the request again in a second",
+        )
     })?;
-    let kind = headers.get(ACCEPT).is_some_and(|v| v == PACKED).then_some(PACKED);
+    let kind = headers
+        .get(ACCEPT)
+        .is_some_and(|v| v == PACKED)
+        .then_some(PACKED);
     let cancel = Cancel::default();
     let _ends = EndsWith(cancel.clone());
     let work = move || {
@@ -57,9 +73,23 @@ pub async fn ask(
             None => answer.to_string().into_bytes(),
         })
     };
-    let done = spawn_blocking(move || if command.long { LONG.within(work) } else { work() });
+    let done = spawn_blocking(move || {
+        if command.long {
+            LONG.within(work)
+        } else {
+            work()
+        }
+    });
     let internal = |e: tokio::task::JoinError| {
-        Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, e.to_string(), "please report this")
+        Refusal::new(
+            StatusCode::INTERNAL_SERVER_ERROR,
+            e.to_string(),
+            "please report this",
+        )
     };
-    Ok(([(CONTENT_TYPE, kind.unwrap_or("application/json"))], done.await.map_err(internal)??).into_response())
+    Ok((
+        [(CONTENT_TYPE, kind.unwrap_or("application/json"))],
+        done.await.map_err(internal)??,
+    )
+        .into_response())
 }

@@ -12,8 +12,10 @@ use tokio::time::timeout;
 const HEADERS: [(&str, &str); 4] = [
     (
         "content-security-policy",
-        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
-         img-src 'self' data: blob:; connect-src 'self'; worker-src 'self'; object-src 'none'; base-uri 'none'; \
+        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' \
+         'unsafe-inline'; \
+         img-src 'self' data: blob:; connect-src 'self'; worker-src 'self'; object-src 'none'; \
+         base-uri 'none'; \
          frame-ancestors 'none'; form-action 'none'",
     ),
     ("x-content-type-options", "nosniff"),
@@ -36,24 +38,45 @@ pub async fn guarded(State(time): State<Duration>, request: Request, next: Next)
     };
     let headers = response.headers_mut();
     for (name, value) in HEADERS {
-        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+        headers.insert(
+            HeaderName::from_static(name),
+            HeaderValue::from_static(value),
+        );
     }
-    headers.entry(CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
+    headers
+        .entry(CACHE_CONTROL)
+        .or_insert(HeaderValue::from_static("no-store"));
     response
 }
 
 fn admitted(request: &Request) -> Result<(), Refusal> {
-    let header = |name| request.headers().get(name).map(|v| v.to_str().unwrap_or_default());
+    let header = |name| {
+        request
+            .headers()
+            .get(name)
+            .map(|v| v.to_str().unwrap_or_default())
+    };
     let host = header(HOST).unwrap_or_default();
-    let with_port = host.rsplit_once(':').filter(|(_, port)| port.parse::<u16>().is_ok());
+    let with_port = host
+        .rsplit_once(':')
+        .filter(|(_, port)| port.parse::<u16>().is_ok());
     let name = with_port.map_or(host, |(name, _)| name);
     if !LOCAL.iter().any(|local| local.eq_ignore_ascii_case(name)) {
         let message = format!("\"{host}\" is not a name of this server");
-        return Err(Refusal::new(StatusCode::FORBIDDEN, message, "open it at `localhost` or `127.0.0.1`"));
+        return Err(Refusal::new(
+            StatusCode::FORBIDDEN,
+            message,
+            "open it at `localhost` or `127.0.0.1`",
+        ));
     }
-    if header(ORIGIN).is_some_and(|origin| !origin.eq_ignore_ascii_case(&format!("http://{host}"))) {
+    if header(ORIGIN).is_some_and(|origin| !origin.eq_ignore_ascii_case(&format!("http://{host}")))
+    {
         let hint = "send the request from the page of this server";
-        return Err(Refusal::new(StatusCode::FORBIDDEN, "this comes from a page of another origin", hint));
+        return Err(Refusal::new(
+            StatusCode::FORBIDDEN,
+            "this comes from a page of another origin",
+            hint,
+        ));
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The workbench in a browser: the page, and `POST /api/COMMAND` with the request's JSON.
 //!
-//! The server is for the computer that it runs on: it answers to names of this computer alone, reads no file, keeps nothing on disk and has
-//! no users. `docs/server.md` lists routes and limits.
+//! The server is for the computer that it runs on: it answers to names of this computer alone,
+//! reads no file, keeps nothing on disk and has no users. `docs/server.md` lists routes and limits.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
@@ -36,7 +36,11 @@ pub struct Config {
 
 impl Default for Config {
     fn default() -> Self {
-        Self { time: Duration::from_secs(1800), body_bytes: 8 << 20, at_once: 32 }
+        Self {
+            time: Duration::from_secs(1800),
+            body_bytes: 8 << 20,
+            at_once: 32,
+        }
     }
 }
 
@@ -51,7 +55,8 @@ pub fn router(config: Config) -> Router {
         .layer(from_fn_with_state(config.time, door::guarded))
 }
 
-/// Serves on a listener, and returns within two seconds of `stopped` saying so: what has not ended by then is cancelled.
+/// Serves on a listener, and returns within two seconds of `stopped` saying so: what has not ended
+/// by then is cancelled.
 pub fn run(
     listener: std::net::TcpListener,
     config: Config,

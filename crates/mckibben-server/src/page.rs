@@ -31,13 +31,16 @@ fn kind(path: &str) -> &'static str {
 pub async fn page(uri: Uri, headers: HeaderMap) -> Response {
     let path = uri.path().trim_start_matches('/');
     let Some(bytes) = file(path) else {
-        return Refusal::new(StatusCode::NOT_FOUND, "this address does not exist", "").into_response();
+        return Refusal::new(StatusCode::NOT_FOUND, "this address does not exist", "")
+            .into_response();
     };
     let mut hasher = DefaultHasher::new();
     bytes.hash(&mut hasher);
     // Weak: the same content compressed is the same file.
     let tag = format!("W/\"{:016x}\"", hasher.finish());
-    let known = headers.get(IF_NONE_MATCH).is_some_and(|v| v.as_bytes() == tag.as_bytes());
+    let known = headers
+        .get(IF_NONE_MATCH)
+        .is_some_and(|v| v.as_bytes() == tag.as_bytes());
     let common = [(CACHE_CONTROL, "no-cache".to_owned()), (ETAG, tag)];
     if known {
         return (StatusCode::NOT_MODIFIED, common).into_response();

@@ -1,4 +1,5 @@
-//! Why a request is not answered: `{"error": {"kind", "message", "hint", …}}`, as on the command line.
+//! Why a request is not answered: `{"error": {"kind", "message", "hint", …}}`, as on the command
+//! line.
 
 use axum::response::{IntoResponse, Response};
 use axum::{Json, http::StatusCode};
@@ -19,7 +20,10 @@ impl Refusal {
             StatusCode::INTERNAL_SERVER_ERROR => ProblemKind::Internal,
             _ => ProblemKind::Usage,
         };
-        Self { status, problem: Box::new(Problem::new(kind, message, hint)) }
+        Self {
+            status,
+            problem: Box::new(Problem::new(kind, message, hint)),
+        }
     }
 }
 
@@ -29,7 +33,10 @@ impl From<Problem> for Refusal {
             ProblemKind::Internal => StatusCode::INTERNAL_SERVER_ERROR,
             _ => StatusCode::UNPROCESSABLE_ENTITY,
         };
-        Self { status, problem: Box::new(problem) }
+        Self {
+            status,
+            problem: Box::new(problem),
+        }
     }
 }
 

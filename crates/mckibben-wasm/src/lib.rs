@@ -1,9 +1,10 @@
 //! mckibben as a WebAssembly module with a bare interface: no generated glue, any host can call it.
 //!
-//! The host writes a command and its request (UTF-8) into memory that [`reserve`] gave, calls [`ask`], and reads the answer at
-//! [`answer`], [`answer_length`] bytes long: packed as `mckibben_app::ask_packed` says, or where `ask` returned 1 a problem as JSON.
-//! It imports one function, `host.progress(done, total)`. A panic writes its words to where the answer stands and traps; the host then
-//! reads them and makes a new instance.
+//! The host writes a command and its request (UTF-8) into memory that [`reserve`] gave, calls
+//! [`ask`], and reads the answer at [`answer`], [`answer_length`] bytes long: packed as
+//! `mckibben_app::ask_packed` says, or where `ask` returned 1 a problem as JSON. It imports one
+//! function, `host.progress(done, total)`. A panic writes its words to where the answer stands and
+//! traps; the host then reads them and makes a new instance.
 
 use mckibben::progress::Progress;
 use mckibben_app::ask_packed;
@@ -41,12 +42,16 @@ pub extern "C" fn reserve(bytes: usize) -> *mut u8 {
     })
 }
 
-/// Answers what was written: the command is the first so many bytes. 0 where there is an answer, 1 where there is a problem.
+/// Answers what was written: the command is the first so many bytes. 0 where there is an answer, 1
+/// where there is a problem.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask(command_bytes: usize) -> u32 {
     let input = INPUT.take();
     let (command, request) = input.split_at(command_bytes.min(input.len()));
-    let (command, request) = (String::from_utf8_lossy(command), String::from_utf8_lossy(request));
+    let (command, request) = (
+        String::from_utf8_lossy(command),
+        String::from_utf8_lossy(request),
+    );
     let (bytes, wrong) = match ask_packed(&command, &request, &Host) {
         Ok(bytes) => (bytes, 0),
         Err(problem) => (serde_json::to_vec(&problem).unwrap_or_default(), 1),
@@ -72,7 +77,10 @@ pub extern "C" fn answer_length() -> usize {
 pub extern "C" fn start() {
     std::panic::set_hook(Box::new(|panic| {
         let words = panic.to_string();
-        let _ =
-            ANSWER.try_with(|answer| answer.try_borrow_mut().map(|mut answer| *answer = words.into_bytes()));
+        let _ = ANSWER.try_with(|answer| {
+            answer
+                .try_borrow_mut()
+                .map(|mut answer| *answer = words.into_bytes())
+        });
     }));
 }

@@ -1,4 +1,5 @@
-//! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare response.
+//! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare
+//! response.
 
 pub use crate::analysis::Options;
 
@@ -8,7 +9,9 @@ use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::UncertaintyParts;
 use crate::units::trimmed as short;
-use crate::warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n};
+use crate::warning::{
+    Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n,
+};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -20,30 +23,35 @@ pub struct Answer {
     /// The chosen branch of the hysteresis loop.
     #[serde(skip_serializing_if = "Direction::is_mean")]
     pub direction: Direction,
-    /// What the model knows; `force_n` is 0 where the muscle is slack, and all else that of the muscle as it hangs: at its free
-    /// contraction, without derivatives.
+    /// What the model knows; `force_n` is 0 where the muscle is slack, and all else that of the
+    /// muscle as it hangs: at its free contraction, without derivatives.
     #[serde(flatten)]
     pub response: Response,
-    /// The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at
-    /// its free contraction, at which it hangs between its ends.
+    /// The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions,
+    /// diameter and stretches are those at its free contraction, at which it hangs between its
+    /// ends.
     pub slack: bool,
-    /// The model's own force in N, negative where the muscle would have to push; not a number where it would have to and has no
-    /// equilibrium.
+    /// The model's own force in N, negative where the muscle would have to push; not a number where
+    /// it would have to and has no equilibrium.
     #[serde(skip)]
     pub two_sided_force_n: f64,
     /// Where the muscle is slack: its free contraction at this pressure.
     pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
     pub start_pressure_mpa: Option<f64>,
-    /// 95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    /// 95 % half-width of the pull in N against a measured muscle, where the model's error is
+    /// known.
     pub uncertainty_n: Option<f64>,
-    /// Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    /// Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the
+    /// slope ∂F/∂P.
     pub pressure_uncertainty_mpa: Option<f64>,
-    /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the
+    /// slope ∂F/∂ε.
     pub contraction_uncertainty: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
     pub uncertainty_parts_n: Option<UncertaintyParts>,
-    /// Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
+    /// Of a muscle that extends: the push in N at which it buckles between two joints, by the
+    /// bending stiffness of its wall alone.
     pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
     #[schemars(with = "Vec<String>")]
@@ -74,13 +82,18 @@ impl Evaluation<'_> {
                 100.0 * straight
             ));
         }
-        if self.options.extrapolate { Ok(vec![format!("extrapolated: {error}")]) } else { Err(error) }
+        if self.options.extrapolate {
+            Ok(vec![format!("extrapolated: {error}")])
+        } else {
+            Err(error)
+        }
     }
 
     /// F(P, ε) with everything around it.
     ///
     /// # Errors
-    /// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
+    /// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no
+    /// answer.
     pub fn answer(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Answer> {
         let mut answer = self.point(pressure_mpa, contraction)?;
         answer.start_pressure_mpa = self.start_pressure_mpa(contraction).ok();
@@ -95,13 +108,19 @@ impl Evaluation<'_> {
     /// How the muscle hangs; none where the model finds no free contraction at this pressure.
     fn slack_state(&mut self, pressure_mpa: f64) -> Option<SlackState> {
         let free_contraction = self.free_contraction(pressure_mpa).ok()?;
-        let response =
-            self.response(pressure_mpa, free_contraction).map(Response::hanging).unwrap_or_default();
-        Some(SlackState { free_contraction, response })
+        let response = self
+            .response(pressure_mpa, free_contraction)
+            .map(Response::hanging)
+            .unwrap_or_default();
+        Some(SlackState {
+            free_contraction,
+            response,
+        })
     }
 
-    /// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and its push
-    /// is not wanted it is slack, and the model is not used. `hanging` keeps its state for the next point of this pressure.
+    /// The same where it may be known already how the muscle hangs at this pressure: if it was
+    /// shortened by more than that and its push is not wanted it is slack, and the model is not
+    /// used. `hanging` keeps its state for the next point of this pressure.
     pub(crate) fn point_beyond(
         &mut self,
         pressure_mpa: f64,
@@ -118,9 +137,14 @@ impl Evaluation<'_> {
             Some(known) if beyond(known) => None,
             _ => match self.response(pressure_mpa, contraction) {
                 Ok(response) => Some(response),
-                // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
+                // A muscle that was shortened by more than it shortens by itself may have no
+                // equilibrium: it hangs slack.
                 Err(error) => {
-                    if hanging.is_none() && !options.two_sided && contraction > 0.0 && pressure_mpa >= 0.0 {
+                    if hanging.is_none()
+                        && !options.two_sided
+                        && contraction > 0.0
+                        && pressure_mpa >= 0.0
+                    {
                         *hanging = self.slack_state(pressure_mpa);
                     }
                     match hanging {
@@ -151,10 +175,22 @@ impl Evaluation<'_> {
         let hangs = hanging.filter(|h| slack && contraction >= h.free_contraction);
         // Of one that hangs nowhere nothing is known but that it does not pull.
         let response = pulls.or(hangs.map(|h| h.response)).unwrap_or_default();
-        let response = Response { pressure_mpa, contraction, ..response };
-        let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
+        let response = Response {
+            pressure_mpa,
+            contraction,
+            ..response
+        };
+        let numbers = [
+            Some(response.force_n),
+            response.volume_mm3,
+            response.stiffness_n_per_mm,
+        ];
         if numbers.iter().flatten().any(|v| !v.is_finite()) {
-            return Err(ModelError::not_finite(&model.info().name, pressure_mpa, contraction));
+            return Err(ModelError::not_finite(
+                &model.info().name,
+                pressure_mpa,
+                contraction,
+            ));
         }
         warnings.extend(of_response(model.muscle(), &response));
         let largest = model.muscle().max_ideal_contraction();
@@ -164,7 +200,11 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        let parts = if valid { self.uncertainty(pressure_mpa, contraction, response.force_n) } else { None };
+        let parts = if valid {
+            self.uncertainty(pressure_mpa, contraction, response.force_n)
+        } else {
+            None
+        };
         Ok(Answer {
             model: model.info().name.to_string(),
             direction: options.direction,
@@ -191,22 +231,35 @@ impl Evaluation<'_> {
         let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
         if let Some(half_n) = answer.uncertainty_n {
             let slope = self.force_per_pressure_mm2(&answer.response).ok();
-            // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
-            let slope = if self.model.muscle().is_extensile() { slope.map(f64::abs) } else { slope };
+            // Where the ± is wider than the pressure itself, a straight line through the point says
+            // nothing.
+            let slope = if self.model.muscle().is_extensile() {
+                slope.map(f64::abs)
+            } else {
+                slope
+            };
             let half = slope.map(|slope| half_n / slope);
-            answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
+            answer.pressure_uncertainty_mpa =
+                half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
             if answer.pressure_uncertainty_mpa.is_none() {
-                answer.warnings.push(Warning::from(flat("pressure", half_n)));
+                answer
+                    .warnings
+                    .push(Warning::from(flat("pressure", half_n)));
             }
         }
         Ok(answer)
     }
 
-    /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
+    /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull
+    /// is above the blocked force.
     ///
     /// # Errors
     /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
-    pub fn contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Result<Answer, AnalysisError> {
+    pub fn contraction(
+        &mut self,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<Answer, AnalysisError> {
         let contraction = self.sought_contraction(force_n, pressure_mpa)?;
         let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
         if contraction < 0.0 && force_n > 0.0 && !self.model.muscle().is_extensile() {
@@ -220,29 +273,47 @@ impl Evaluation<'_> {
     ///
     /// # Errors
     /// As those of [`Evaluation::pressure`].
-    pub fn sought_pressure(&mut self, force_n: f64, contraction: f64) -> Result<f64, AnalysisError> {
+    pub fn sought_pressure(
+        &mut self,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<f64, AnalysisError> {
         self.check_range(self.model.info().range.pressure_mpa.0, contraction)?;
         let pressure = self.pressure_at(force_n, contraction);
-        intact(pressure, force_n, |p, force| self.broken(p, contraction, force))
+        intact(pressure, force_n, |p, force| {
+            self.broken(p, contraction, force)
+        })
     }
 
     /// The number alone that [`Evaluation::contraction`] seeks.
     ///
     /// # Errors
     /// As those of [`Evaluation::contraction`].
-    pub fn sought_contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Result<f64, AnalysisError> {
+    pub fn sought_contraction(
+        &mut self,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<f64, AnalysisError> {
         self.check_range(pressure_mpa, self.model.info().range.contraction.0.max(0.0))?;
         let contraction = self.contraction_or_stretch_at(force_n, pressure_mpa);
-        intact(contraction, force_n, |e, force| self.broken(pressure_mpa, e, force))
+        intact(contraction, force_n, |e, force| {
+            self.broken(pressure_mpa, e, force)
+        })
     }
 
     /// That a pull which was found is one of broken strands.
-    fn broken(&mut self, pressure_mpa: f64, contraction: f64, force_n: f64) -> Option<AnalysisError> {
+    fn broken(
+        &mut self,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> Option<AnalysisError> {
         strand_strength_n(self.model.muscle())?;
         let response = self.response(pressure_mpa, contraction).ok()?;
         let (tension_n, strength_n) = overloaded(self.model.muscle(), &response)?;
         Some(AnalysisError::StrandsBreak(format!(
-            "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} % break the strands: one of them carries {}\u{a0}N, and its strength is {}\u{a0}N",
+            "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} % break the strands: one of them \
+             carries {}\u{a0}N, and its strength is {}\u{a0}N",
             short(force_n, 1),
             short(pressure_mpa, 4),
             short(100.0 * contraction, 2),
@@ -251,7 +322,8 @@ impl Evaluation<'_> {
         )))
     }
 
-    /// The pull in N of a model on a branch, without its range and what it is worth: 0 where the strands break.
+    /// The pull in N of a model on a branch, without its range and what it is worth: 0 where the
+    /// strands break.
     ///
     /// # Errors
     /// The model's.
@@ -260,7 +332,11 @@ impl Evaluation<'_> {
             return self.force_n(pressure_mpa, contraction);
         }
         let response = self.response(pressure_mpa, contraction)?;
-        Ok(if overloaded(self.model.muscle(), &response).is_some() { 0.0 } else { response.force_n })
+        Ok(if overloaded(self.model.muscle(), &response).is_some() {
+            0.0
+        } else {
+            response.force_n
+        })
     }
 }
 
@@ -270,18 +346,25 @@ pub(crate) const FLAT_MPA: f64 = 0.1;
 /// What is said where the pull hardly changes with what is sought.
 fn flat(sought: &str, half_n: f64) -> String {
     format!(
-        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1}\u{a0}N, does not bound it"
+        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, \
+         {half_n:.1}\u{a0}N, does not bound it"
     )
 }
 
 impl Answer {
-    /// The same, where the contraction was sought; the stiffness is that of the muscle and of the load, where there is one.
-    pub(crate) fn with_contraction_sought(mut self, stiffness_n_per_mm: Option<f64>, length_mm: f64) -> Self {
+    /// The same, where the contraction was sought; the stiffness is that of the muscle and of the
+    /// load, where there is one.
+    pub(crate) fn with_contraction_sought(
+        mut self,
+        stiffness_n_per_mm: Option<f64>,
+        length_mm: f64,
+    ) -> Self {
         if let Some(half_n) = self.uncertainty_n {
             let half = stiffness_n_per_mm.map(|k| half_n / (k.abs() * length_mm));
             self.contraction_uncertainty = half.filter(|h| *h <= FLAT_CONTRACTION);
             if self.contraction_uncertainty.is_none() {
-                self.warnings.push(Warning::from(flat("contraction", half_n)));
+                self.warnings
+                    .push(Warning::from(flat("contraction", half_n)));
             }
         }
         self
@@ -295,17 +378,22 @@ const FLAT_CONTRACTION: f64 = 0.4;
 const STRETCHED: &str =
     "the pull exceeds the blocked force: it stretches the muscle (contraction below zero)";
 
-/// What was answer, unless the strands are broken there, or where the pull is nearest to the one that is sought.
+/// What was answer, unless the strands are broken there, or where the pull is nearest to the one
+/// that is sought.
 fn intact(
     answer: Result<f64, AnalysisError>,
     force_n: f64,
     broken: impl FnOnce(f64, f64) -> Option<AnalysisError>,
 ) -> Result<f64, AnalysisError> {
-    let at = answer.as_ref().map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
-    at.and_then(|(place, force_n)| broken(place, force_n)).map_or(answer, Err)
+    let at = answer
+        .as_ref()
+        .map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
+    at.and_then(|(place, force_n)| broken(place, force_n))
+        .map_or(answer, Err)
 }
 
-/// An inverse answers with the given force, not with its rounding error (which could read as slack at 0 N).
+/// An inverse answers with the given force, not with its rounding error (which could read as slack
+/// at 0 N).
 pub(crate) fn exactly(mut answer: Answer, force_n: f64) -> Answer {
     if (answer.response.force_n - force_n).abs() <= 1e-6 * force_n.abs().max(1.0) {
         answer.response.force_n = force_n;

@@ -10,7 +10,9 @@ use crate::cancel;
 use serde::{Deserialize, Serialize};
 
 /// Which test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Test {
     /// ε fixed, F over P.
@@ -61,22 +63,40 @@ impl Evaluation<'_> {
     /// Points without an answer carry their reason; the others keep theirs.
     pub fn curves(&mut self, test: Test, fixed: &[f64], along: &[f64]) -> Vec<Curve> {
         let curve = |&fixed: &f64| {
-            // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
+            // Along an isobaric curve it is sought once how the muscle hangs, at the first slack
+            // point.
             let mut hanging = None;
             let mut one = |&x: &f64| {
                 let open = cancel::check().map_err(AnalysisError::from);
                 if test == Test::Isotonic {
                     let answer = open.and_then(|()| self.contraction(fixed, x));
-                    return CurvePoint { pressure_mpa: x, contraction: None, force_n: Some(fixed), answer };
+                    return CurvePoint {
+                        pressure_mpa: x,
+                        contraction: None,
+                        force_n: Some(fixed),
+                        answer,
+                    };
                 }
                 if test == Test::Isometric {
                     hanging = None;
                 }
-                let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
+                let (p, e) = if test == Test::Isobaric {
+                    (fixed, x)
+                } else {
+                    (x, fixed)
+                };
                 let answer = open.and_then(|()| Ok(self.point_beyond(p, e, &mut hanging)?));
-                CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
+                CurvePoint {
+                    pressure_mpa: p,
+                    contraction: Some(e),
+                    force_n: None,
+                    answer,
+                }
             };
-            Curve { fixed, points: along.iter().map(&mut one).collect() }
+            Curve {
+                fixed,
+                points: along.iter().map(&mut one).collect(),
+            }
         };
         fixed.iter().map(curve).collect()
     }
@@ -85,13 +105,17 @@ impl Evaluation<'_> {
 impl Curve {
     /// (P, F), (P, ε) or (ε, F) of the answered points, to be drawn.
     ///
-    /// A line breaks (NaN) where there is no answer. Where the muscle becomes slack the line ends on zero, at the place
-    /// that a straight line between the two neighbours gives.
+    /// A line breaks (NaN) where there is no answer. Where the muscle becomes slack the line ends
+    /// on zero, at the place that a straight line between the two neighbours gives.
     pub fn line(&self, test: Test) -> Vec<(f64, f64)> {
         let mut out: Vec<(f64, f64)> = Vec::with_capacity(self.points.len() + 2);
         let mut before: Option<(f64, f64)> = None;
         for p in &self.points {
-            let x = if test == Test::Isobaric { p.contraction.unwrap_or(f64::NAN) } else { p.pressure_mpa };
+            let x = if test == Test::Isobaric {
+                p.contraction.unwrap_or(f64::NAN)
+            } else {
+                p.pressure_mpa
+            };
             let Ok(a) = &p.answer else {
                 out.push((x, f64::NAN));
                 before = None;
@@ -101,7 +125,11 @@ impl Curve {
                 out.push((x, a.response.contraction));
                 continue;
             }
-            let y = if a.slack { a.two_sided_force_n } else { a.response.force_n };
+            let y = if a.slack {
+                a.two_sided_force_n
+            } else {
+                a.response.force_n
+            };
             if let Some((x0, y0)) = before
                 && (a.slack || y0 < 0.0)
                 && (y0 < 0.0) != (y < 0.0)
@@ -142,7 +170,13 @@ mod tests {
             .start_pressure_mpa(0.15)
             .unwrap();
         assert!((start - dead).abs() < 1e-5, "{start} {dead}");
-        assert!(model.force_n(&mut Workspace::new(), start, 0.15).unwrap().abs() < 0.05);
+        assert!(
+            model
+                .force_n(&mut Workspace::new(), start, 0.15)
+                .unwrap()
+                .abs()
+                < 0.05
+        );
         assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));
     }
 }

@@ -1,7 +1,8 @@
 //! McKibben pneumatic muscles: rubber laws, force models, their inverses and curves.
 //!
-//! Data flows one way: specification → [`muscle`] → [`model`] → response → curve → figure. The central trait is
-//! [`model::ForceModel`]: whatever answers F(P, ε) for a muscle can be inverted, plotted, compared and designed with (`mckibben-fit`, `mckibben-design`).
+//! Data flows one way: specification → [`muscle`] → [`model`] → response → curve → figure. The
+//! central trait is [`model::ForceModel`]: whatever answers F(P, ε) for a muscle can be inverted,
+//! plotted, compared and designed with (`mckibben-fit`, `mckibben-design`).
 //!
 //! Units: mm, MPa (= N/mm²), N. Angles are in degrees where a name says `_deg`.
 //!
@@ -25,9 +26,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Finite elements, deformed shapes for ParaView (VTU) and campaigns are in the crates `mckibben-fem` and
-//! `mckibben-campaign`, which has four longer examples: a first muscle, a rubber and a formula of one's own, and constants
-//! from a bench (`crates/mckibben-campaign/examples`).
+//! Finite elements, deformed shapes for ParaView (VTU) and campaigns are in the crates
+//! `mckibben-fem` and `mckibben-campaign`, which has four longer examples: a first muscle, a rubber
+//! and a formula of one's own, and constants from a bench (`crates/mckibben-campaign/examples`).
 
 // The physics is documented on its public types.
 #![warn(missing_docs)]
@@ -64,8 +65,11 @@ pub use mckibben_io::clean;
 pub use mckibben_io::units;
 pub use mckibben_io::units::nearest;
 
-/// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas from campaigns; equation numbers in
-/// code and documents are its. Sources are cited by their key in `literature.bib`.
-pub const PAPER: &str = "M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, An analytical formula for \
-designing McKibben pneumatic muscles, International Journal of Mechanical Engineering and Technology 9 (2018) 320–337, \
+/// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas
+/// from campaigns; equation numbers in code and documents are its. Sources are cited by their key
+/// in `literature.bib`.
+pub const PAPER: &str = "M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. \
+    Raparelli, An analytical formula for \
+designing McKibben pneumatic muscles, International Journal of Mechanical Engineering and \
+Technology 9 (2018) 320–337, \
 hdl:11697/130466 [antonelli2018]";

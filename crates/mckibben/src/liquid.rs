@@ -4,8 +4,9 @@ use crate::analysis::ATMOSPHERE_MPA;
 use crate::refused::Refused;
 use serde::Serialize;
 
-/// The liquids that have a name, at 20 °C and without gas. Water: ρ and K (isothermal) by \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one
-/// class differ by 20 % in K; half glycol and half water lies between both.
+/// The liquids that have a name, at 20 °C and without gas. Water: ρ and K (isothermal) by
+/// \[kell1975\], its η and all of oil and glycol by \[white2011\], table A.3. Oils of one class
+/// differ by 20 % in K; half glycol and half water lies between both.
 pub const LIQUIDS: [Liquid; 3] = [
     entry("water", 998.2, 2179.0, 1.00e-3),
     // Mineral oil SAE 10W.
@@ -20,7 +21,13 @@ const fn entry(
     bulk_modulus_mpa: f64,
     viscosity_pa_s: f64,
 ) -> Liquid {
-    Liquid { name, density_kg_per_m3, bulk_modulus_mpa, viscosity_pa_s, gas_share: 0.0 }
+    Liquid {
+        name,
+        density_kg_per_m3,
+        bulk_modulus_mpa,
+        viscosity_pa_s,
+        gas_share: 0.0,
+    }
 }
 
 /// A liquid with bubbles of gas.
@@ -34,8 +41,9 @@ const fn entry(
 /// pa   atmospheric pressure, 0.101325                MPa
 /// ```
 ///
-/// The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under pressure, and the liquid is
-/// stiffer then. At 1 bar 1 % of gas is compressed 54 times as much as the water around it. Source: \[merritt1967\], effective bulk modulus.
+/// The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of
+/// it dissolves under pressure, and the liquid is stiffer then. At 1 bar 1 % of gas is compressed
+/// 54 times as much as the water around it. Source: \[merritt1967\], effective bulk modulus.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Liquid {
     /// Its name.
@@ -68,22 +76,37 @@ impl Liquid {
             let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
             Refused::new(["liquid", "name"], message)
         })?;
-        Self { gas_share, ..liquid }.validated()
+        Self {
+            gas_share,
+            ..liquid
+        }
+        .validated()
     }
 
     /// The same with another bulk modulus in MPa.
     pub fn with_bulk_modulus(self, bulk_modulus_mpa: f64) -> Result<Self, Refused> {
-        Self { bulk_modulus_mpa, ..self }.validated()
+        Self {
+            bulk_modulus_mpa,
+            ..self
+        }
+        .validated()
     }
 
     fn validated(self) -> Result<Self, Refused> {
         let k = self.bulk_modulus_mpa;
         if !(k > 0.0 && k.is_finite()) {
-            let message = format!("the bulk modulus of the liquid is {k} MPa; it must be above zero");
-            return Err(Refused::new(["liquid_bulk_modulus_mpa", "bulk_modulus"], message));
+            let message =
+                format!("the bulk modulus of the liquid is {k} MPa; it must be above zero");
+            return Err(Refused::new(
+                ["liquid_bulk_modulus_mpa", "bulk_modulus"],
+                message,
+            ));
         }
         if !(0.0..=0.9).contains(&self.gas_share) {
-            let message = format!("the share of gas is {}; it must lie between 0 and 0.9", self.gas_share);
+            let message = format!(
+                "the share of gas is {}; it must lie between 0 and 0.9",
+                self.gas_share
+            );
             return Err(Refused::new(["gas_share"; 2], message));
         }
         Ok(self)
@@ -92,18 +115,21 @@ impl Liquid {
     /// φ: the volume at a gauge pressure in MPa over that at atmospheric pressure.
     pub fn relative_volume(&self, pressure_mpa: f64) -> f64 {
         let gas = ATMOSPHERE_MPA / (ATMOSPHERE_MPA + pressure_mpa);
-        (1.0 - self.gas_share) * (-pressure_mpa / self.bulk_modulus_mpa).exp() + self.gas_share * gas
+        (1.0 - self.gas_share) * (-pressure_mpa / self.bulk_modulus_mpa).exp()
+            + self.gas_share * gas
     }
 
-    /// ΔV in mm³ at atmospheric pressure that is pushed in while the cavity grows from V0 without pressure to V at a gauge pressure in MPa:
-    /// (V + Vd)/φ(P) − V0 − Vd.
+    /// ΔV in mm³ at atmospheric pressure that is pushed in while the cavity grows from V0 without
+    /// pressure to V at a gauge pressure in MPa: (V + Vd)/φ(P) − V0 − Vd.
     pub fn pushed_mm3(
         &self,
         (rest_mm3, cavity_mm3): (f64, f64),
         dead_volume_mm3: f64,
         pressure_mpa: f64,
     ) -> f64 {
-        (cavity_mm3 + dead_volume_mm3) / self.relative_volume(pressure_mpa) - rest_mm3 - dead_volume_mm3
+        (cavity_mm3 + dead_volume_mm3) / self.relative_volume(pressure_mpa)
+            - rest_mm3
+            - dead_volume_mm3
     }
 
     /// Mass in g of a volume in mm³ at atmospheric pressure, without that of its gas.
@@ -123,7 +149,8 @@ impl Liquid {
         self.relative_volume(pressure_mpa) / self.compliance_per_mpa(pressure_mpa)
     }
 
-    /// ∫ P (−dφ/dP) dP from 0, in N mm for each mm³ at atmospheric pressure: the work of a pump on the liquid itself.
+    /// ∫ P (−dφ/dP) dP from 0, in N mm for each mm³ at atmospheric pressure: the work of a pump on
+    /// the liquid itself.
     pub fn energy_mpa(&self, pressure_mpa: f64) -> f64 {
         let x = pressure_mpa / self.bulk_modulus_mpa;
         // 1 − (1 + x) e^(−x), by its series where that cancels.
@@ -132,7 +159,8 @@ impl Liquid {
                 * (1.0 / 2.0
                     - x * (1.0 / 3.0
                         - x * (1.0 / 8.0
-                            - x * (1.0 / 30.0 - x * (1.0 / 144.0 - x * (1.0 / 840.0 - x / 5760.0))))))
+                            - x * (1.0 / 30.0
+                                - x * (1.0 / 144.0 - x * (1.0 / 840.0 - x / 5760.0))))))
         } else {
             1.0 - (1.0 + x) * (-x).exp()
         };
@@ -146,12 +174,16 @@ impl Liquid {
 mod tests {
     use super::*;
 
-    /// By hand: 1 % of gas at four times the atmospheric pressure has a quarter of its volume: 0.99 exp(−0.303975/2179) + 0.0025.
+    /// By hand: 1 % of gas at four times the atmospheric pressure has a quarter of its volume: 0.99
+    /// exp(−0.303975/2179) + 0.0025.
     #[test]
     fn gas_keeps_pressure_times_volume() {
         let water = Liquid::named("water", 0.01).unwrap();
         let p = 3.0 * ATMOSPHERE_MPA;
-        assert!((water.relative_volume(p) - (0.99 * (-0.303_975_f64 / 2179.0).exp() + 0.0025)).abs() < 1e-15);
+        assert!(
+            (water.relative_volume(p) - (0.99 * (-0.303_975_f64 / 2179.0).exp() + 0.0025)).abs()
+                < 1e-15
+        );
         // 0.01 · 0.101325/0.4053² = 6.168e-3 per MPa of gas beside 4.543e-4 of water.
         assert!((water.compliance_per_mpa(p) - (6.168_270e-3 + 4.542_735e-4)).abs() < 1e-9);
     }
@@ -160,15 +192,25 @@ mod tests {
     fn the_compliance_is_the_slope_of_the_volume_and_the_energy_its_integral() {
         for (name, gas) in [("water", 0.0), ("oil", 0.02), ("glycol", 0.3)] {
             for k in [60.0, 2000.0] {
-                let liquid = Liquid::named(name, gas).unwrap().with_bulk_modulus(k).unwrap();
+                let liquid = Liquid::named(name, gas)
+                    .unwrap()
+                    .with_bulk_modulus(k)
+                    .unwrap();
                 for p in [0.05, 0.4, 2.5, 10.0] {
                     let h = 1e-4 * p;
-                    let slope = (liquid.relative_volume(p - h) - liquid.relative_volume(p + h)) / (2.0 * h);
-                    assert!((slope / liquid.compliance_per_mpa(p) - 1.0).abs() < 1e-7, "{liquid:?} {p}");
+                    let slope =
+                        (liquid.relative_volume(p - h) - liquid.relative_volume(p + h)) / (2.0 * h);
+                    assert!(
+                        (slope / liquid.compliance_per_mpa(p) - 1.0).abs() < 1e-7,
+                        "{liquid:?} {p}"
+                    );
                     let power = (liquid.energy_mpa(p + h) - liquid.energy_mpa(p - h)) / (2.0 * h);
                     assert!((power / (p * slope) - 1.0).abs() < 1e-6, "{liquid:?} {p}");
                 }
-                assert_eq!((liquid.relative_volume(0.0), liquid.energy_mpa(0.0)), (1.0, 0.0));
+                assert_eq!(
+                    (liquid.relative_volume(0.0), liquid.energy_mpa(0.0)),
+                    (1.0, 0.0)
+                );
             }
         }
     }
@@ -176,11 +218,20 @@ mod tests {
     #[test]
     fn what_is_no_liquid_is_told() {
         let error = Liquid::named("watr", 0.0).unwrap_err();
-        assert_eq!(error.to_string(), "there is no liquid \"watr\"; the liquids are water, oil, glycol");
+        assert_eq!(
+            error.to_string(),
+            "there is no liquid \"watr\"; the liquids are water, oil, glycol"
+        );
         for gas in [-0.1, 1.0, f64::NAN] {
-            assert_eq!(Liquid::named("oil", gas).unwrap_err().fields[1], "gas_share");
+            assert_eq!(
+                Liquid::named("oil", gas).unwrap_err().fields[1],
+                "gas_share"
+            );
         }
         let water = Liquid::named("water", 0.0).unwrap();
-        assert_eq!(water.with_bulk_modulus(0.0).unwrap_err().fields[1], "bulk_modulus");
+        assert_eq!(
+            water.with_bulk_modulus(0.0).unwrap_err().fields[1],
+            "bulk_modulus"
+        );
     }
 }

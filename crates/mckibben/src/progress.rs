@@ -10,14 +10,19 @@ pub trait Progress: Sync {
     /// So many of so many steps are done.
     fn report(&self, _done: usize, _total: usize) {}
 
-    /// Whether the caller wants the work to end: the flag that was [entered](cancel::Cancel::enter) says so.
+    /// Whether the caller wants the work to end: the flag that was [entered](cancel::Cancel::enter)
+    /// says so.
     fn cancelled(&self) -> bool {
         cancel::check().is_err()
     }
 
     /// The same as an error.
     fn check(&self) -> Result<(), Cancelled> {
-        if self.cancelled() { Err(Cancelled) } else { Ok(()) }
+        if self.cancelled() {
+            Err(Cancelled)
+        } else {
+            Ok(())
+        }
     }
 }
 

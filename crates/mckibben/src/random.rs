@@ -35,9 +35,13 @@ impl Random {
     }
 }
 
-/// How many random cases a test takes: `few`, times `MCKIBBEN_TIMES` where that is set (the nightly checks set 10).
+/// How many random cases a test takes: `few`, times `MCKIBBEN_TIMES` where that is set (the nightly
+/// checks set 10).
 pub fn rounds(few: usize) -> usize {
-    few * std::env::var("MCKIBBEN_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
+    few * std::env::var("MCKIBBEN_TIMES")
+        .ok()
+        .and_then(|times| times.parse().ok())
+        .unwrap_or(1)
 }
 
 #[cfg(test)]
@@ -48,6 +52,13 @@ mod tests {
     fn the_published_sequence_of_seed_1234567() {
         let mut r = Random(1_234_567);
         let first: Vec<u64> = (0..3).map(|_| r.bits()).collect();
-        assert_eq!(first, [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]);
+        assert_eq!(
+            first,
+            [
+                6_457_827_717_110_365_317,
+                3_203_168_211_198_807_973,
+                9_817_491_932_198_370_423
+            ]
+        );
     }
 }

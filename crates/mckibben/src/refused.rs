@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// A value that is refused: the fields to blame, the likeliest first, and a sentence of field, value and what it must be.
+/// A value that is refused: the fields to blame, the likeliest first, and a sentence of field,
+/// value and what it must be.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{message}")]
 pub struct Refused {
@@ -15,7 +16,10 @@ pub struct Refused {
 impl Refused {
     /// A value that is refused.
     pub fn new(fields: impl IntoIterator<Item = &'static str>, message: impl Into<String>) -> Self {
-        Self { fields: fields.into_iter().collect(), message: message.into() }
+        Self {
+            fields: fields.into_iter().collect(),
+            message: message.into(),
+        }
     }
 
     /// Refuses fields unless something holds.
@@ -24,10 +28,15 @@ impl Refused {
         fields: impl IntoIterator<Item = &'static str>,
         message: impl FnOnce() -> String,
     ) -> Result<(), Self> {
-        if holds { Ok(()) } else { Err(Self::new(fields, message())) }
+        if holds {
+            Ok(())
+        } else {
+            Err(Self::new(fields, message()))
+        }
     }
 
-    /// The same of a part of something else: its fields come last, and its name is before the sentence.
+    /// The same of a part of something else: its fields come last, and its name is before the
+    /// sentence.
     pub(crate) fn within(mut self, part: &'static str) -> Self {
         self.fields.push(part);
         self.message = format!("{part}: {}", self.message);

@@ -30,30 +30,56 @@ pub struct TooLarge {
 /// Refuses more than [`MAX_POINTS`].
 pub fn points(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
     let (limit, advice) = (MAX_POINTS as f64, "take larger steps or fewer values");
-    at_most(TooLarge { field, estimate, unit: "points", limit, advice })
+    at_most(TooLarge {
+        field,
+        estimate,
+        unit: "points",
+        limit,
+        advice,
+    })
 }
 
 /// Refuses more than [`MAX_ELEMENTS`].
 pub fn elements(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
     let advice = "take a coarser mesh";
-    at_most(TooLarge { field, estimate, unit: "elements", limit: MAX_ELEMENTS, advice })
+    at_most(TooLarge {
+        field,
+        estimate,
+        unit: "elements",
+        limit: MAX_ELEMENTS,
+        advice,
+    })
 }
 
 /// Refuses more than [`MAX_BYTES`].
 pub fn bytes(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
     let advice = "take a coarser mesh or fewer points";
-    at_most(TooLarge { field, estimate, unit: "bytes", limit: MAX_BYTES, advice })
+    at_most(TooLarge {
+        field,
+        estimate,
+        unit: "bytes",
+        limit: MAX_BYTES,
+        advice,
+    })
 }
 
 fn at_most(estimated: TooLarge) -> Result<(), TooLarge> {
-    if estimated.estimate <= estimated.limit { Ok(()) } else { Err(estimated) }
+    if estimated.estimate <= estimated.limit {
+        Ok(())
+    } else {
+        Err(estimated)
+    }
 }
 
 /// A number with its thousands: 8 388 608, 4e9 as 4 000 000 000.
 fn amount(value: f64) -> String {
     let digits = format!("{value:.0}");
-    let groups: Vec<&str> =
-        digits.as_bytes().rchunks(3).rev().filter_map(|c| std::str::from_utf8(c).ok()).collect();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .filter_map(|c| std::str::from_utf8(c).ok())
+        .collect();
     groups.join(" ")
 }
 

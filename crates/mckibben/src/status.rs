@@ -8,7 +8,9 @@ use std::fmt;
 use std::str::FromStr;
 
 /// How a point ended. The words, in JSON, CSV and the tables of campaigns, are a contract.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// There is an answer.
@@ -22,8 +24,8 @@ pub enum Status {
     NotConverged,
     /// No equilibrium where the infinitely long muscle would push: the tube has collapsed.
     Collapsed,
-    /// The branch of equilibria that begins at the taut muscle ends before this point; there is one on another branch, such as that of a
-    /// folded tube.
+    /// The branch of equilibria that begins at the taut muscle ends before this point; there is one
+    /// on another branch, such as that of a folded tube.
     OtherBranch,
     /// The measures make no muscle, or no mesh.
     NoMuscle,
@@ -58,12 +60,37 @@ mod tests {
     #[test]
     fn words_come_back() {
         use Status::*;
-        let all = [Ok, OutOfRange, NoAnswer, NotConverged, Collapsed, OtherBranch, NoMuscle];
+        let all = [
+            Ok,
+            OutOfRange,
+            NoAnswer,
+            NotConverged,
+            Collapsed,
+            OtherBranch,
+            NoMuscle,
+        ];
         let words = all.map(|s| s.to_string());
-        let said =
-            ["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"];
+        let said = [
+            "ok",
+            "out_of_range",
+            "no_answer",
+            "not_converged",
+            "collapsed",
+            "other_branch",
+            "no_muscle",
+        ];
         assert_eq!(words, said);
-        assert!(words.iter().all(|w| w.parse::<Status>().unwrap().to_string() == *w));
-        assert!("slack".parse::<Status>().unwrap_err().to_string().contains("unknown variant `slack`"));
+        assert!(
+            words
+                .iter()
+                .all(|w| w.parse::<Status>().unwrap().to_string() == *w)
+        );
+        assert!(
+            "slack"
+                .parse::<Status>()
+                .unwrap_err()
+                .to_string()
+                .contains("unknown variant `slack`")
+        );
     }
 }

@@ -1,11 +1,13 @@
 //! Work side by side, on the threads that the system gives.
 //!
-//! All parallel work of the workspace goes through here. Where threads are refused (a limit of processes, WebAssembly) the
-//! calling thread does the work alone. Results have the order of their items: they are the same on any number of threads.
+//! All parallel work of the workspace goes through here. Where threads are refused (a limit of
+//! processes, WebAssembly) the calling thread does the work alone. Results have the order of their
+//! items: they are the same on any number of threads.
 //!
-//! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number, up to 64 or four for each core.
-//! Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the work stays in that pool. The parts of some work have its
-//! [flag](Cancel::current), on whichever thread.
+//! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number,
+//! up to 64 or four for each core. Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the
+//! work stays in that pool. The parts of some work have its [flag](Cancel::current), on whichever
+//! thread.
 
 use crate::cancel::Cancel;
 use rayon::prelude::*;
@@ -60,7 +62,8 @@ impl Threads {
 
     /// `f` of every item, in their order.
     pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-        // What rayon compiles for each closure is long: it gets one that is the same for all, with a place for each result.
+        // What rayon compiles for each closure is long: it gets one that is the same for all, with
+        // a place for each result.
         let places: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
         self.each(items.len(), &|i| {
             *places[i].lock().unwrap_or_else(PoisonError::into_inner) = Some(f(&items[i]));
@@ -74,8 +77,11 @@ impl Threads {
     /// Does the work of every place, 0 to `count` − 1.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         let cancel = Cancel::current();
-        let side_by_side =
-            || (0..count).into_par_iter().for_each_init(|| cancel.enter(), |_entered, i| work(i));
+        let side_by_side = || {
+            (0..count)
+                .into_par_iter()
+                .for_each_init(|| cancel.enter(), |_entered, i| work(i))
+        };
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(),
             Some(pool) => pool.install(side_by_side),
@@ -83,20 +89,29 @@ impl Threads {
         }
     }
 
-    /// Works on the parts of a list, so many places each (the last one may have fewer): `work` gets the place where a part begins and the part.
-    pub fn fill<T: Send>(&self, out: &mut [T], places: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+    /// Works on the parts of a list, so many places each (the last one may have fewer): `work` gets
+    /// the place where a part begins and the part.
+    pub fn fill<T: Send>(
+        &self,
+        out: &mut [T],
+        places: usize,
+        work: impl Fn(usize, &mut [T]) + Sync,
+    ) {
         let places = places.max(1);
         if out.len() <= places {
             return out.chunks_mut(places).for_each(|part| work(0, part));
         }
         let parts: Vec<Mutex<&mut [T]>> = out.chunks_mut(places).map(Mutex::new).collect();
         self.each(parts.len(), &|i| {
-            work(i * places, &mut parts[i].lock().unwrap_or_else(PoisonError::into_inner));
+            work(
+                i * places,
+                &mut parts[i].lock().unwrap_or_else(PoisonError::into_inner),
+            );
         });
     }
 
-    /// Works on every item and hands each result to `take` on the calling thread as it comes, in no order; `None` where
-    /// nothing came for a while.
+    /// Works on every item and hands each result to `take` on the calling thread as it comes, in no
+    /// order; `None` where nothing came for a while.
     pub fn for_each<T: Sync, R: Send>(
         &self,
         items: &[T],
@@ -104,7 +119,11 @@ impl Threads {
         mut take: impl FnMut(Option<R>),
     ) {
         // A thread of a pool must not wait for its own pool.
-        let Some(pool) = self.0.as_ref().filter(|_| rayon::current_thread_index().is_none()) else {
+        let Some(pool) = self
+            .0
+            .as_ref()
+            .filter(|_| rayon::current_thread_index().is_none())
+        else {
             return items.iter().for_each(|item| take(Some(work(item))));
         };
         let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
@@ -141,10 +160,14 @@ pub fn shortage() -> Option<String> {
     while known.process != process() {
         known = known.of_child.get()?;
     }
-    known.refused.as_ref().map(|e| format!("{e}; the work is done by {}", known.threads.count()))
+    known
+        .refused
+        .as_ref()
+        .map(|e| format!("{e}; the work is done by {}", known.threads.count()))
 }
 
-/// The threads of a process. One that was forked off has a copy of this, and none of the threads: it gets its own.
+/// The threads of a process. One that was forked off has a copy of this, and none of the threads:
+/// it gets its own.
 struct Shared {
     process: u32,
     threads: Threads,
@@ -173,17 +196,25 @@ impl Shared {
         let (threads, refused) = match pool(wanted(cores)) {
             Ok(pool) => (Threads(Some(pool)), None),
             Err(error) => {
-                let fewer = std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
+                let fewer =
+                    std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
                 (Threads(fewer.map(pool).find_map(Result::ok)), Some(error))
             }
         };
-        Self { process: process(), threads, refused, of_child: OnceLock::new() }
+        Self {
+            process: process(),
+            threads,
+            refused,
+            of_child: OnceLock::new(),
+        }
     }
 }
 
 /// What the environment says, up to a number that is of use; none where it says nothing.
 fn wanted(cores: usize) -> usize {
-    let stated = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.trim().parse::<usize>().ok());
+    let stated = std::env::var("RAYON_NUM_THREADS")
+        .ok()
+        .and_then(|text| text.trim().parse::<usize>().ok());
     stated.map_or(0, |count| at_most(count, cores))
 }
 
@@ -193,7 +224,10 @@ fn at_most(count: usize, cores: usize) -> usize {
 
 /// So many threads; none: as many as the environment or the cores say.
 fn pool(count: usize) -> Result<ThreadPool, ThreadsError> {
-    ThreadPoolBuilder::new().num_threads(count).build().map_err(|e| ThreadsError(e.to_string()))
+    ThreadPoolBuilder::new()
+        .num_threads(count)
+        .build()
+        .map_err(|e| ThreadsError(e.to_string()))
 }
 
 #[cfg(test)]
@@ -216,7 +250,9 @@ mod tests {
             assert_eq!(taken, squares, "{count}");
             let mut filled = vec![0; 100];
             threads.fill(&mut filled, 7, |from, part| {
-                part.iter_mut().zip(from as u64..).for_each(|(place, i)| *place = i * i);
+                part.iter_mut()
+                    .zip(from as u64..)
+                    .for_each(|(place, i)| *place = i * i);
             });
             assert_eq!(filled, squares, "{count}");
         }
@@ -224,7 +260,10 @@ mod tests {
 
     #[test]
     fn threads_that_are_of_no_use_are_not_started() {
-        assert_eq!([at_most(5000, 2), at_most(5000, 96), at_most(7, 2)], [64, 384, 7]);
+        assert_eq!(
+            [at_most(5000, 2), at_most(5000, 96), at_most(7, 2)],
+            [64, 384, 7]
+        );
     }
 
     #[test]

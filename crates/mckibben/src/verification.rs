@@ -1,4 +1,5 @@
-//! Rows of the tables that `mckibben validate` prints: verification against exact values, validation against measurements.
+//! Rows of the tables that `mckibben validate` prints: verification against exact values,
+//! validation against measurements.
 
 use serde::Serialize;
 
@@ -21,7 +22,8 @@ pub enum Measure {
     /// A value and what it should be.
     #[default]
     Value,
-    /// A root mean square of forces in N, beside the largest or the blocked force; the error is their ratio.
+    /// A root mean square of forces in N, beside the largest or the blocked force; the error is
+    /// their ratio.
     Rms,
     /// A share of points, beside the least share.
     Share,
@@ -52,7 +54,8 @@ pub struct VerificationRow {
 }
 
 impl VerificationRow {
-    /// A verified value with the largest error that passes: relative, or absolute where the reference is zero.
+    /// A verified value with the largest error that passes: relative, or absolute where the
+    /// reference is zero.
     pub fn new(
         name: String,
         source: &'static str,
@@ -60,11 +63,25 @@ impl VerificationRow {
         ours: Option<f64>,
         tolerance: f64,
     ) -> Self {
-        let scale = if reference == 0.0 { 1.0 } else { reference.abs() };
+        let scale = if reference == 0.0 {
+            1.0
+        } else {
+            reference.abs()
+        };
         let ours = ours.filter(|x| x.is_finite());
         let error = ours.map(|x| (x - reference).abs() / scale);
         let ok = error.is_some_and(|e| e <= tolerance);
         let (kind, measure) = (CaseKind::Verification, Measure::Value);
-        Self { name, kind, measure, source, reference, ours, error, tolerance, ok }
+        Self {
+            name,
+            kind,
+            measure,
+            source,
+            reference,
+            ours,
+            error,
+            tolerance,
+            ok,
+        }
     }
 }

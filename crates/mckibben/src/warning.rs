@@ -24,7 +24,8 @@ pub fn is_of_burst(sentence: &str) -> bool {
 pub enum WarningKind {
     /// Something about the muscle, the model or the question, whatever the answer.
     Said,
-    /// The pressure reaches or exceeds the muscle's burst pressure ([`burst`](crate::analysis::burst())).
+    /// The pressure reaches or exceeds the muscle's burst pressure
+    /// ([`burst`](crate::analysis::burst())).
     Burst,
     /// The pressure exceeds the allowed one.
     AboveAllowed,
@@ -54,18 +55,24 @@ pub struct Warning {
 
 impl Warning {
     fn new(kind: WarningKind, gravity: f64, sentence: String) -> Self {
-        Self { kind, gravity, sentence }
+        Self {
+            kind,
+            gravity,
+            sentence,
+        }
     }
 
     /// Of a pressure in MPa at which a muscle fails that bursts at `burst_mpa`.
     pub fn of_burst(pressure_mpa: f64, burst_mpa: f64, by: FailureMode) -> Self {
         let sentence = format!(
-            "{BURST}: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, {burst_mpa:.3}\u{a0}MPa, at which {by}"
+            "{BURST}: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, \
+             {burst_mpa:.3}\u{a0}MPa, at which {by}"
         );
         Self::new(WarningKind::Burst, pressure_mpa / burst_mpa, sentence)
     }
 
-    /// Of a pressure in MPa above the allowed one, which keeps its distance from a failure; from none where the fittings are rated for it.
+    /// Of a pressure in MPa above the allowed one, which keeps its distance from a failure; from
+    /// none where the fittings are rated for it.
     pub fn above_allowed(pressure_mpa: f64, allowed_mpa: f64, by: Option<FailureMode>) -> Self {
         let allowed = rounded(allowed_mpa, 4, f64::floor);
         let reason = by.map_or_else(
@@ -73,24 +80,34 @@ impl Warning {
             |by| {
                 let factor = SAFETY * by.share();
                 format!(
-                    "the allowed pressure is {allowed}\u{a0}MPa, since {by} at {:.3}\u{a0}MPa (safety factor {factor})",
+                    "the allowed pressure is {allowed}\u{a0}MPa, since {by} at {:.3}\u{a0}MPa \
+                     (safety factor {factor})",
                     allowed_mpa * factor
                 )
             },
         );
         let sentence = format!("{ABOVE}: {pressure_mpa:.3}\u{a0}MPa; {reason}");
-        Self::new(WarningKind::AboveAllowed, pressure_mpa / allowed_mpa, sentence)
+        Self::new(
+            WarningKind::AboveAllowed,
+            pressure_mpa / allowed_mpa,
+            sentence,
+        )
     }
 
     /// That a burst pressure is not known.
     pub fn burst_not_checked(why: NoBurst) -> Self {
-        Self::new(WarningKind::Said, 0.0, format!("{BURST} NOT CHECKED: {why}"))
+        Self::new(
+            WarningKind::Said,
+            0.0,
+            format!("{BURST} NOT CHECKED: {why}"),
+        )
     }
 
     /// Of a slack muscle at a contraction that its braid does not reach.
     pub(crate) fn beyond_braid(contraction: f64, largest: f64) -> Self {
         let sentence = format!(
-            "a contraction of {:.1} % is beyond the end of this braid: it contracts by {:.1} % at most (its angle is 54.7° there)",
+            "a contraction of {:.1} % is beyond the end of this braid: it contracts by {:.1} % at \
+             most (its angle is 54.7° there)",
             100.0 * contraction,
             100.0 * largest
         );
@@ -102,9 +119,14 @@ impl Warning {
         let limit = rubber.fitted_to_stretch.filter(|limit| stretch > *limit)?;
         let rubber = rubber.name.as_deref().unwrap_or("this rubber");
         let sentence = format!(
-            "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to {limit:.2}"
+            "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to \
+             {limit:.2}"
         );
-        Some(Self::new(WarningKind::RubberStretch, stretch / limit, sentence))
+        Some(Self::new(
+            WarningKind::RubberStretch,
+            stretch / limit,
+            sentence,
+        ))
     }
 
     /// Of each kind the gravest, of sentences each once, in the order in which they came.
@@ -133,7 +155,11 @@ impl fmt::Display for Warning {
 
 impl From<String> for Warning {
     fn from(sentence: String) -> Self {
-        Self::new(WarningKind::Said, 0.0, short_numbers(&sentence).into_owned())
+        Self::new(
+            WarningKind::Said,
+            0.0,
+            short_numbers(&sentence).into_owned(),
+        )
     }
 }
 
@@ -156,7 +182,10 @@ pub fn strand_strength_n(muscle: &Muscle) -> Option<f64> {
 
 /// Tension and strength of one strand in N, where the strands break: such a muscle does not pull.
 pub fn overloaded(muscle: &Muscle, response: &Response) -> Option<(f64, f64)> {
-    response.strand_tension_n.zip(strand_strength_n(muscle)).filter(|(tension, strength)| tension > strength)
+    response
+        .strand_tension_n
+        .zip(strand_strength_n(muscle))
+        .filter(|(tension, strength)| tension > strength)
 }
 
 /// What the user should know of what a model says of a muscle at a point.
@@ -166,12 +195,15 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     let mut warn = |kind, gravity, sentence| out.push(Warning::new(kind, gravity, sentence));
     if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
         let sentence = format!(
-            "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and its strength is {strength_n}\u{a0}N; what is broken does not pull",
+            "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and \
+             its strength is {strength_n}\u{a0}N; what is broken does not pull",
             response.pressure_mpa
         );
         warn(StrandsBreak, tension_n / strength_n, sentence);
     }
-    if let Some(strain) = response.braid_tension_n.and_then(|t| muscle.strand_strain(t))
+    if let Some(strain) = response
+        .braid_tension_n
+        .and_then(|t| muscle.strand_strain(t))
         && strain > VALIDATED_STRAND_STRAIN
     {
         let sentence = format!(
@@ -188,7 +220,8 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         && !muscle.is_extensile()
     {
         let sentence = format!(
-            "the pull falls when the pressure rises ({slope:.0}\u{a0}N/MPa): here the muscle widens instead of pulling"
+            "the pull falls when the pressure rises ({slope:.0}\u{a0}N/MPa): here the muscle \
+             widens instead of pulling"
         );
         warn(FallsWithPressure, -slope, sentence);
     }
@@ -197,19 +230,28 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     {
         let push_n = -response.force_n;
         let sentence = format!(
-            "the muscle buckles between two joints: it pushes with {push_n:.1}\u{a0}N, and its wall alone bears {bears_n:.1}\u{a0}N; guide it in a tube, or make it shorter"
+            "the muscle buckles between two joints: it pushes with {push_n:.1}\u{a0}N, and its \
+             wall alone bears {bears_n:.1}\u{a0}N; guide it in a tube, or make it shorter"
         );
         warn(Buckles, push_n / bears_n, sentence);
     }
     let rubber = &muscle.tube().rubber;
-    out.extend(response.rubber_stretch().and_then(|stretch| Warning::of_stretch(rubber, stretch)));
+    out.extend(
+        response
+            .rubber_stretch()
+            .and_then(|stretch| Warning::of_stretch(rubber, stretch)),
+    );
     out
 }
 
-/// The push in N at which a muscle that extends buckles between two joints, by its wall alone; `None` of a muscle that contracts, and where the infinitely long muscle has no answer.
+/// The push in N at which a muscle that extends buckles between two joints, by its wall alone;
+/// `None` of a muscle that contracts, and where the infinitely long muscle has no answer.
 pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
     let model = muscle.is_extensile().then(|| ThickWall::new(muscle))?;
-    model.buckling_n(response.pressure_mpa, response.contraction).ok().filter(|n| n.is_finite())
+    model
+        .buckling_n(response.pressure_mpa, response.contraction)
+        .ok()
+        .filter(|n| n.is_finite())
 }
 
 #[cfg(test)]
@@ -221,22 +263,46 @@ mod tests {
     #[test]
     fn of_each_kind_the_gravest_is_kept_and_sentences_once() {
         let said = |s: &str| Warning::from(s.to_owned());
-        let strain = |strain: f64| Warning::new(WarningKind::StrandStrain, strain, strain.to_string());
-        let all = [said("a"), strain(0.07), said("b"), strain(0.1), said("a"), strain(0.08)];
+        let strain =
+            |strain: f64| Warning::new(WarningKind::StrandStrain, strain, strain.to_string());
+        let all = [
+            said("a"),
+            strain(0.07),
+            said("b"),
+            strain(0.1),
+            said("a"),
+            strain(0.08),
+        ];
         assert_eq!(Warning::gravest(&all), [said("a"), strain(0.1), said("b")]);
     }
 
     #[test]
     fn soft_and_weak_strands_are_told_of() {
-        let strands = Strands { count: 64, section: Some((0.05, 60.0)), strength_n: Some(0.4) };
-        let braid = Braid { stiffness: BraidStiffness::OfStrands, strands: Some(strands), ..Braid::paper() };
+        let strands = Strands {
+            count: 64,
+            section: Some((0.05, 60.0)),
+            strength_n: Some(0.4),
+        };
+        let braid = Braid {
+            stiffness: BraidStiffness::OfStrands,
+            strands: Some(strands),
+            ..Braid::paper()
+        };
         let muscle = Muscle::prototype().with_braid(braid).unwrap();
         let model = ThickWall::new(&muscle);
         let response = model.response(&mut Workspace::new(), 0.05, 0.0).unwrap();
         let warnings = of_response(&muscle, &response);
-        assert!(warnings[0].to_string().contains("its strength is 0.4\u{a0}N"), "{warnings:?}");
+        assert!(
+            warnings[0]
+                .to_string()
+                .contains("its strength is 0.4\u{a0}N"),
+            "{warnings:?}"
+        );
         let kinds: Vec<WarningKind> = warnings.iter().map(|w| w.kind).collect();
-        assert_eq!(kinds[..2], [WarningKind::StrandsBreak, WarningKind::StrandStrain]);
+        assert_eq!(
+            kinds[..2],
+            [WarningKind::StrandsBreak, WarningKind::StrandStrain]
+        );
         // And nothing of a muscle that is well.
         let model = ThickWall::new(&Muscle::prototype());
         let response = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();

@@ -1,9 +1,10 @@
 //! How far closed-form models are from axisymmetric finite elements on random muscles.
 //!
-//! `cargo study model_errors -- 1000` prints, for each model, the error in the pull as a
-//! share of the blocked force at the same pressure: rms, mean, the share that 95 % of the points stay within, the
-//! largest, and the same share divided by D0/L0. Muscles: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°,
-//! neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the finite elements pull.
+//! `cargo study model_errors -- 1000` prints, for each model, the error in the pull as a share of
+//! the blocked force at the same pressure: rms, mean, the share that 95 % of the points stay
+//! within, the largest, and the same share divided by D0/L0. Muscles: D0 10–60 mm, s/D0 .03–.15,
+//! L0/D0 5–20, θ0 20–35°, neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the
+//! finite elements pull.
 
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
@@ -24,15 +25,25 @@ fn random(r: &mut Random) -> Option<(Muscle, f64)> {
     let k = p * 0.5 * d0 / (2.0 * sin * sin * strain);
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: mu }));
     let tube = Tube::new(d0, wall_mm, length_mm, rubber);
-    let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
-    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
+    let braid = Braid {
+        angle_deg,
+        stiffness: BraidStiffness::NewtonPerMm(k),
+        ..Braid::paper()
+    };
+    Some((
+        Muscle::new(tube, braid, Terminals::default(), None).ok()?,
+        p,
+    ))
 }
 
 /// Place of the thick wall with inextensible strands in the list of models.
 const RIGID: usize = 1;
 
 fn main() {
-    let count = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(500);
+    let count = std::env::args()
+        .nth(1)
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(500);
     let mut r = Random(20);
     let names = [
         "ideal",
@@ -45,23 +56,38 @@ fn main() {
     let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
         let (w, stiff_w) = (&mut Workspace::new(), &mut Workspace::new());
-        let Ok(fe) = Axisymmetric::new(&muscle) else { continue };
-        let Ok(blocked) = fe.force_n(w, p, 0.0) else { continue };
-        let rigid = Braid { stiffness: BraidStiffness::Inextensible, ..muscle.braid().clone() };
-        let Ok(stiff) = muscle.with_braid(rigid) else { continue };
+        let Ok(fe) = Axisymmetric::new(&muscle) else {
+            continue;
+        };
+        let Ok(blocked) = fe.force_n(w, p, 0.0) else {
+            continue;
+        };
+        let rigid = Braid {
+            stiffness: BraidStiffness::Inextensible,
+            ..muscle.braid().clone()
+        };
+        let Ok(stiff) = muscle.with_braid(rigid) else {
+            continue;
+        };
         let mut models: Vec<Box<dyn ForceModel>> = vec![
             Box::new(Ideal::new(&muscle)),
             Box::new(ThickWall::new(&stiff)),
             Box::new(ThickWall::new(&muscle)),
         ];
         let stiff_fe = Axisymmetric::new(&stiff);
-        for kind in [ModelKind::ChouHannaford, ModelKind::ForceBalance, ModelKind::KluteHannaford] {
+        for kind in [
+            ModelKind::ChouHannaford,
+            ModelKind::ForceBalance,
+            ModelKind::KluteHannaford,
+        ] {
             models.extend(kind.build(&muscle));
         }
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
         for step in 0..8 {
             let e = muscle.max_ideal_contraction() * f64::from(step) / 8.0;
-            let Ok(force) = fe.force_n(w, p, e) else { continue };
+            let Ok(force) = fe.force_n(w, p, e) else {
+                continue;
+            };
             if force <= 0.0 {
                 continue;
             }
@@ -70,7 +96,8 @@ fn main() {
                 let (mut force, mut blocked) = (force, blocked);
                 if i == RIGID {
                     let Ok(fe) = &stiff_fe else { continue };
-                    let (Ok(f), Ok(b)) = (fe.force_n(stiff_w, p, e), fe.force_n(stiff_w, p, 0.0)) else {
+                    let (Ok(f), Ok(b)) = (fe.force_n(stiff_w, p, e), fe.force_n(stiff_w, p, 0.0))
+                    else {
                         continue;
                     };
                     (force, blocked) = (f, b);
@@ -91,18 +118,27 @@ fn main() {
 /// Formula (11) over D0 30–50, s 1–5, P .05–.25, ε 0–.20, where the finite elements pull.
 fn paper() -> Vec<(f64, f64)> {
     let mut list = vec![];
-    for (d0, s) in (0..=8).flat_map(|i| (0..=4).map(move |j| (30.0 + 2.5 * f64::from(i), 1.0 + f64::from(j))))
+    for (d0, s) in
+        (0..=8).flat_map(|i| (0..=4).map(move |j| (30.0 + 2.5 * f64::from(i), 1.0 + f64::from(j))))
     {
-        let Ok(muscle) = Muscle::prototype().with_section(d0, s) else { continue };
-        let (Ok(fe), Ok(formula)) = (Axisymmetric::new(&muscle), ModelKind::Paper.build(&muscle)) else {
+        let Ok(muscle) = Muscle::prototype().with_section(d0, s) else {
+            continue;
+        };
+        let (Ok(fe), Ok(formula)) = (Axisymmetric::new(&muscle), ModelKind::Paper.build(&muscle))
+        else {
             continue;
         };
         let w = &mut Workspace::new();
-        let Ok(blocked) = fe.force_n(w, 0.25, 0.0) else { continue };
-        for (p, e) in (1..=5).flat_map(|i| (0..=8).map(move |j| (0.05 * f64::from(i), 0.025 * f64::from(j))))
+        let Ok(blocked) = fe.force_n(w, 0.25, 0.0) else {
+            continue;
+        };
+        for (p, e) in
+            (1..=5).flat_map(|i| (0..=8).map(move |j| (0.05 * f64::from(i), 0.025 * f64::from(j))))
         {
-            let (Ok(force), Ok(f)) = (fe.force_n(w, p, e), formula.force_n(&mut Workspace::new(), p, e))
-            else {
+            let (Ok(force), Ok(f)) = (
+                fe.force_n(w, p, e),
+                formula.force_n(&mut Workspace::new(), p, e),
+            ) else {
                 continue;
             };
             if force > 0.0 {

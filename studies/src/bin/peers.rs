@@ -1,8 +1,9 @@
-//! An exported deck's test, increment by increment, for the comparison with other programs (`benches/peers/compare.py`).
+//! An exported deck's test, increment by increment, for the comparison with other programs
+//! (`benches/peers/compare.py`).
 //!
-//! `cargo study peers -- muscle.toml 0.1 2x12 deck.inp` writes the deck of an isometric test at that
-//! contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread and prints pulls, time and
-//! work as JSON. A mesh that ends in `:quadratic` has no deck.
+//! `cargo study peers -- muscle.toml 0.1 2x12 deck.inp` writes the deck of an isometric test at
+//! that contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread and
+//! prints pulls, time and work as JSON. A mesh that ends in `:quadratic` has no deck.
 
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::output::{deck, increments};
@@ -21,7 +22,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let muscle = read_muscle(file)?;
     let contraction: f64 = contraction.parse()?;
-    let spec = BrickSpec { keep: Match::Angle, ..BrickSpec::parse(mesh).ok_or("no mesh")? };
+    let spec = BrickSpec {
+        keep: Match::Angle,
+        ..BrickSpec::parse(mesh).ok_or("no mesh")?
+    };
     let model = ThreeDimensional::with_mesh(&muscle, &spec)?;
     let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
     if spec.brick == Brick::Linear {
@@ -36,7 +40,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (e, p) in increments(contraction, &pressures)? {
         increment(&mut muscle, &mut trail, p, -e * half).map_err(|end| end.reason)?;
         let pull = muscle.pull();
-        points.push(format!(r#"{{"pressure_mpa": {p:?}, "contraction": {e:?}, "force_n": {pull:?}}}"#));
+        points.push(format!(
+            r#"{{"pressure_mpa": {p:?}, "contraction": {e:?}, "force_n": {pull:?}}}"#
+        ));
     }
     let seconds = began.elapsed().as_secs_f64();
     println!(

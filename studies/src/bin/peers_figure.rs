@@ -1,5 +1,6 @@
-//! The figure of `docs/finite-elements-3d.md`: one muscle by three-dimensional and axisymmetric elements, by the ideal formula, and by
-//! other programs (`data/peers`). `cargo study peers_figure -- FILE.svg`, from the root of the repository.
+//! The figure of `docs/finite-elements-3d.md`: one muscle by three-dimensional and axisymmetric
+//! elements, by the ideal formula, and by other programs (`data/peers`).
+//! `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 
 use mckibben::model::{ForceModel, Ideal, Workspace};
 use mckibben::muscle::file::read_muscle;
@@ -9,13 +10,21 @@ use mckibben_fit::compare::read_measured;
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 use std::error::Error;
 
-const PROGRAMS: [(&str, &str); 3] =
-    [("FElupe", "felupe"), ("CalculiX, K 30", "calculix_k_30"), ("CalculiX, K 300", "calculix_k_300")];
+const PROGRAMS: [(&str, &str); 3] = [
+    ("FElupe", "felupe"),
+    ("CalculiX, K 30", "calculix_k_30"),
+    ("CalculiX, K 300", "calculix_k_300"),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let out = std::env::args().nth(1).ok_or("wanted: a file to write")?;
     let muscle = read_muscle("examples/peers.toml")?;
-    let spec = BrickSpec { through: Some(2), around: Some(12), keep: Match::Angle, ..BrickSpec::default() };
+    let spec = BrickSpec {
+        through: Some(2),
+        around: Some(12),
+        keep: Match::Angle,
+        ..BrickSpec::default()
+    };
     let bricks = ThreeDimensional::with_mesh(&muscle, &spec)?;
     // Their mesh is a little longer than the muscle.
     let mut tube = muscle.tube().clone();
@@ -29,8 +38,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("ideal formula", &ideal, Style::Dotted),
     ];
 
-    let mut pull = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("pull F [N]").from_zero());
-    let mut off = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("F less that of fe3d [N]"));
+    let mut pull = Panel::new(
+        Axis::new("pressure P [MPa]").from_zero(),
+        Axis::new("pull F [N]").from_zero(),
+    );
+    let mut off = Panel::new(
+        Axis::new("pressure P [MPa]").from_zero(),
+        Axis::new("F less that of fe3d [N]"),
+    );
     for (turn, contraction) in [0.0, 0.1].into_iter().enumerate() {
         let reference = |p: f64| bricks.force_n(&mut Workspace::new(), p, contraction);
         for (number, (name, model, style)) in models.iter().enumerate() {
@@ -45,23 +60,32 @@ fn main() -> Result<(), Box<dyn Error>> {
                 }
             }
             let name = if turn == 0 { *name } else { "" };
-            let mut series = Series::line(name, line.clone()).colour(number).style(*style);
+            let mut series = Series::line(name, line.clone())
+                .colour(number)
+                .style(*style);
             if number == 0 {
                 series = series.end_label(format!("ε {} %", 100.0 * contraction));
             }
             pull = pull.series(series);
             if number == 1 {
-                let off_fe: Vec<(f64, f64)> =
-                    line.iter().filter_map(|&(p, f)| Some((p, f - reference(p).ok()?))).collect();
+                let off_fe: Vec<(f64, f64)> = line
+                    .iter()
+                    .filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)))
+                    .collect();
                 off = off.series(Series::line(name, off_fe).colour(number).style(*style));
             }
         }
         for (number, (name, file)) in PROGRAMS.iter().enumerate() {
-            let points = read_measured(&std::fs::read_to_string(format!("data/peers/{file}.csv"))?)?;
-            let here =
-                points.iter().filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
-            let list: Vec<(f64, f64)> =
-                here.clone().step_by(2).map(|p| (p.pressure_mpa, p.force_n)).collect();
+            let points =
+                read_measured(&std::fs::read_to_string(format!("data/peers/{file}.csv"))?)?;
+            let here = points
+                .iter()
+                .filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
+            let list: Vec<(f64, f64)> = here
+                .clone()
+                .step_by(2)
+                .map(|p| (p.pressure_mpa, p.force_n))
+                .collect();
             let name = if turn == 0 { *name } else { "" };
             pull = pull.series(Series::scatter(name, list).colour(3 + number));
             let list: Vec<(f64, f64)> = here
@@ -72,7 +96,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let figure = Figure::new("One muscle, several programs")
         .caption(format!(
-            "D0 30, s 3, L0 287.83, 28°, C10 0.12, C01 0.03, K 300 MPa; ε 0 and 10 %. The ideal formula is off by too much for the right panel. mckibben {}",
+            "D0 30, s 3, L0 287.83, 28°, C10 0.12, C01 0.03, K 300 MPa; ε 0 and 10 %. The ideal \
+             formula is off by too much for the right panel. mckibben {}",
             env!("CARGO_PKG_VERSION")
         ))
         .panel(pull)

@@ -1,4 +1,5 @@
-//! Errors of the models on random muscles that no fit has seen, in % of each muscle's blocked force where it pulls.
+//! Errors of the models on random muscles that no fit has seen, in % of each muscle's blocked force
+//! where it pulls.
 //!
 //! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
 
@@ -10,7 +11,12 @@ use mckibben_campaign::fit::universal::{
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn main() {
-    let number = |i: usize, usual: u64| std::env::args().nth(i).and_then(|n| n.parse().ok()).unwrap_or(usual);
+    let number = |i: usize, usual: u64| {
+        std::env::args()
+            .nth(i)
+            .and_then(|n| n.parse().ok())
+            .unwrap_or(usual)
+    };
     let (count, seed) = (number(1, 500) as usize, number(2, 7));
     let samples = held_out_samples(count, seed);
     let mut rows: Vec<HeldOutRow> = held_out(&samples);
@@ -21,13 +27,18 @@ fn main() {
     );
     for HeldOutRow { model, errors: e } in rows {
         let [rms, p95, p99, max] = [e.rms, e.p95, e.p99, e.max].map(|v| 100.0 * v);
-        println!("{model:<42} {:>7} {:>8} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}", e.points, e.muscles);
+        println!(
+            "{model:<42} {:>7} {:>8} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}",
+            e.points, e.muscles
+        );
     }
     small_pressures(&samples[..samples.len().min(count / 5)]);
     for kind in [ModelKind::ThickWall, ModelKind::Universal] {
         let mut list: Vec<f64> = vec![];
         for s in &samples {
-            let Ok(model) = kind.build(&s.muscle) else { continue };
+            let Ok(model) = kind.build(&s.muscle) else {
+                continue;
+            };
             for p in &s.points {
                 let volume = model
                     .response(&mut Workspace::new(), p.pressure_mpa, p.contraction)
@@ -47,23 +58,28 @@ fn of(errors: &[Vec<f64>]) -> [f64; 3] {
     [all.rms, all.p99, all.max].map(|v| 100.0 * v)
 }
 
-/// Errors at pressures far below the modulus, over the blocked force there and over that at P/μ = 1.
+/// Errors at pressures far below the modulus, over the blocked force there and over that at P/μ =
+/// 1.
 fn small_pressures(samples: &[Sample]) {
     println!(
-        "small pressures: P/mu, points, % of the blocked force there (rms, 99 %, worst), % of that at P/mu 1 (worst), worst in N"
+        "small pressures: P/mu, points, % of the blocked force there (rms, 99 %, worst), % of that \
+         at P/mu 1 (worst), worst in N"
     );
     for ratio in [0.001, 0.003, 0.01, 0.02, 0.05, 0.1] {
         let (mut here, mut at_modulus, mut newtons) = (vec![], 0.0_f64, 0.0_f64);
         for s in samples {
             let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
-            let (Ok(fe), Ok(model)) = (Axisymmetric::new(&s.muscle), ModelKind::Universal.build(&s.muscle))
-            else {
+            let (Ok(fe), Ok(model)) = (
+                Axisymmetric::new(&s.muscle),
+                ModelKind::Universal.build(&s.muscle),
+            ) else {
                 continue;
             };
             let p = ratio * mu;
-            let (Ok(blocked), Ok(usual)) =
-                (fe.force_n(&mut Workspace::new(), p, 0.0), model.force_n(&mut Workspace::new(), mu, 0.0))
-            else {
+            let (Ok(blocked), Ok(usual)) = (
+                fe.force_n(&mut Workspace::new(), p, 0.0),
+                model.force_n(&mut Workspace::new(), mu, 0.0),
+            ) else {
                 continue;
             };
             let farthest = zero(model.as_ref(), p, s.muscle.max_ideal_contraction());
@@ -85,7 +101,10 @@ fn small_pressures(samples: &[Sample]) {
         }
         let points = here.len();
         let [rms, p99, max] = of(&[here]);
-        println!("{ratio:<6} {points:>6} {rms:>8.3} {p99:>8.3} {max:>8.2} {at_modulus:>9.4} {newtons:>9.4}");
+        println!(
+            "{ratio:<6} {points:>6} {rms:>8.3} {p99:>8.3} {max:>8.2} {at_modulus:>9.4} \
+             {newtons:>9.4}"
+        );
     }
 }
 
@@ -94,7 +113,10 @@ fn zero(model: &dyn ForceModel, p: f64, largest: f64) -> f64 {
     let (mut low, mut high) = (0.0, largest);
     for _ in 0..30 {
         let mid = 0.5 * (low + high);
-        if model.force_n(&mut Workspace::new(), p, mid).is_ok_and(|f| f > 0.0) {
+        if model
+            .force_n(&mut Workspace::new(), p, mid)
+            .is_ok_and(|f| f > 0.0)
+        {
             low = mid
         } else {
             high = mid

@@ -1,6 +1,8 @@
-//! Draws how errors of models are spread on random muscles that no fit has seen: the share of points within an error.
+//! Draws how errors of models are spread on random muscles that no fit has seen: the share of
+//! points within an error.
 //!
-//! `cargo study universal_figure -- docs/figures/universal.svg 150` takes the file and the number of muscles.
+//! `cargo study universal_figure -- docs/figures/universal.svg 150` takes the file and the number
+//! of muscles.
 
 use mckibben::model::{ModelKind, Workspace};
 use mckibben_campaign::fit::universal::held_out_samples;
@@ -21,7 +23,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         Axis::new("|error| in % of the blocked force, log10").range(-4.0, 2.0),
         Axis::new("share of points within it, %").range(0.0, 100.0),
     );
-    for kind in [ModelKind::Universal, ModelKind::UniversalSmall, ModelKind::ThickWall, ModelKind::Ideal] {
+    for kind in [
+        ModelKind::Universal,
+        ModelKind::UniversalSmall,
+        ModelKind::ThickWall,
+        ModelKind::Ideal,
+    ] {
         let mut errors = vec![];
         for s in &samples {
             let model = kind.build(&s.muscle)?;
@@ -35,11 +42,16 @@ fn main() -> Result<(), Box<dyn Error>> {
             let place = (step * errors.len() / STEPS).min(errors.len().saturating_sub(1));
             (errors[place].log10(), 100.0 * step as f64 / STEPS as f64)
         };
-        panel = panel.series(Series::line(kind.name(), (1..=STEPS).map(at).collect::<Vec<_>>()));
+        panel = panel.series(Series::line(
+            kind.name(),
+            (1..=STEPS).map(at).collect::<Vec<_>>(),
+        ));
     }
     let title = "Errors against finite elements";
-    let caption =
-        format!("{points} points of {} random muscles that no fit has seen, where they pull", samples.len());
+    let caption = format!(
+        "{points} points of {} random muscles that no fit has seen, where they pull",
+        samples.len()
+    );
     let figure = Figure::new(title).caption(caption).panel(panel);
     std::fs::write(&file, figure.bytes(Path::new(&file))?)?;
     Ok(())

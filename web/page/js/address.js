@@ -5,13 +5,16 @@ import { pageOf } from "./pages.js";
 
 /** @param {string} [of] @returns {{ page: string, params: URLSearchParams }} */
 function parse(of = location.hash) {
-  const hash = of.replace(/^#/, ""), cut = hash.indexOf("?");
-  const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
+  const hash = of.replace(/^#/, ""),
+    cut = hash.indexOf("?");
+  const [page, query] =
+    cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
   return { page: page || "muscle", params: new URLSearchParams(query) };
 }
 
 /** Whether a link of this page leads nowhere on another computer. */
-export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
+export const isLocal = () =>
+  /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
 /** The page of the address, with its words; those that a damaged link has lost. */
 export async function read() {
@@ -30,12 +33,22 @@ export async function read() {
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
-const readable = (params) => [["%2C", ","], ["%3A", ":"], ["%2F", "/"], ["%40", "@"]].reduce(
-  (all, [escape, sign]) => all.replaceAll(escape, sign), params.toString());
+const readable = (params) =>
+  [
+    ["%2C", ","],
+    ["%3A", ":"],
+    ["%2F", "/"],
+    ["%40", "@"],
+  ].reduce(
+    (all, [escape, sign]) => all.replaceAll(escape, sign),
+    params.toString(),
+  );
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
 export function query(params) {
-  const said = Object.entries(params).flatMap(([key, word]) => (word ? [[key, packed(word)]] : []));
+  const said = Object.entries(params).flatMap(([key, word]) =>
+    word ? [[key, packed(word)]] : [],
+  );
   return readable(new URLSearchParams(said));
 }
 

@@ -17,11 +17,20 @@ export async function loadUnits() {
  */
 export async function understood(texts) {
   if (!texts.length) return [];
-  const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
-  const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
+  const asked = texts.map(({ kind, ...rest }) => ({
+    ...rest,
+    kind: kindOf(kind),
+  }));
+  const { readings } = await engine().ask(
+    "quantities",
+    { texts: asked },
+    { lane: "read" },
+  );
   // A number alone is in the unit that is shown, which the engine does not know.
-  return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({ ...rest,
-    problem: problem && { message: bareIn(problem.message, texts[i].kind) } }));
+  return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({
+    ...rest,
+    problem: problem && { message: bareIn(problem.message, texts[i].kind) },
+  }));
 }
 
 /**
@@ -38,11 +47,16 @@ const MOST_ANSWERS = 16;
  */
 export async function longWork(command, request, options) {
   const key = `${command} ${JSON.stringify(request)}`;
-  const known = /** @type {Commands[K]["answer"] | undefined} */ (answers.get(key));
-  const answer = known ?? await engine().ask(command, request, { lane: "job", ...options });
+  const known = /** @type {Commands[K]["answer"] | undefined} */ (
+    answers.get(key)
+  );
+  const answer =
+    known ??
+    (await engine().ask(command, request, { lane: "job", ...options }));
   answers.delete(key);
   answers.set(key, answer);
-  if (answers.size > MOST_ANSWERS) answers.delete(answers.keys().next().value ?? "");
+  if (answers.size > MOST_ANSWERS)
+    answers.delete(answers.keys().next().value ?? "");
   return answer;
 }
 
@@ -74,7 +88,12 @@ export class Slot {
       this.since = performance.now();
       this.timer ||= window.setTimeout(() => this.busy?.(true), 150);
       try {
-        take(await engine().ask(command, request, { lane: this.lane, signal: mine.signal }));
+        take(
+          await engine().ask(command, request, {
+            lane: this.lane,
+            signal: mine.signal,
+          }),
+        );
       } catch (problem) {
         if (!mine.signal.aborted) fail?.(problemOf(problem));
       }
@@ -91,7 +110,10 @@ export class Slot {
     this.waiting = go;
     const { flying } = this;
     clearTimeout(this.patience);
-    this.patience = window.setTimeout(() => flying.abort(), Math.max(0, PATIENCE - (performance.now() - this.since)));
+    this.patience = window.setTimeout(
+      () => flying.abort(),
+      Math.max(0, PATIENCE - (performance.now() - this.since)),
+    );
   }
 
   /** Nothing is asked any more, and what is on its way is given up. */

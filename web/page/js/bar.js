@@ -11,7 +11,11 @@ import { names } from "./steps.js";
 
 async function save() {
   try {
-    download(fileName(muscle.name, ".toml"), await muscle.toml(), "application/toml");
+    download(
+      fileName(muscle.name, ".toml"),
+      await muscle.toml(),
+      "application/toml",
+    );
   } catch (problem) {
     noticeProblem(problem, "The muscle cannot be saved.");
   }
@@ -19,36 +23,69 @@ async function save() {
 
 /** The name as a field: it is part of the link, and of the file that is saved. @param {() => void} renamed */
 function nameField(renamed) {
-  const field = el("input", { type: "text", "aria-label": "Name of the muscle", maxlength: 80, autocomplete: "off",
-    spellcheck: "false", onchange() {
+  const field = el("input", {
+    type: "text",
+    "aria-label": "Name of the muscle",
+    maxlength: 80,
+    autocomplete: "off",
+    spellcheck: "false",
+    onchange() {
       muscle.rename(field.value.trim());
       renamed();
-    } });
-  field.addEventListener("keydown", (event) => { if (event.key === "Enter") field.blur(); });
+    },
+  });
+  field.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") field.blur();
+  });
   return field;
 }
 
 /** A link of a page on this computer leads nowhere else: the file goes in its place. */
 function shareButton() {
-  return button("Share", async () => {
-    if (isLocal()) {
-      await save();
-      return notice("A link to this page works on this computer alone. The muscle was saved as a file: send that.");
-    }
-    await navigator.clipboard.writeText(location.href).then(() => notice("The link to this view is copied."),
-      () => prompt("The link to this view", location.href));
-  }, { title: "Copy the link to this view, or save the file where a link would not work elsewhere" });
+  return button(
+    "Share",
+    async () => {
+      if (isLocal()) {
+        await save();
+        return notice(
+          "A link to this page works on this computer alone. The muscle was saved as a file: send that.",
+        );
+      }
+      await navigator.clipboard.writeText(location.href).then(
+        () => notice("The link to this view is copied."),
+        () => prompt("The link to this view", location.href),
+      );
+    },
+    {
+      title:
+        "Copy the link to this view, or save the file where a link would not work elsewhere",
+    },
+  );
 }
 
 /** @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed */
 export function muscleBar(walk, renamed) {
-  const picture = el("span", {}), field = nameField(renamed), line = el("span", { class: "small soft measures" });
-  const undo = button("Undo", () => walk(-1)), redo = button("Redo", () => walk(1));
-  const element = el("div", { class: "muscle-bar", role: "group", "aria-label": "The muscle" }, picture,
-    el("span", { class: "name" }, field, line), undo, redo,
-    button("Open", openDialog, { title: "A file, a muscle of the gallery or the library, or a project" }),
-    button("Save", save, { title: "Save the muscle as a file (TOML)" }), shareButton(),
-    button("Print", () => print(), { title: "Print one sheet with muscle, inputs and numbers" }));
+  const picture = el("span", {}),
+    field = nameField(renamed),
+    line = el("span", { class: "small soft measures" });
+  const undo = button("Undo", () => walk(-1)),
+    redo = button("Redo", () => walk(1));
+  const element = el(
+    "div",
+    { class: "muscle-bar", role: "group", "aria-label": "The muscle" },
+    picture,
+    el("span", { class: "name" }, field, line),
+    undo,
+    redo,
+    button("Open", openDialog, {
+      title: "A file, a muscle of the gallery or the library, or a project",
+    }),
+    button("Save", save, { title: "Save the muscle as a file (TOML)" }),
+    shareButton(),
+    button("Print", () => print(), {
+      title: "Print one sheet with muscle, inputs and numbers",
+    }),
+  );
   /** @type {string | undefined} */ let drawn = "";
   return {
     element,
@@ -58,13 +95,16 @@ export function muscleBar(walk, renamed) {
       names().forEach((name, i) => {
         const one = [undo, redo][i];
         one.disabled = !name;
-        one.title = name ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})` : "";
+        one.title = name
+          ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
+          : "";
       });
       const s = muscle.shown;
       line.textContent = s
         ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`
         : "";
-      const of = s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();
+      const of =
+        s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();
       if (of === drawn) return;
       drawn = of;
       picture.replaceChildren(thumbnail(s));

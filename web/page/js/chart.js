@@ -9,18 +9,31 @@ import { number, outside } from "./units.js";
 
 export { KINDS };
 
-const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
-  [92, 200, 99], [170, 220, 50], [253, 231, 37]];
+const VIRIDIS = [
+  [68, 1, 84],
+  [71, 44, 122],
+  [59, 81, 139],
+  [44, 113, 142],
+  [33, 144, 141],
+  [39, 173, 129],
+  [92, 200, 99],
+  [170, 220, 50],
+  [253, 231, 37],
+];
 /** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
 export function viridisAt(share, most) {
   const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
-  return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));
+  return VIRIDIS[i].map((a, k) =>
+    Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)),
+  );
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
-export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
+export const viridis = (share, most = 0.82) =>
+  `rgb(${viridisAt(share, most).join(",")})`;
 /** The colour of a share, to be seen on the page. @param {number} share */
-export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
+export const shade = (share) =>
+  isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share);
 /** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
 export const pressureColour = (pressure, top) => shade(pressure / top);
 export class Chart extends Lines {
@@ -32,17 +45,41 @@ export class Chart extends Lines {
     super(el("div", { class: "plot" }), name, drag);
     this.name = name;
     this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
-    this.asTable = button("Table", () => this.flip(), { "aria-pressed": false });
-    const save = (/** @type {"csv" | "svg" | "png"} */ kind) => button(kind.toUpperCase(), () => this.save(kind));
-    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"),
-      save("svg"), save("png"));
-    this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar,
-      this.host, this.table);
-    const sized = new ResizeObserver(() => this.host.offsetWidth && this.draw());
+    this.asTable = button("Table", () => this.flip(), {
+      "aria-pressed": false,
+    });
+    const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
+      button(kind.toUpperCase(), () => this.save(kind));
+    const bar = el(
+      "div",
+      { class: "row" },
+      tools ?? null,
+      el("span", { class: "grow" }),
+      this.asTable,
+      save("csv"),
+      save("svg"),
+      save("png"),
+    );
+    this.element = el(
+      "section",
+      {
+        class: tall ? "chart tall" : "chart",
+        "aria-label": name.replaceAll("-", " "),
+      },
+      bar,
+      this.host,
+      this.table,
+    );
+    const sized = new ResizeObserver(
+      () => this.host.offsetWidth && this.draw(),
+    );
     sized.observe(this.host);
     onTheme(() => this.draw());
     // An answer that comes after the page was left has nothing to draw on.
-    atEnd(() => { sized.disconnect(); this.element.remove(); });
+    atEnd(() => {
+      sized.disconnect();
+      this.element.remove();
+    });
   }
 
   flip() {
@@ -73,24 +110,39 @@ export class Chart extends Lines {
    */
   rows() {
     const { series = [], rows, z: third } = this.spec ?? {};
-    const more = (/** @type {Series} */ s, /** @type {number} */ i) => (third ? [s.z?.[i] ?? null] : []);
-    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
+    const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
+      third ? [s.z?.[i] ?? null] : [];
+    const line = (/** @type {Series} */ s) =>
+      s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
     return rows ?? series.filter((s) => !s.silent).flatMap(line);
   }
 
   tabulate() {
-    const rows = this.rows().map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
-    this.table.replaceChildren(table(this.head(), rows).firstElementChild ?? "");
+    const rows = this.rows().map((row) =>
+      row.map((v) => (typeof v === "string" ? v : number(v))),
+    );
+    this.table.replaceChildren(
+      table(this.head(), rows).firstElementChild ?? "",
+    );
   }
 
   /** @param {"csv" | "svg" | "png"} kind */
   async save(kind) {
     if (!this.spec) return;
-    if (kind === "csv") return download(`${this.name}.csv`, csv([this.head(), ...this.rows()]), "text/csv");
-    const size = { width: Math.max(640, this.host.clientWidth), height: Math.max(400, this.host.clientHeight) };
+    if (kind === "csv")
+      return download(
+        `${this.name}.csv`,
+        csv([this.head(), ...this.rows()]),
+        "text/csv",
+      );
+    const size = {
+      width: Math.max(640, this.host.clientWidth),
+      height: Math.max(400, this.host.clientHeight),
+    };
     const url = await this.picture(kind, size);
     el("a", { href: url, download: `${this.name}.${kind}` }).click();
-    if (url.startsWith("blob:")) setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    if (url.startsWith("blob:"))
+      setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 }
 
@@ -100,12 +152,25 @@ export class Chart extends Lines {
  * @param {Commands["curve"]["answer"]["points"]} points
  */
 export function isobar(points) {
-  const slack = points.findIndex((q) => "force_n" in q && q.slack), last = points[slack];
+  const slack = points.findIndex((q) => "force_n" in q && q.slack),
+    last = points[slack];
   const free = last && "force_n" in last ? last.free_contraction : undefined;
-  const taut = slack < 0 ? points : points.slice(0, slack), at = taut.map((q) => 100 * (q.contraction ?? NaN));
-  const ends = slack > 0 && typeof free === "number" && 100 * free > at[slack - 1] ? [100 * free] : [];
+  const taut = slack < 0 ? points : points.slice(0, slack),
+    at = taut.map((q) => 100 * (q.contraction ?? NaN));
+  const ends =
+    slack > 0 && typeof free === "number" && 100 * free > at[slack - 1]
+      ? [100 * free]
+      : [];
   const half = (/** @type {CurveAnswer["points"][number]} */ q) =>
-    ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null);
-  return { x: [...at, ...ends], half: [...taut, ...(ends.length ? [last] : [])].map(half),
-    y: [...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)), ...ends.map(() => 0)] };
+    "force_n" in q && q.uncertainty_n
+      ? outside("force", q.uncertainty_n)
+      : null;
+  return {
+    x: [...at, ...ends],
+    half: [...taut, ...(ends.length ? [last] : [])].map(half),
+    y: [
+      ...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
+      ...ends.map(() => 0),
+    ],
+  };
 }

@@ -1,14 +1,31 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
 import { addOptions, button, capital, el } from "./dom.js";
-import { changeUnit, expectation, hasChoice, inside, meant, number, onAnyUnits, outside, show,
-  unitName } from "./units.js";
+import {
+  changeUnit,
+  expectation,
+  hasChoice,
+  inside,
+  meant,
+  number,
+  onAnyUnits,
+  outside,
+  show,
+  unitName,
+} from "./units.js";
 import { sketched } from "./sketch.js";
 import { inWords } from "./words.js";
 
 let count = 0;
 /** Steps of keys, in steps of a slider. @type {Record<string, number>} */
-const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
+const STEPS = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  PageUp: 10,
+  PageDown: -10,
+};
 
 /**
  * `change` is called at every step, with `settled` at the end of a gesture. Without a value the field is empty; one
@@ -20,12 +37,14 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
  */
 
 /** What is said below a field: a note, or what is wrong with it. @param {HTMLElement} field @param {HTMLElement} box */
-export const saying = (field, box) => (text = "", wrong = false) => {
-  box.className = wrong ? "wrong" : "note small soft";
-  box.textContent = wrong ? inWords(text) : text;
-  box.hidden = !text;
-  field.ariaInvalid = wrong && text ? "true" : null;
-};
+export const saying =
+  (field, box) =>
+  (text = "", wrong = false) => {
+    box.className = wrong ? "wrong" : "note small soft";
+    box.textContent = wrong ? inWords(text) : text;
+    box.hidden = !text;
+    field.ariaInvalid = wrong && text ? "true" : null;
+  };
 
 /** A field with a slider, where that has ends. */
 class Quantity {
@@ -42,21 +61,58 @@ class Quantity {
 
   /** @param {Spec} spec */
   constructor(spec) {
-    const { key, field, label, symbol, about, kind, low = NaN, high = NaN } = spec, id = `q${++count}`;
+    const {
+        key,
+        field,
+        label,
+        symbol,
+        about,
+        kind,
+        low = NaN,
+        high = NaN,
+      } = spec,
+      id = `q${++count}`;
     this.spec = spec;
     this.#now = spec.value;
     [this.#low, this.#high] = [low, high];
-    this.slider = el("input", { type: "range", min: 0, max: 1000, step: "any", "aria-label": label });
-    this.field = el("input", { type: "text", id, autocomplete: "off", spellcheck: "false",
-      "aria-describedby": `${id}w` });
+    this.slider = el("input", {
+      type: "range",
+      min: 0,
+      max: 1000,
+      step: "any",
+      "aria-label": label,
+    });
+    this.field = el("input", {
+      type: "text",
+      id,
+      autocomplete: "off",
+      spellcheck: "false",
+      "aria-describedby": `${id}w`,
+    });
     this.unit = hasChoice(kind)
-      ? button("", () => changeUnit(kind), { class: "bare", title: "Change the unit everywhere" })
+      ? button("", () => changeUnit(kind), {
+          class: "bare",
+          title: "Change the unit everywhere",
+        })
       : el("span", { class: "soft" });
     const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
     this.say = saying(this.field, below);
-    const name = el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null);
-    this.element = el("div", { class: "quantity" }, name, this.field, this.unit, Number.isNaN(low) ? null : this.slider,
-      below);
+    const name = el(
+      "label",
+      { for: id },
+      label,
+      symbol ? " " : "",
+      symbol ? el("i", { class: "soft" }, symbol) : null,
+    );
+    this.element = el(
+      "div",
+      { class: "quantity" },
+      name,
+      this.field,
+      this.unit,
+      Number.isNaN(low) ? null : this.slider,
+      below,
+    );
     sketched(this.element, key, field);
     if (about) this.element.dataset.about = about;
     this.#listen();
@@ -64,7 +120,9 @@ class Quantity {
     this.#paint();
   }
 
-  get value() { return this.#now; }
+  get value() {
+    return this.#now;
+  }
   /** @param {number | undefined} v */
   set(v) {
     if (v === this.#now) return;
@@ -88,8 +146,12 @@ class Quantity {
   }
   /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
   anchor(least = 0, most = Infinity) {
-    const { spec: { around }, value } = this;
-    if (around && value) this.reach(Math.max(least, 0.3 * value), Math.min(most, 3 * value));
+    const {
+      spec: { around },
+      value,
+    } = this;
+    if (around && value)
+      this.reach(Math.max(least, 0.3 * value), Math.min(most, 3 * value));
   }
   /** @param {boolean} on */
   enable(on) {
@@ -98,47 +160,84 @@ class Quantity {
   }
 
   /** Whether somebody is typing. */
-  #typing() { return document.activeElement === this.field && this.field.value !== this.#painted; }
+  #typing() {
+    return (
+      document.activeElement === this.field &&
+      this.field.value !== this.#painted
+    );
+  }
   /**
    * A value as it stands in the field; with its sign where it is in %, so that it can be read again.
    * @param {number} v
    */
   #asText(v) {
     const { kind } = this.spec;
-    return number(outside(kind, v), 6).replace("−", "-") + (kind === "ratio" ? " %" : "");
+    return (
+      number(outside(kind, v), 6).replace("−", "-") +
+      (kind === "ratio" ? " %" : "")
+    );
   }
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   #step() {
     const { kind } = this.spec;
-    return 10 ** Math.floor(Math.log10(Math.abs(outside(kind, this.#high) - outside(kind, this.#low)) / 100));
+    return (
+      10 **
+      Math.floor(
+        Math.log10(
+          Math.abs(outside(kind, this.#high) - outside(kind, this.#low)) / 100,
+        ),
+      )
+    );
   }
   /** By its logarithm where its ends are around a value. */
   #fromSlider() {
-    const { kind, around } = this.spec, share = Number(this.slider.value) / 1000, [low, high] = [this.#low, this.#high];
-    const v = outside(kind, around ? low * (high / low) ** share : low + share * (high - low));
+    const { kind, around } = this.spec,
+      share = Number(this.slider.value) / 1000,
+      [low, high] = [this.#low, this.#high];
+    const v = outside(
+      kind,
+      around ? low * (high / low) ** share : low + share * (high - low),
+    );
     // A round value may lie beyond its ends.
-    const within = (/** @type {number} */ round) => Math.min(high, Math.max(low, inside(kind, round)));
-    if (around) return within(Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)));
+    const within = (/** @type {number} */ round) =>
+      Math.min(high, Math.max(low, inside(kind, round)));
+    if (around)
+      return within(
+        Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)),
+      );
     const step = this.#step();
     return inside(kind, Number((Math.round(v / step) * step).toPrecision(12)));
   }
   #share(/** @type {number} */ now) {
     const [low, high] = [this.#low, this.#high];
-    return this.spec.around ? Math.log(Math.max(now, 1e-12) / low) / Math.log(high / low) : (now - low) / (high - low);
+    return this.spec.around
+      ? Math.log(Math.max(now, 1e-12) / low) / Math.log(high / low)
+      : (now - low) / (high - low);
   }
 
   #listen() {
-    const { slider, field, spec: { kind } } = this;
-    slider.addEventListener("input", () => this.#take(this.#fromSlider(), false));
+    const {
+      slider,
+      field,
+      spec: { kind },
+    } = this;
+    slider.addEventListener("input", () =>
+      this.#take(this.#fromSlider(), false),
+    );
     slider.addEventListener("change", () => this.spec.change(this.#now, true));
     slider.addEventListener("keydown", (event) => {
       const by = STEPS[event.key];
       if (by === undefined) return;
       event.preventDefault();
       const now = outside(kind, this.#now ?? this.#low),
-        step = this.spec.around ? 10 ** Math.floor(Math.log10(now / 20)) : this.#step();
+        step = this.spec.around
+          ? 10 ** Math.floor(Math.log10(now / 20))
+          : this.#step();
       const next = Number((now + by * step).toPrecision(12));
-      this.#take(Math.min(this.#high, Math.max(this.#low, inside(kind, next))), true);
+      this.#take(
+        Math.min(this.#high, Math.max(this.#low, inside(kind, next))),
+        true,
+      );
     });
     field.addEventListener("change", () => {
       this.#read().catch((problem) => this.say(problem.message, true));
@@ -165,15 +264,26 @@ class Quantity {
 
   /** What was typed. */
   async #read() {
-    const { field, spec: { kind, clears } } = this, text = field.value.trim();
+    const {
+        field,
+        spec: { kind, clears },
+      } = this,
+      text = field.value.trim();
     // What the page wrote is not read again: it may have fewer digits than the value. What is being read is given up.
-    if (text === this.#painted && (this.#now === undefined || !field.hasAttribute("aria-invalid"))) {
+    if (
+      text === this.#painted &&
+      (this.#now === undefined || !field.hasAttribute("aria-invalid"))
+    ) {
       this.#turn++;
       return;
     }
     if (!text && clears) return this.#take(undefined, true);
-    const { text: asked, value, note } = meant(kind, text), turn = ++this.#turn;
-    const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
+    const { text: asked, value, note } = meant(kind, text),
+      turn = ++this.#turn;
+    const reading =
+      value === undefined
+        ? (await understood([{ text: asked, kind }]))[0]
+        : { value };
     // A later text or a drag counts, whichever is read first.
     if (turn !== this.#turn) return;
     if (reading.problem) return this.say(reading.problem.message, true);
@@ -181,21 +291,34 @@ class Quantity {
   }
 
   #paint(fieldToo = true) {
-    const { slider, unit, spec: { kind, unit: own } } = this, now = this.#now;
+    const {
+        slider,
+        unit,
+        spec: { kind, unit: own },
+      } = this,
+      now = this.#now;
     // Without a value there is nothing to change a little.
     slider.hidden = now === undefined;
     slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
     if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
-    unit.textContent = kind === "ratio" ? "" : own ?? unitName(kind);
-    slider.setAttribute("aria-valuetext",
-      now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`);
+    unit.textContent = kind === "ratio" ? "" : (own ?? unitName(kind));
+    slider.setAttribute(
+      "aria-valuetext",
+      now === undefined
+        ? "not given"
+        : `${number(outside(kind, now))} ${unitName(kind)}`,
+    );
     this.#hint();
   }
 
   /** Writes into the field; a selection of all of it stays, so that typing replaces it. @param {string} text */
   #write(text) {
-    const { field } = this, { selectionStart, selectionEnd, value } = field;
-    const whole = document.activeElement === field && selectionStart === 0 && selectionEnd === value.length;
+    const { field } = this,
+      { selectionStart, selectionEnd, value } = field;
+    const whole =
+      document.activeElement === field &&
+      selectionStart === 0 &&
+      selectionEnd === value.length;
     if (value !== text) {
       field.value = text;
       if (whole) field.select();
@@ -206,12 +329,17 @@ class Quantity {
   /** What may be typed. */
   #hint() {
     const { about, kind, above, minimum, maximum, usual } = this.spec;
-    const bounds = [above === undefined ? "" : `above ${show(kind, above)}`,
+    const bounds = [
+      above === undefined ? "" : `above ${show(kind, above)}`,
       minimum === undefined ? "" : `from ${show(kind, minimum)}`,
-      maximum === undefined ? "" : `up to ${show(kind, maximum)}`];
-    const words = capital([expectation(kind), ...bounds].filter(Boolean).join(", "));
+      maximum === undefined ? "" : `up to ${show(kind, maximum)}`,
+    ];
+    const words = capital(
+      [expectation(kind), ...bounds].filter(Boolean).join(", "),
+    );
     this.field.title = [about, words].filter(Boolean).join(" ");
-    this.field.placeholder = usual !== undefined ? this.#asText(usual) : kind === "ratio" ? "%" : "";
+    this.field.placeholder =
+      usual !== undefined ? this.#asText(usual) : kind === "ratio" ? "%" : "";
   }
 }
 
@@ -224,10 +352,18 @@ export const quantity = (spec) => new Quantity(spec);
  * @param {(value: string) => void} change
  */
 export function choice(label, options, value, change) {
-  const select = el("select", { onchange: () => change(select.value) },
-    ...options.map(([name, text]) => el("option", { value: name }, text)));
+  const select = el(
+    "select",
+    { onchange: () => change(select.value) },
+    ...options.map(([name, text]) => el("option", { value: name }, text)),
+  );
   select.value = value;
-  const element = el("label", { class: "choice" }, el("span", {}, label), select);
+  const element = el(
+    "label",
+    { class: "choice" },
+    el("span", {}, label),
+    select,
+  );
   return {
     element,
     /** @param {string} v */
@@ -236,11 +372,20 @@ export function choice(label, options, value, change) {
       select.value = v;
     },
     /** The name of the first one, which is the usual. @param {string} text */
-    first(text) { if (select.options[0].textContent !== text) select.options[0].textContent = text; },
+    first(text) {
+      if (select.options[0].textContent !== text)
+        select.options[0].textContent = text;
+    },
     /** All to choose from, by name and text. @param {[string, string][]} list */
-    labels(list) { select.replaceChildren(...list.map(([name, text]) => el("option", { value: name }, text))); },
+    labels(list) {
+      select.replaceChildren(
+        ...list.map(([name, text]) => el("option", { value: name }, text)),
+      );
+    },
     /** More to choose from. @param {string[]} names */
-    options(names) { addOptions(select, names); },
+    options(names) {
+      addOptions(select, names);
+    },
   };
 }
 
@@ -255,12 +400,28 @@ export function fileField(label, accept, take) {
   const read = async (/** @type {File | undefined} */ file) => {
     if (file) take(file.name, await file.text());
   };
-  const input = el("input", { type: "file", accept, class: "unseen", "aria-label": label, tabindex: -1, onchange() {
-    read(input.files?.[0]);
-    input.value = "";
-  } });
-  const box = el("div", { class: "drop" }, button(label, () => input.click()),
-    el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"), input);
+  const input = el("input", {
+    type: "file",
+    accept,
+    class: "unseen",
+    "aria-label": label,
+    tabindex: -1,
+    onchange() {
+      read(input.files?.[0]);
+      input.value = "";
+    },
+  });
+  const box = el(
+    "div",
+    { class: "drop" },
+    button(label, () => input.click()),
+    el(
+      "p",
+      { class: "small soft", style: "margin:4px 0 0" },
+      "or drop it here",
+    ),
+    input,
+  );
   boxes.set(box, read);
   return box;
 }

@@ -3,20 +3,30 @@
 const MARK = "z:";
 /** So long a text is at most that a link may hold, in bytes. */
 const MOST = 4_000_000;
-/** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
+/** Texts as they stand in an address. @type {Map<string, string>} */ const known =
+  new Map();
 
 /** @param {Uint8Array} bytes */
-const toText = (bytes) => btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(""))
-  .replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+const toText = (bytes) =>
+  btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(""))
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replaceAll("=", "");
 /** @param {string} text */
-const toBytes = (text) => Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
+const toBytes = (text) =>
+  Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) =>
+    c.charCodeAt(0),
+  );
 
 /** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
 /** @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @returns {Promise<Uint8Array>} */
 async function piped(bytes, through) {
-  const reader = new Blob([bytes]).stream().pipeThrough(/** @type {Pair} */ (through)).getReader();
+  const reader = new Blob([bytes])
+    .stream()
+    .pipeThrough(/** @type {Pair} */ (through))
+    .getReader();
   /** @type {Uint8Array<ArrayBuffer>[]} */ const parts = [];
-  for (let size = 0;;) {
+  for (let size = 0; ;) {
     const { done, value } = await reader.read();
     if (done) break;
     size += value.length;
@@ -31,8 +41,20 @@ async function piped(bytes, through) {
 
 /** Makes a text ready for an address; a short one stays as it is. @param {string} text */
 export async function pack(text) {
-  if (known.has(text) || text.length < 120 || typeof CompressionStream !== "function") return;
-  const packed = MARK + toText(await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw")));
+  if (
+    known.has(text) ||
+    text.length < 120 ||
+    typeof CompressionStream !== "function"
+  )
+    return;
+  const packed =
+    MARK +
+    toText(
+      await piped(
+        new TextEncoder().encode(text),
+        new CompressionStream("deflate-raw"),
+      ),
+    );
   if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
 }
 
@@ -42,7 +64,10 @@ export const packed = (text) => known.get(text) ?? text;
 /** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
 export async function unpack(word) {
   if (!word.startsWith(MARK)) return word;
-  const bytes = await piped(toBytes(word.slice(MARK.length)), new DecompressionStream("deflate-raw"));
+  const bytes = await piped(
+    toBytes(word.slice(MARK.length)),
+    new DecompressionStream("deflate-raw"),
+  );
   const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   known.set(text, word);
   return text;

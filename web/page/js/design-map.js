@@ -5,7 +5,14 @@ import { picture as drawnMuscle } from "./candidates.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS, viridisAt } from "./chart.js";
 import { el, token } from "./dom.js";
-import { corners, levels, picture, pieces, sampled, valueBetween } from "./map.js";
+import {
+  corners,
+  levels,
+  picture,
+  pieces,
+  sampled,
+  valueBetween,
+} from "./map.js";
 import { muscle } from "./muscle.js";
 import { outside, show, unitName } from "./units.js";
 
@@ -15,7 +22,9 @@ import { outside, show, unitName } from "./units.js";
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
-const ACROSS = 29, UP = 25, FINER = 8;
+const ACROSS = 29,
+  UP = 25,
+  FINER = 8;
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
 
@@ -26,8 +35,16 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let finer = FINER;
   const slot = new Slot();
-  const tools = el("h2", {}, "Feasible region over diameter and wall (first estimate: universal)");
-  const feasible = new Chart("design-map", { tools, tall: true, drag: (x, y, settled) => settled && pick(x, y) });
+  const tools = el(
+    "h2",
+    {},
+    "Feasible region over diameter and wall (first estimate: universal)",
+  );
+  const feasible = new Chart("design-map", {
+    tools,
+    tall: true,
+    drag: (x, y, settled) => settled && pick(x, y),
+  });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   hovering(feasible, () => found);
@@ -35,12 +52,17 @@ export function designMap(linked) {
 
   /** @param {ReturnType<typeof asked>} request @param {number} fine @param {() => void} [fail] */
   function find(request, fine, fail) {
-    slot.ask("design", request, (next) => {
-      finer = fine;
-      found = read(request, next);
-      feasible.element.hidden = false;
-      draw();
-    }, fail);
+    slot.ask(
+      "design",
+      request,
+      (next) => {
+        finer = fine;
+        found = read(request, next);
+        feasible.element.hidden = false;
+        draw();
+      },
+      fail,
+    );
   }
 
   function draw() {
@@ -50,29 +72,46 @@ export function designMap(linked) {
 
   /** @param {number} x @param {number} y */
   function pick(x, y) {
-    const middle = best(), [d, s] = measures(x, y);
+    const middle = best(),
+      [d, s] = measures(x, y);
     if (!middle || !answer) return;
-    const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
-    const link = linked({ ...middle, outer_diameter_mm: d, wall_mm: s }, { p: Number(answer.max_pressure_mpa), e });
-    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link },
-      "see this muscle"));
+    const e =
+      "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
+    const link = linked(
+      { ...middle, outer_diameter_mm: d, wall_mm: s },
+      { p: Number(answer.max_pressure_mpa), e },
+    );
+    picked.replaceChildren(
+      `D0 ${show("length", d)}, s ${show("length", s)}: `,
+      el("a", { href: link }, "see this muscle"),
+    );
   }
 
   return {
-    elements: [picked, feasible.element], draw,
+    elements: [picked, feasible.element],
+    draw,
     /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
     show(next, request) {
       [answer, of] = [next, request];
-      const middle = best(), hide = () => { feasible.element.hidden = true; };
+      const middle = best(),
+        hide = () => {
+          feasible.element.hidden = true;
+        };
       // A joint is searched over its pulley too: there is no one map.
-      if (!middle || of.torques) { slot.end(); return hide(); }
+      if (!middle || of.torques) {
+        slot.end();
+        return hide();
+      }
       find(asked(of, middle), FINER, hide);
     },
     /** The map of another target, while it is dragged. @param {{ force_n: number, contraction: number }} target */
     preview(target) {
       const middle = best();
       if (!middle || feasible.element.hidden) return;
-      find(asked({ ...of, ...target }, middle, LIVE.across, LIVE.up), LIVE.finer);
+      find(
+        asked({ ...of, ...target }, middle, LIVE.across, LIVE.up),
+        LIVE.finer,
+      );
     },
   };
 }
@@ -80,29 +119,45 @@ export function designMap(linked) {
 /** Diameter and wall in mm, rounded. @param {number} x @param {number} y in the shown unit */
 function measures(x, y) {
   const scale = outside("length", 1);
-  return [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
+  return [
+    Number((x / scale).toPrecision(3)),
+    Number((y / scale).toPrecision(2)),
+  ];
 }
 
 /** The muscle below the pointer, as it is and as it bulges. @param {Chart} chart @param {() => Found | undefined} of */
 function hovering(chart, of) {
-  const card = el("div", { class: "card small", hidden: true }), { host: plot } = chart;
+  const card = el("div", { class: "card small", hidden: true }),
+    { host: plot } = chart;
   const nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
     list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
   chart.element.append(card);
-  plot.addEventListener("pointerleave", () => { card.hidden = true; });
+  plot.addEventListener("pointerleave", () => {
+    card.hidden = true;
+  });
   plot.addEventListener("pointermove", (event) => {
-    const box = plot.getBoundingClientRect(), [px, py] = [event.clientX - box.left, event.clientY - box.top];
-    const at = chart.values(px, py), found = of();
+    const box = plot.getBoundingClientRect(),
+      [px, py] = [event.clientX - box.left, event.clientY - box.top];
+    const at = chart.values(px, py),
+      found = of();
     card.hidden = true;
     if (!found || !at) return;
     const [d, s] = measures(at[0], at[1]);
     const one = found.fits.get(`${nearest(found.D, d)},${nearest(found.S, s)}`);
     if (!one) return;
     const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
-    const [needs, bulge] = [show("pressure", one.pressure_mpa, 3), show("length", one.bulged_diameter_mm, 3)];
-    card.innerHTML = drawnMuscle(one, one.length_mm, Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)));
+    const [needs, bulge] = [
+      show("pressure", one.pressure_mpa, 3),
+      show("length", one.bulged_diameter_mm, 3),
+    ];
+    card.innerHTML = drawnMuscle(
+      one,
+      one.length_mm,
+      Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)),
+    );
     card.append(el("span", {}, `${size}: set ${needs}, ${bulge} wide in use`));
-    const wide = plot.clientWidth, aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
+    const wide = plot.clientWidth,
+      aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
     card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
     card.hidden = false;
   });
@@ -116,71 +171,137 @@ function hovering(chart, of) {
  */
 function asked(of, best, across = ACROSS, up = UP) {
   const { figure, ...rest } = of;
-  const span = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
-    Array.from({ length: n }, (_, i) => Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)));
+  const span = (
+    /** @type {number} */ low,
+    /** @type {number} */ high,
+    /** @type {number} */ n,
+  ) =>
+    Array.from({ length: n }, (_, i) =>
+      Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)),
+    );
   // Within the sleeve, where there is one.
-  const range = muscle.sleeves.find((s) => s.name === best.sleeve), middle = best.outer_diameter_mm;
-  const wall = Math.max(best.wall_mm, 1.5), S = span(0.2 * wall, 2.6 * wall, up);
-  const D = span(Math.max(0.5 * middle, range?.least_diameter_mm ?? 0),
-    Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity), across);
+  const range = muscle.sleeves.find((s) => s.name === best.sleeve),
+    middle = best.outer_diameter_mm;
+  const wall = Math.max(best.wall_mm, 1.5),
+    S = span(0.2 * wall, 2.6 * wall, up);
+  const D = span(
+    Math.max(0.5 * middle, range?.least_diameter_mm ?? 0),
+    Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity),
+    across,
+  );
   // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
-  const part = best.sleeve && !of.braids?.length
-    ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
-    : {};
-  const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
+  const part =
+    best.sleeve && !of.braids?.length
+      ? {
+          rubbers: best.rubber ? [best.rubber] : undefined,
+          braids: [best.sleeve],
+        }
+      : {};
+  const angle =
+    of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
-  return { ...rest, ...length, ...angle, ...part, outer_diameter_mm: D, wall_mm: S, model: "universal",
-    extrapolate: true, top: D.length * S.length };
+  return {
+    ...rest,
+    ...length,
+    ...angle,
+    ...part,
+    outer_diameter_mm: D,
+    wall_mm: S,
+    model: "universal",
+    extrapolate: true,
+    top: D.length * S.length,
+  };
 }
 
 /**
  * @param {{ outer_diameter_mm: number[], wall_mm: number[] }} request @param {Design["answer"]} answer @returns {Found}
  */
 export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
-  const key = (/** @type {{ outer_diameter_mm: number, wall_mm: number }} */ c) =>
-    `${c.outer_diameter_mm},${c.wall_mm}`;
+  const key = (
+    /** @type {{ outer_diameter_mm: number, wall_mm: number }} */ c,
+  ) => `${c.outer_diameter_mm},${c.wall_mm}`;
   const fits = new Map(answer.candidates.map((c) => [key(c), c])),
     not = new Map((answer.rejected ?? []).map((c) => [key(c), c]));
-  const nodes = S.map((s) => D.map((d) => {
-    const yes = fits.get(`${d},${s}`), no = not.get(`${d},${s}`);
-    return { fits: Boolean(yes), value: yes?.pressure_mpa ?? NaN, margin: Number(yes?.margin ?? 0),
-      limit: no?.limit ?? "no answer", misses: Number(no?.misses_by ?? 0) };
-  }));
-  const limits = [...new Set(nodes.flat().filter((n) => !n.fits).map((n) => n.limit))];
+  const nodes = S.map((s) =>
+    D.map((d) => {
+      const yes = fits.get(`${d},${s}`),
+        no = not.get(`${d},${s}`);
+      return {
+        fits: Boolean(yes),
+        value: yes?.pressure_mpa ?? NaN,
+        margin: Number(yes?.margin ?? 0),
+        limit: no?.limit ?? "no answer",
+        misses: Number(no?.misses_by ?? 0),
+      };
+    }),
+  );
+  const limits = [
+    ...new Set(
+      nodes
+        .flat()
+        .filter((n) => !n.fits)
+        .map((n) => n.limit),
+    ),
+  ];
   return { D, S, fits, nodes, limits };
 }
 
 /** What a limit that is missed means. @param {string} limit */
-const words = (limit) => (OF_PULL.includes(limit) ? "pull too low" : `not met: ${limit.replaceAll("_", " ")}`);
-const rgb = (/** @type {string} */ hex) => [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
+const words = (limit) =>
+  OF_PULL.includes(limit)
+    ? "pull too low"
+    : `not met: ${limit.replaceAll("_", " ")}`;
+const rgb = (/** @type {string} */ hex) =>
+  [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
 
 /**
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
  * @param {number} finer how much finer the picture is than the muscles @returns {Spec}
  */
 function spec({ D, S, nodes, limits }, best, finer) {
-  const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
-  const shown = nodes.map((row) => row.map((n) => ({ ...n, value: n.fits ? outside("pressure", n.value) : NaN })));
-  const edge = border({ x, y, nodes: shown }), grid = { x, y, values: extended({ x, y, nodes: shown }) };
-  const field = sampled(x, y, finer, (px, py) => (inside(edge, px, py + 1e-9) ? valueBetween(grid, px, py) : null));
-  const known = field.values.flat().filter((v) => v !== null), low = Math.min(...known);
-  const span = Math.max(...known) - low || 1, tints = limits.map((_, i) => rgb(KINDS[(i + 1) % KINDS.length]));
+  const [x, y] = [
+    D.map((d) => outside("length", d)),
+    S.map((s) => outside("length", s)),
+  ];
+  const shown = nodes.map((row) =>
+    row.map((n) => ({
+      ...n,
+      value: n.fits ? outside("pressure", n.value) : NaN,
+    })),
+  );
+  const edge = border({ x, y, nodes: shown }),
+    grid = { x, y, values: extended({ x, y, nodes: shown }) };
+  const field = sampled(x, y, finer, (px, py) =>
+    inside(edge, px, py + 1e-9) ? valueBetween(grid, px, py) : null,
+  );
+  const known = field.values.flat().filter((v) => v !== null),
+    low = Math.min(...known);
+  const span = Math.max(...known) - low || 1,
+    tints = limits.map((_, i) => rgb(KINDS[(i + 1) % KINDS.length]));
   /** The limit that most of the cell around a place misses. @param {number} px @param {number} py */
   const missed = (px, py) => {
     const shares = limits.map(() => 0);
     for (const [i, j, share] of corners(x, y, px, py))
-      if (!nodes[j][i].fits) shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
+      if (!nodes[j][i].fits)
+        shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
     return shares.indexOf(Math.max(...shares));
   };
   const image = picture(field, (value, px, py) => {
-    if (value === null) return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
+    if (value === null)
+      return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
     return [...viridisAt(0.5 + (0.5 * (value - low)) / span, 1), 255];
   });
   const { series, notes } = levels(field, unitName("pressure"));
-  const [misses, needs] = [true, false].map((out) => y.flatMap((v, j) => x.flatMap((u, i) => {
-    const n = shown[j][i];
-    return n.fits === out ? [] : [[out ? "misses" : "needs", u, v, out ? words(n.limit) : n.value]];
-  })));
+  const [misses, needs] = [true, false].map((out) =>
+    y.flatMap((v, j) =>
+      x.flatMap((u, i) => {
+        const n = shown[j][i];
+        return n.fits === out
+          ? []
+          : [[out ? "misses" : "needs", u, v, out ? words(n.limit) : n.value]];
+      }),
+    ),
+  );
   return {
     x: `outer diameter D0 [${unitName("length")}]`,
     y: `wall s [${unitName("length")}]`,
@@ -190,7 +311,13 @@ function spec({ D, S, nodes, limits }, best, finer) {
     series: [...series, pieces(edge, { colour: token("--ink"), width: 2.5 })],
     picture: image,
     rows: [...misses, ...needs],
-    marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
+    marks: [
+      {
+        x: outside("length", best.outer_diameter_mm),
+        y: outside("length", best.wall_mm),
+        text: "best",
+      },
+    ],
     notes: [...notes, ...limits.flatMap((limit) => place(limit, nodes, x, y))],
   };
 }
@@ -200,10 +327,14 @@ function spec({ D, S, nodes, limits }, best, finer) {
  * @param {string} limit @param {GridNode[][]} nodes @param {number[]} x @param {number[]} y
  */
 function place(limit, nodes, x, y) {
-  const hit = nodes.flatMap((row, j) => row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])));
+  const hit = nodes.flatMap((row, j) =>
+    row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])),
+  );
   if (hit.length < 8) return [];
-  const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
-  const [ci, cj] = [middle(0), middle(1)], far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
+  const middle = (/** @type {number} */ k) =>
+    hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
+  const [ci, cj] = [middle(0), middle(1)],
+    far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
   const near = hit.reduce((a, b) => (far(b) < far(a) ? b : a));
   return [{ x: x[near[0]], y: y[near[1]], text: words(limit) }];
 }

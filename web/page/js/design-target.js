@@ -6,7 +6,8 @@ import { candidate, fields } from "./state.js";
 import { outside, show, unitName } from "./units.js";
 
 /** @typedef {{ force_n: number, contraction: number }} Target */
-const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
+const digits = (/** @type {number} */ v, /** @type {number} */ n) =>
+  Number(v.toPrecision(n));
 
 /**
  * @param {{ moved: (target: Target) => void, settled: (target: Target) => void }} act while it is dragged, and when it
@@ -14,22 +15,38 @@ const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.to
  */
 export function designTarget(act) {
   const words = el("span", { class: "small soft" });
-  const chart = new Chart("design-target", { tools: el("h2", {}, "Target"),
-    drag: (x, y, settled) => drag(x, y, settled) });
+  const chart = new Chart("design-target", {
+    tools: el("h2", {}, "Target"),
+    drag: (x, y, settled) => drag(x, y, settled),
+  });
   const slot = new Slot({ lane: "curves" });
-  const element = el("div", { hidden: true }, chart.element,
-    el("p", { class: "small soft" }, "Drag the ring: the border of the map below follows (universal); when you release "
-      + "it, finite elements decide. ", words));
+  const element = el(
+    "div",
+    { hidden: true },
+    chart.element,
+    el(
+      "p",
+      { class: "small soft" },
+      "Drag the ring: the border of the map below follows (universal); when you release " +
+        "it, finite elements decide. ",
+      words,
+    ),
+  );
   /** @type {Target | undefined} */ let target;
   /** @type {Series[]} */ let series = [];
 
   function draw() {
     if (!target) return;
     // Without a muscle the target has room.
-    const room = (/** @type {number} */ v) => (series.length ? {} : { range: [0, 1.5 * v] });
-    chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series,
-      xaxis: room(100 * target.contraction || 10), yaxis: series.length ? undefined : room(outside("force",
-        target.force_n)) });
+    const room = (/** @type {number} */ v) =>
+      series.length ? {} : { range: [0, 1.5 * v] };
+    chart.show({
+      x: "contraction ε [%]",
+      y: `pull F [${unitName("force")}]`,
+      series,
+      xaxis: room(100 * target.contraction || 10),
+      yaxis: series.length ? undefined : room(outside("force", target.force_n)),
+    });
     mark();
   }
   function mark() {
@@ -42,7 +59,10 @@ export function designTarget(act) {
     if (!target) return;
     // In the shown unit to three digits: a value that one would type.
     const force = digits(Math.max(y, 1e-3), 3) / outside("force", 1);
-    target = { force_n: digits(force, 12), contraction: Math.max(0, Math.round(2 * x) / 200) };
+    target = {
+      force_n: digits(force, 12),
+      contraction: Math.max(0, Math.round(2 * x) / 200),
+    };
     mark();
     if (settled) act.settled(target);
     else act.moved(target);
@@ -53,22 +73,50 @@ export function designTarget(act) {
     draw,
     /** @param {Design["answer"]} answer @param {Design["request"]} of what it was asked by */
     show(answer, of) {
-      const one = typeof of.force_n === "number" && typeof of.contraction === "number" &&
-        !of.points?.length && !of.torques?.length && !of.load;
+      const one =
+        typeof of.force_n === "number" &&
+        typeof of.contraction === "number" &&
+        !of.points?.length &&
+        !of.torques?.length &&
+        !of.load;
       element.hidden = !one;
       if (!one) return;
-      target = { force_n: Number(of.force_n), contraction: Number(of.contraction) };
-      const [best] = answer.candidates, file = answer.muscle_files?.[0];
+      target = {
+        force_n: Number(of.force_n),
+        contraction: Number(of.contraction),
+      };
+      const [best] = answer.candidates,
+        file = answer.muscle_files?.[0];
       series = [];
       draw();
       if (!best) return;
-      const muscle = file ? { muscle: file } : fields(candidate(best, of, { p: 0, e: 0 }));
-      slot.ask("curve", { ...muscle, test: "isobaric", pressures_mpa: [answer.max_pressure_mpa],
-        model: "universal", extrapolate: true }, ({ points }) => {
-        const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
-        series = [{ name, end: "best muscle", colour: KINDS[0], strong: true, ...isobar(points) }];
-        draw();
-      }, () => {});
+      const muscle = file
+        ? { muscle: file }
+        : fields(candidate(best, of, { p: 0, e: 0 }));
+      slot.ask(
+        "curve",
+        {
+          ...muscle,
+          test: "isobaric",
+          pressures_mpa: [answer.max_pressure_mpa],
+          model: "universal",
+          extrapolate: true,
+        },
+        ({ points }) => {
+          const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
+          series = [
+            {
+              name,
+              end: "best muscle",
+              colour: KINDS[0],
+              strong: true,
+              ...isobar(points),
+            },
+          ];
+          draw();
+        },
+        () => {},
+      );
     },
   };
 }

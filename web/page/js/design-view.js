@@ -9,13 +9,23 @@ import { inWords } from "./words.js";
 
 /** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
 function spare(c) {
-  const points = c.points.map((q) => ({ spare: q.force_at_max_pressure_n * q.margin / (1 + q.margin),
-    half: q.uncertainty_n ?? NaN }));
-  return points.reduce((a, b) => (b.spare - b.half < a.spare - a.half ? b : a), points[0] ?? { spare: NaN, half: NaN });
+  const points = c.points.map((q) => ({
+    spare: (q.force_at_max_pressure_n * q.margin) / (1 + q.margin),
+    half: q.uncertainty_n ?? NaN,
+  }));
+  return points.reduce(
+    (a, b) => (b.spare - b.half < a.spare - a.half ? b : a),
+    points[0] ?? { spare: NaN, half: NaN },
+  );
 }
 /** @param {Candidate} c @param {Prices} prices */
-const price = (c, prices) => [c.tube, c.sleeve].map((name) => prices.get(name ?? "")).filter(Boolean).join(" + ");
-const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 3)} g` : "–");
+const price = (c, prices) =>
+  [c.tube, c.sleeve]
+    .map((name) => prices.get(name ?? ""))
+    .filter(Boolean)
+    .join(" + ");
+const grams = (/** @type {number | null | undefined} */ g) =>
+  g ? `${number(g, 3)} g` : "–";
 
 /**
  * Columns: heading, unit for CSV, cell for people, value for CSV.
@@ -26,10 +36,17 @@ function columns(prices, liquid) {
   /**
    * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of @returns {Column}
    */
-  const quantity = (head, kind, of, digits = 4) => [head, unitName(kind), (c) => show(kind, of(c), digits), (c) => {
-    const v = of(c);
-    return v === null || v === undefined ? "" : Number(outside(kind, v).toPrecision(8));
-  }];
+  const quantity = (head, kind, of, digits = 4) => [
+    head,
+    unitName(kind),
+    (c) => show(kind, of(c), digits),
+    (c) => {
+      const v = of(c);
+      return v === null || v === undefined
+        ? ""
+        : Number(outside(kind, v).toPrecision(8));
+    },
+  ];
   /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
   const words = (head, of) => [head, "", (c) => of(c) ?? "", of];
   return [
@@ -41,19 +58,44 @@ function columns(prices, liquid) {
     quantity("θ0", "angle", (c) => c.angle_deg),
     words("rubber", (c) => c.rubber),
     quantity("set", "pressure", (c) => c.pressure_mpa, 3),
-    ["spare pull", unitName("force"), (c) => show("force", spare(c).spare, 3),
-      (c) => outside("force", spare(c).spare)],
-    ["± of the pull", unitName("force"), (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
-      (c) => c.uncertainty_n && outside("force", c.uncertainty_n)],
+    [
+      "spare pull",
+      unitName("force"),
+      (c) => show("force", spare(c).spare, 3),
+      (c) => outside("force", spare(c).spare),
+    ],
+    [
+      "± of the pull",
+      unitName("force"),
+      (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
+      (c) => c.uncertainty_n && outside("force", c.uncertainty_n),
+    ],
     quantity("guaranteed at", "pressure", (c) => c.sure_pressure_mpa, 3),
     quantity("width in use", "length", (c) => c.bulged_diameter_mm),
     quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
-      ? ["liquid per stroke", "mL", (c) => (c.liquid_volume_mm3 ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL` : "–"),
-        (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3]
-      : ["air per stroke", "normal L", (c) => (c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"),
-        (c) => c.air_normal_litres],
-    ["mass", "g", (c) => grams(c.mass_g ?? c.rubber_mass_g), (c) => c.mass_g ?? c.rubber_mass_g],
+      ? [
+          "liquid per stroke",
+          "mL",
+          (c) =>
+            c.liquid_volume_mm3
+              ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL`
+              : "–",
+          (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3,
+        ]
+      : [
+          "air per stroke",
+          "normal L",
+          (c) =>
+            c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–",
+          (c) => c.air_normal_litres,
+        ],
+    [
+      "mass",
+      "g",
+      (c) => grams(c.mass_g ?? c.rubber_mass_g),
+      (c) => c.mass_g ?? c.rubber_mass_g,
+    ],
     words("price", (c) => price(c, prices) || "–"),
   ];
 }
@@ -66,58 +108,98 @@ const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
  * @param {Candidate[]} candidates @param {Prices} prices
  */
 function shownColumns(candidates, prices) {
-  const named = candidates.every((c) => c.tube), sleeved = candidates.every((c) => c.sleeve);
-  const same = { rubber: named, s: named, θ0: sleeved,
-    L0: candidates.every((c) => c.length_mm === candidates[0].length_mm), tube: candidates.every((c) => !c.tube),
-    sleeve: candidates.every((c) => !c.sleeve) };
-  return columns(prices, filled(candidates)).filter(([name]) => !(/** @type {Record<string, boolean>} */ (same))[name]);
+  const named = candidates.every((c) => c.tube),
+    sleeved = candidates.every((c) => c.sleeve);
+  const same = {
+    rubber: named,
+    s: named,
+    θ0: sleeved,
+    L0: candidates.every((c) => c.length_mm === candidates[0].length_mm),
+    tube: candidates.every((c) => !c.tube),
+    sleeve: candidates.every((c) => !c.sleeve),
+  };
+  return columns(prices, filled(candidates)).filter(
+    ([name]) => !/** @type {Record<string, boolean>} */ (same)[name],
+  );
 }
 
 /** @param {Candidate[]} candidates @param {Prices} prices */
 function rowsOf(candidates, prices) {
-  const list = columns(prices, filled(candidates)), head = list.map(([name, unit]) => (unit ? `${name} [${unit}]`
-    : name));
+  const list = columns(prices, filled(candidates)),
+    head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
 /** The decision: what each line is about, and the line. @param {Design["answer"]} answer */
-export const decisionView = ({ decision = [] }) => el("ul", { class: "decision" }, ...decision.map((line) => {
-  const [, about, rest] = /^(\S+)(.*)$/.exec(inWords(line)) ?? [];
-  return el("li", {}, el("b", {}, about), rest);
-}));
+export const decisionView = ({ decision = [] }) =>
+  el(
+    "ul",
+    { class: "decision" },
+    ...decision.map((line) => {
+      const [, about, rest] = /^(\S+)(.*)$/.exec(inWords(line)) ?? [];
+      return el("li", {}, el("b", {}, about), rest);
+    }),
+  );
 
 /**
  * The decision, and how to ask for a muscle that is sure.
  * @param {Design["answer"]} answer @param {(words: Record<string, string>) => void} ask
  */
 function head(answer, ask) {
-  const [best] = answer.candidates, words = answer.uncertainty_words, { joint } = best;
-  const size = `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, `
-    + `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
-  const sentences = [words?.text, words?.bench].flatMap((text) => (text ? [`${inWords(text)}.`] : []));
+  const [best] = answer.candidates,
+    words = answer.uncertainty_words,
+    { joint } = best;
+  const size =
+    `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, ` +
+    `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+  const sentences = [words?.text, words?.bench].flatMap((text) =>
+    text ? [`${inWords(text)}.`] : [],
+  );
   return [
     el("h2", {}, size),
     decisionView(answer),
-    joint && el("p", {}, `Pulley of radius ${show("length", joint.radius_mm, 3)}, `
-      + `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`),
-    !answer.searched.guaranteed && button("Design for a guaranteed pull (95 %)", () => ask({ sure: "95 %" })),
-    sentences.length > 0 && el("p", { class: "small soft" }, sentences.join(" ")),
+    joint &&
+      el(
+        "p",
+        {},
+        `Pulley of radius ${show("length", joint.radius_mm, 3)}, ` +
+          `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`,
+      ),
+    !answer.searched.guaranteed &&
+      button("Design for a guaranteed pull (95 %)", () =>
+        ask({ sure: "95 %" }),
+      ),
+    sentences.length > 0 &&
+      el("p", { class: "small soft" }, sentences.join(" ")),
   ];
 }
 
 /** Where it is asked at several points. @param {Candidate} best */
 function points(best) {
-  const rows = best.points.map((p) => [withUncertainty("force", p.force_n, p.uncertainty_n),
-    show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]);
-  return rows.length > 1 && table(["pull", "at", "set"], rows, { text: [], label: "the operating points" });
+  const rows = best.points.map((p) => [
+    withUncertainty("force", p.force_n, p.uncertainty_n),
+    show("ratio", p.contraction, 3),
+    show("pressure", p.pressure_mpa, 3),
+  ]);
+  return (
+    rows.length > 1 &&
+    table(["pull", "at", "set"], rows, {
+      text: [],
+      label: "the operating points",
+    })
+  );
 }
 
 /** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
 function inUse(c, all) {
-  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of));
+  const most = (/** @type {(one: Candidate) => number} */ of) =>
+    Math.max(...all.map(of));
   const box = el("span", { class: "thumbnail" });
-  box.innerHTML = picture(c, most((one) => one.length_mm),
-    most((one) => one.bulged_diameter_mm ?? one.outer_diameter_mm));
+  box.innerHTML = picture(
+    c,
+    most((one) => one.length_mm),
+    most((one) => one.bulged_diameter_mm ?? one.outer_diameter_mm),
+  );
   return box;
 }
 
@@ -130,51 +212,109 @@ const there = (list) => list.flatMap((part) => (part ? [part] : []));
  * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
  */
 export function foundView(answer, prices, { open, ask }) {
-  const { candidates, assumptions = [] } = answer, list = shownColumns(candidates, prices);
-  const rows = candidates.map((c) => [inUse(c, candidates), ...list.map(([, , cell]) => cell(c))]);
-  const text = list.flatMap(([name], i) => (["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : []));
-  const save = () => download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
-  const words = `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed `
-    + `by ${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`;
+  const { candidates, assumptions = [] } = answer,
+    list = shownColumns(candidates, prices);
+  const rows = candidates.map((c) => [
+    inUse(c, candidates),
+    ...list.map(([, , cell]) => cell(c)),
+  ]);
+  const text = list.flatMap(([name], i) =>
+    ["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : [],
+  );
+  const save = () =>
+    download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
+  const words =
+    `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed ` +
+    `by ${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`;
   return there([
     ...head(answer, ask),
     warnings(answer.warnings),
-    table(["", ...list.map(([name]) => name)], rows, { text, pick: (i) => open(candidates[i]),
-      label: "Muscles that fit, best first" }),
-    el("p", { class: "row small soft" }, el("span", { class: "grow" }, words),
-      button("CSV of the table", save, { title: "The table of the muscles as a file" })),
+    table(["", ...list.map(([name]) => name)], rows, {
+      text,
+      pick: (i) => open(candidates[i]),
+      label: "Muscles that fit, best first",
+    }),
+    el(
+      "p",
+      { class: "row small soft" },
+      el("span", { class: "grow" }, words),
+      button("CSV of the table", save, {
+        title: "The table of the muscles as a file",
+      }),
+    ),
     points(candidates[0]),
     boughtView(answer),
-    assumptions.length > 0 && el("details", { class: "small" }, el("summary", {}, "What was assumed"),
-      el("ul", {}, ...assumptions.map((line) => el("li", {}, capital(inWords(line)))))),
+    assumptions.length > 0 &&
+      el(
+        "details",
+        { class: "small" },
+        el("summary", {}, "What was assumed"),
+        el(
+          "ul",
+          {},
+          ...assumptions.map((line) => el("li", {}, capital(inWords(line)))),
+        ),
+      ),
   ]);
 }
 
 /** Muscles as sold that would do. @param {Design["answer"]} answer */
 function boughtView({ bought }) {
-  const one = (/** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b) =>
-    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} `
-    + `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
-  return bought?.length ? el("p", { class: "small" }, `Sold muscles that fit: ${bought.map(one).join("; ")}.`) : null;
+  const one = (
+    /** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b,
+  ) =>
+    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} ` +
+    `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
+  return bought?.length
+    ? el(
+        "p",
+        { class: "small" },
+        `Sold muscles that fit: ${bought.map(one).join("; ")}.`,
+      )
+    : null;
 }
 
 /** What comes closest where nothing fits. @param {Design["answer"]} answer */
 export function closestView(answer) {
-  const c = answer.closest, size = c && `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
+  const c = answer.closest,
+    size =
+      c &&
+      `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
   return there([
     el("h2", {}, "Nothing fits."),
-    c && el("p", {}, `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`),
+    c &&
+      el(
+        "p",
+        {},
+        `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`,
+      ),
     warnings(answer.warnings),
     c?.hint ? el("p", {}, capital(inWords(c.hint))) : null,
     boughtView(answer),
-    c && el("ul", {}, ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text))))),
+    c &&
+      el(
+        "ul",
+        {},
+        ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text)))),
+      ),
   ]);
 }
 
 /** @param {Design["answer"]} answer */
 export function rejectedView({ rejected }) {
-  const sizes = (/** @type {number[]} */ list) => list.map((v) => show("length", v));
-  const rows = (rejected ?? []).map((r) => [...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]), inWords(r.reason)]);
-  return there([rows.length > 0 && el("details", {}, el("summary", {}, "Why others fail"),
-    table(["D0", "s", "L0", "reason"], rows, { text: [3] }))]);
+  const sizes = (/** @type {number[]} */ list) =>
+    list.map((v) => show("length", v));
+  const rows = (rejected ?? []).map((r) => [
+    ...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]),
+    inWords(r.reason),
+  ]);
+  return there([
+    rows.length > 0 &&
+      el(
+        "details",
+        {},
+        el("summary", {}, "Why others fail"),
+        table(["D0", "s", "L0", "reason"], rows, { text: [3] }),
+      ),
+  ]);
 }

@@ -12,8 +12,20 @@ export function dialog(title, inside) {
   box.addEventListener("click", (event) => {
     if (event.target === box) close();
   });
-  const head = el("div", { class: "row head" }, el("h2", { id }, title), button("Close", close));
-  box.append(el("div", { class: "inside" }, head, ...inside(close).filter((part) => part !== null)));
+  const head = el(
+    "div",
+    { class: "row head" },
+    el("h2", { id }, title),
+    button("Close", close),
+  );
+  box.append(
+    el(
+      "div",
+      { class: "inside" },
+      head,
+      ...inside(close).filter((part) => part !== null),
+    ),
+  );
   document.body.append(box);
   box.showModal();
   return box;

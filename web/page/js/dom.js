@@ -11,12 +11,21 @@ export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;
-    if (typeof value === "function") element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
+    if (typeof value === "function")
+      element.addEventListener(
+        name.slice(2),
+        /** @type {EventListener} */ (value),
+      );
     else if (name === "style") element.style.cssText = String(value);
-    else if (name === "value") /** @type {HTMLInputElement} */ (element).value = String(value);
+    else if (name === "value")
+      /** @type {HTMLInputElement} */ (element).value = String(value);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
-  element.append(...children.filter((child) => child !== null && child !== undefined && child !== false));
+  element.append(
+    ...children.filter(
+      (child) => child !== null && child !== undefined && child !== false,
+    ),
+  );
   return element;
 }
 
@@ -24,19 +33,26 @@ export function el(tag, attributes = {}, ...children) {
  * A button.
  * @param {string} text @param {(event: MouseEvent) => unknown} act @param {Record<string, unknown>} [more] attributes
  */
-export const button = (text, act, more) => el("button", { type: "button", onclick: act, ...more }, text);
+export const button = (text, act, more) =>
+  el("button", { type: "button", onclick: act, ...more }, text);
 
 /** Names to choose from, where they are not there yet. @param {HTMLSelectElement} select @param {string[]} names */
 export function addOptions(select, names) {
   const there = new Set([...select.options].map((o) => o.value));
-  select.append(...names.filter((value) => !there.has(value)).map((value) => el("option", { value }, value)));
+  select.append(
+    ...names
+      .filter((value) => !there.has(value))
+      .map((value) => el("option", { value }, value)),
+  );
 }
 
 /** @param {string} id @returns {HTMLElement} */
-export const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+export const byId = (id) =>
+  /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** A colour of the theme. @param {string} name */
-export const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const token = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */
@@ -50,15 +66,23 @@ export function say(text) {
 /** A problem as people read it. @param {unknown} thrown */
 export function problemBox(thrown) {
   const problem = problemOf(thrown);
-  const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
-  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(inWords(problem.message))), hint);
+  const hint = problem.hint
+    ? el("p", { class: "small" }, capital(inWords(problem.hint)))
+    : null;
+  return el(
+    "div",
+    { class: "problem", role: "alert" },
+    el("p", {}, capital(inWords(problem.message))),
+    hint,
+  );
 }
 
 /**
  * What belongs to an older question, beside the problem of the newest one.
  * @param {HTMLElement[]} parts @param {boolean} on
  */
-export const dim = (parts, on) => parts.forEach((part) => part.classList.toggle("stale", on));
+export const dim = (parts, on) =>
+  parts.forEach((part) => part.classList.toggle("stale", on));
 
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -78,13 +102,19 @@ export function download(name, content, type) {
  */
 export function dragging(element, act) {
   let on = false;
-  for (const type of /** @type {const} */ (["pointerdown", "pointermove", "pointerup", "pointercancel"])) {
+  for (const type of /** @type {const} */ ([
+    "pointerdown",
+    "pointermove",
+    "pointerup",
+    "pointercancel",
+  ])) {
     element.addEventListener(type, (/** @type {any} */ event) => {
       if (type === "pointerdown") {
         on = true;
         element.setPointerCapture(event.pointerId);
       }
-      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
+      if (on && type !== "pointercancel")
+        act(event, type === "pointerup", type === "pointerdown");
       on &&= type === "pointerdown" || type === "pointermove";
     });
   }
@@ -93,7 +123,9 @@ export function dragging(element, act) {
 /** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
 export function csv(rows) {
   const quoted = (/** @type {string | number | null | undefined} */ v) =>
-    typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : (v ?? "");
+    typeof v === "string" && /[",\n]/.test(v)
+      ? `"${v.replaceAll('"', '""')}"`
+      : (v ?? "");
   return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
 }
 
@@ -102,8 +134,16 @@ export function csv(rows) {
  * @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
-  const buttons = tabs.map(([name, text]) => button(text, () => { set(name); choose(name); }, { role: "tab",
-    "data-name": name }));
+  const buttons = tabs.map(([name, text]) =>
+    button(
+      text,
+      () => {
+        set(name);
+        choose(name);
+      },
+      { role: "tab", "data-name": name },
+    ),
+  );
   const list = el("div", { role: "tablist", "aria-label": label }, ...buttons);
   function set(/** @type {string} */ name) {
     for (const one of buttons) {

@@ -20,46 +20,75 @@ const MOST = 60_000_000;
  */
 function isRubberTest(text) {
   const head = headings(text).join(" ").toLowerCase();
-  return /stretch|strain|dehnung|lambda/.test(head) && /stress|spannung|mpa/.test(head) &&
-    !/contraction|pressure|druck/.test(head);
+  return (
+    /stretch|strain|dehnung|lambda/.test(head) &&
+    /stress|spannung|mpa/.test(head) &&
+    !/contraction|pressure|druck/.test(head)
+  );
 }
 
 /** What a file is. @param {string} name @param {string} text @returns {Kind} */
 export function kindOfFile(name, text) {
-  if (/\.json$/i.test(name)) return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
-  if (/\.(csv|tsv|txt|dat)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
-  const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
+  if (/\.json$/i.test(name))
+    return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
+  if (/\.(csv|tsv|txt|dat)$/i.test(name))
+    return isRubberTest(text) ? "rubber" : "data";
+  const tables = new Set(
+    [...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]),
+  );
   if (tables.has("joint")) return "joint";
   if (tables.has("vary") || tables.has("sampling")) return "plan";
   if (tables.has("command") || tables.has("valve")) return "drive";
-  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
+  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name))
+    return "muscle";
   return "other";
 }
 
 /** The muscle files that a joint or drive names, without their folders. @param {string} text */
 const namedIn = (text) =>
-  [...stated(text)].flatMap(([place, file]) => (/\.(file|muscle)$/.test(place) ? [file.split("/").pop() ?? ""] : []));
+  [...stated(text)].flatMap(([place, file]) =>
+    /\.(file|muscle)$/.test(place) ? [file.split("/").pop() ?? ""] : [],
+  );
 
 /** @param {Read[]} files */
 async function take(files) {
-  const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
+  const first = (/** @type {Kind} */ kind) =>
+    files.find((file) => file.kind === kind);
   const project = first("project");
   if (project) return (await import("./project.js")).openProject(project.text);
-  const [joint, drive, data, plan, rubber] =
-    /** @type {const} */ (["joint", "drive", "data", "plan", "rubber"]).map(first);
-  const muscles = files.filter((file) => file.kind === "muscle"), wanted = namedIn(joint?.text ?? drive?.text ?? "");
+  const [joint, drive, data, plan, rubber] = /** @type {const} */ ([
+    "joint",
+    "drive",
+    "data",
+    "plan",
+    "rubber",
+  ]).map(first);
+  const muscles = files.filter((file) => file.kind === "muscle"),
+    wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
-  const second = muscles.find((file) => file.name === wanted[1] && file !== own);
+  const second = muscles.find(
+    (file) => file.name === wanted[1] && file !== own,
+  );
   if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
-  notice(`Opened ${what}.`, lacks ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page `
-    + "takes its place." : "");
+  notice(
+    `Opened ${what}.`,
+    lacks
+      ? ` It names ${wanted[0]}, which was not among the files: the muscle of this page ` +
+          "takes its place."
+      : "",
+  );
   if (drive) return visit("motion", { drive: drive.text });
-  if (joint) return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
+  if (joint)
+    return visit("joint", {
+      ...ofFile,
+      joint: joint.text,
+      file2: second?.text,
+    });
   // Over the curves of the page Muscle they are at their place too.
   if (data && document.body.dataset.page !== "muscle") return visit("data", {});
   if (plan) return visit("formula", {});
@@ -72,7 +101,8 @@ export async function takeFiles(files) {
   try {
     /** @type {Read[]} */ const read = [];
     for (const file of files) {
-      if (file.size > MOST) throw new Error(`${file.name} is larger than 60 MB.`);
+      if (file.size > MOST)
+        throw new Error(`${file.name} is larger than 60 MB.`);
       const text = await file.text();
       if (!text.trim()) throw new Error(`${file.name} is empty.`);
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
@@ -80,8 +110,8 @@ export async function takeFiles(files) {
     const other = read.find(({ kind }) => kind === "other");
     if (other)
       throw new Error(
-        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points `
-          + `in .csv (save a sheet of a workbook as CSV in UTF-8), projects in .json.`,
+        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points ` +
+          `in .csv (save a sheet of a workbook as CSV in UTF-8), projects in .json.`,
       );
     if (read.length) await take(read);
   } catch (problem) {
@@ -95,9 +125,14 @@ export function dropAnywhere() {
   addEventListener("dragover", (event) => {
     if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
-    classList.toggle("dropping", !(/** @type {Element} */ (event.target).closest(".drop")));
+    classList.toggle(
+      "dropping",
+      !(/** @type {Element} */ (event.target).closest(".drop")),
+    );
   });
-  addEventListener("dragleave", (event) => { if (!event.relatedTarget) classList.remove("dropping"); });
+  addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) classList.remove("dropping");
+  });
   addEventListener("drop", (event) => {
     classList.remove("dropping");
     const files = [...(event.dataTransfer?.files ?? [])];

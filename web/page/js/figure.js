@@ -24,13 +24,20 @@ export class Figures {
     if (!figure) return;
     while (this.charts.length < figure.panels.length) {
       const title = el("h3", { class: "grow" });
-      const chart = new Chart(`${this.name}-${this.charts.length + 1}`, { tools: title });
+      const chart = new Chart(`${this.name}-${this.charts.length + 1}`, {
+        tools: title,
+      });
       this.charts.push(chart);
     }
-    this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
+    this.grid.replaceChildren(
+      ...this.charts.slice(0, figure.panels.length).map((c) => c.element),
+    );
     figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
-      if (heading) heading.textContent = capital(panel.title || `${named(panel.y)} over ${named(panel.x)}`);
+      if (heading)
+        heading.textContent = capital(
+          panel.title || `${named(panel.y)} over ${named(panel.x)}`,
+        );
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;
@@ -38,35 +45,74 @@ export class Figures {
 }
 
 /** What an axis shows, without symbol and unit. @param {Panel["x"]} axis */
-const named = ({ label }) => label.replace(/( \S{1,2})? \[.*$/, "").replace(" ratio", "");
+const named = ({ label }) =>
+  label.replace(/( \S{1,2})? \[.*$/, "").replace(" ratio", "");
 /** Contractions are in % everywhere on the page. @param {Panel["x"]} axis */
 const scale = ({ label }) => (label.endsWith("ε [–]") ? 100 : 1);
-const words = (/** @type {Panel["x"]} */ axis) => (scale(axis) === 100 ? "contraction ε [%]" : axis.label);
+const words = (/** @type {Panel["x"]} */ axis) =>
+  scale(axis) === 100 ? "contraction ε [%]" : axis.label;
 
 /** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
   const [kx, ky] = [scale(panel.x), scale(panel.y)];
-  const most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
-  const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
+  const most = Math.max(
+    1,
+    ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)),
+  );
+  const colour = (
+    /** @type {Panel["series"][number]} */ s,
+    /** @type {number} */ i,
+  ) => {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
     return shade(n / most);
   };
   /** @returns {Series} */
-  const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const auto = figure.palette === "sequential" ? "solid" : DASHES[(s.colour ?? i) % DASHES.length];
+  const one = (
+    /** @type {Panel["series"][number]} */ s,
+    /** @type {number} */ i,
+  ) => {
+    const auto =
+      figure.palette === "sequential"
+        ? "solid"
+        : DASHES[(s.colour ?? i) % DASHES.length];
     const styles = { dashed: "dash", dotted: "dot", auto };
-    const dash = /** @type {Series["dash"]} */ (/** @type {Record<string, string>} */ (styles)[s.style] ?? "solid");
-    const line = { colour: colour(s, i), x: s.points.map((p) => kx * p[0]), y: s.points.map((p) => ky * p[1]) };
-    if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
-    const name = s.label || s.end_label || panel.y.label, mode = s.style === "points" ? "markers" : "lines";
-    return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
+    const dash = /** @type {Series["dash"]} */ (
+      /** @type {Record<string, string>} */ (styles)[s.style] ?? "solid"
+    );
+    const line = {
+      colour: colour(s, i),
+      x: s.points.map((p) => kx * p[0]),
+      y: s.points.map((p) => ky * p[1]),
+    };
+    if (s.style === "band")
+      return { ...line, name: "±", band: true, legend: "" };
+    const name = s.label || s.end_label || panel.y.label,
+      mode = s.style === "points" ? "markers" : "lines";
+    return {
+      ...line,
+      name,
+      end: s.end_label || undefined,
+      dash,
+      mode,
+      legend: s.label,
+    };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
-    axis.range ? { range: axis.range.map((v) => scale(axis) * v) }
+    axis.range
+      ? { range: axis.range.map((v) => scale(axis) * v) }
       : { rangemode: axis.from_zero ? "tozero" : "normal" };
-  return { x: words(panel.x), y: words(panel.y), series: panel.series.map(one),
-    marks: panel.marks.map((m) => ({ x: kx * m.x, y: ky * m.y, text: m.label })), xaxis: range(panel.x),
-      yaxis: range(panel.y) };
+  return {
+    x: words(panel.x),
+    y: words(panel.y),
+    series: panel.series.map(one),
+    marks: panel.marks.map((m) => ({
+      x: kx * m.x,
+      y: ky * m.y,
+      text: m.label,
+    })),
+    xaxis: range(panel.x),
+    yaxis: range(panel.y),
+  };
 }

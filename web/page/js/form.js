@@ -20,27 +20,52 @@ import { inWords } from "./words.js";
 let count = 0;
 /** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
 function fieldRow(f, submit) {
-  const id = `f${++count}`, { kind } = f;
+  const id = `f${++count}`,
+    { kind } = f;
   const input = f.options
-    ? el("select", { id }, ...f.options.map(([name, text]) => el("option", { value: name }, text)))
-    : el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", placeholder: f.hint ?? "",
-      "aria-describedby": `${id}w` });
+    ? el(
+        "select",
+        { id },
+        ...f.options.map(([name, text]) => el("option", { value: name }, text)),
+      )
+    : el("input", {
+        type: "text",
+        id,
+        autocomplete: "off",
+        spellcheck: "false",
+        placeholder: f.hint ?? "",
+        "aria-describedby": `${id}w`,
+      });
   input.value = f.value ?? "";
   // What a number alone means follows the unit that is shown.
   const hint = () => {
     if (kind) input.title = expectation(kind);
   };
-  for (const event of ["pointerenter", "focus"]) input.addEventListener(event, hint);
+  for (const event of ["pointerenter", "focus"])
+    input.addEventListener(event, hint);
   // A form of several fields without a button of its own is not submitted by Enter.
   input.addEventListener("keydown", (event) => {
-    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options) return;
+    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options)
+      return;
     event.preventDefault();
     submit();
   });
   const below = el("p", { id: `${id}w`, hidden: true });
-  const line = el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" },
-    el("label", { for: id }, f.label), input);
-  const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, line, below);
+  const line = el(
+    "div",
+    {
+      class: "choice",
+      style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)",
+    },
+    el("label", { for: id }, f.label),
+    input,
+  );
+  const row = el(
+    "div",
+    { style: "margin-bottom:8px", hidden: f.hidden },
+    line,
+    below,
+  );
   sketched(row, f.field, f.key);
   return { input, say: saying(input, below), row };
 }
@@ -55,23 +80,41 @@ class Reading {
   #clear(f, kind, text) {
     if (f.list) return withUnit(kind, text);
     if (kind === "ratio" && f.factor) return text;
-    const { text: clearer, note } = meant(kind, text), whole = withUnit(kind, clearer);
+    const { text: clearer, note } = meant(kind, text),
+      whole = withUnit(kind, clearer);
     if (note) this.notes.set(f.key, note);
-    else if (whole !== clearer && f.kind) this.notes.set(f.key, `${text} without a unit was read as ${whole}.`);
+    else if (whole !== clearer && f.kind)
+      this.notes.set(f.key, `${text} without a unit was read as ${whole}.`);
     return whole;
   }
 
   /** @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take */
   #ask(f, kind, text, take) {
-    this.asked.push({ key: f.key, text: this.#clear(f, kind, text), kind, list: f.list ?? false, take });
+    this.asked.push({
+      key: f.key,
+      text: this.#clear(f, kind, text),
+      kind,
+      list: f.list ?? false,
+      take,
+    });
   }
 
   /** @param {Field} f @param {string} text */
   add(f, text) {
-    const { values } = this, list = () => text.split(",").map((word) => word.trim()).filter(Boolean);
-    if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split("@")));
-    else if (!f.kind || f.or?.includes(text)) values[f.field] = f.words ? list() : text;
-    else this.#ask(f, f.kind, text, (value) => {
+    const { values } = this,
+      list = () =>
+        text
+          .split(",")
+          .map((word) => word.trim())
+          .filter(Boolean);
+    if (f.pair)
+      values[f.field] = text
+        .split(",")
+        .map((one) => this.#pair(f, one.split("@")));
+    else if (!f.kind || f.or?.includes(text))
+      values[f.field] = f.words ? list() : text;
+    else
+      this.#ask(f, f.kind, text, (value) => {
         values[f.field] = value;
       });
   }
@@ -79,9 +122,10 @@ class Reading {
   /** @param {Field} f @param {string[]} parts */
   #pair(f, parts) {
     const item = /** @type {Record<string, number>} */ ({});
-    f.pair?.forEach(([kind, field], i) => this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
-      item[field] = Number(v);
-    })
+    f.pair?.forEach(([kind, field], i) =>
+      this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
+        item[field] = Number(v);
+      }),
     );
     return item;
   }
@@ -97,11 +141,17 @@ class Form {
       event.preventDefault();
       submit();
     };
-    this.element = el("form", { onsubmit: send }, ...[...this.rows.values()].map(({ row }) => row));
+    this.element = el(
+      "form",
+      { onsubmit: send },
+      ...[...this.rows.values()].map(({ row }) => row),
+    );
   }
 
   /** @param {string} key @param {string} message */
-  mark(key, message) { this.rows.get(key)?.say(message, true); }
+  mark(key, message) {
+    this.rows.get(key)?.say(message, true);
+  }
 
   /**
    * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
@@ -116,27 +166,37 @@ class Form {
       if (text) reading.add(f, text);
     }
     const { asked, notes, values } = reading;
-    const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
+    const readings = await understood(
+      asked.map(({ text, kind, list }) => ({ text, kind, list })),
+    );
     asked.forEach(({ key, list, take }, i) => {
       const { problem, value, values, interval } = readings[i];
       if (problem) this.mark(key, problem.message);
       // Without a step a search takes it as a whole.
-      else if (intervals && interval) take({ low: interval[0], high: interval[1] });
+      else if (intervals && interval)
+        take({ low: interval[0], high: interval[1] });
       else take(list ? values : value);
     });
-    const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
-    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
+    const bad = new Set(
+      asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])),
+    );
+    for (const [key, note] of notes)
+      if (!bad.has(key)) this.rows.get(key)?.say(note);
     return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */
   texts() {
-    const own = (/** @type {Field} */ f) => this.rows.get(f.key)?.input.value ?? "";
-    return Object.fromEntries(this.fields.map((f) => [f.key, own(f) === (f.value ?? "") ? "" : own(f)]));
+    const own = (/** @type {Field} */ f) =>
+      this.rows.get(f.key)?.input.value ?? "";
+    return Object.fromEntries(
+      this.fields.map((f) => [f.key, own(f) === (f.value ?? "") ? "" : own(f)]),
+    );
   }
   /** @param {URLSearchParams} params */
   set(params) {
-    for (const f of this.fields) this.put(f.key, params.get(f.key) ?? f.value ?? "");
+    for (const f of this.fields)
+      this.put(f.key, params.get(f.key) ?? f.value ?? "");
   }
   /** What stands there where nothing is typed. @param {string} key @param {string} text */
   usual(key, text) {
@@ -149,7 +209,9 @@ class Form {
     if (of) of.row.hidden = !on;
   }
   /** What is typed. @param {string} key */
-  text(key) { return this.rows.get(key)?.input.value.trim() ?? ""; }
+  text(key) {
+    return this.rows.get(key)?.input.value.trim() ?? "";
+  }
   /** @param {string} key @param {string} text */
   put(key, text) {
     const of = this.rows.get(key);
@@ -160,7 +222,11 @@ class Form {
     const input = this.rows.get(key)?.input;
     if (input instanceof HTMLSelectElement) addOptions(input, names);
     else if (input && !input.hasAttribute("list")) {
-      const list = el("datalist", { id: `${input.id}l` }, ...names.map((value) => el("option", { value })));
+      const list = el(
+        "datalist",
+        { id: `${input.id}l` },
+        ...names.map((value) => el("option", { value })),
+      );
       input.setAttribute("list", list.id);
       input.after(list);
     }
@@ -185,10 +251,19 @@ export const form = (fields, submit) => new Form(fields, submit);
  * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[] }} [about] fields that a problem is
  *   marked at, and what is shown of an answer: dimmed beside the problem of a later question
  */
-export function job(label, command, request, take, { fields, shown = [] } = {}) {
+export function job(
+  label,
+  command,
+  request,
+  take,
+  { fields, shown = [] } = {},
+) {
   const start = button(label, () => run(), { class: "main" });
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
-  const bar = el("progress", { hidden: true, "aria-label": `${label}: progress` });
+  const bar = el("progress", {
+    hidden: true,
+    "aria-label": `${label}: progress`,
+  });
   const words = el("span", { class: "small soft" });
   const said = el("div", {});
   /** @type {AbortController | undefined} */ let ends;
@@ -205,13 +280,20 @@ export function job(label, command, request, take, { fields, shown = [] } = {}) 
     said.replaceChildren();
     words.textContent = "";
     bar.removeAttribute("value");
-    const late = setTimeout(() => { bar.hidden = stop.hidden = false; }, 150);
+    const late = setTimeout(() => {
+      bar.hidden = stop.hidden = false;
+    }, 150);
     try {
-      await take(await longWork(command, asked, { signal: mine.signal, progress(done, total) {
-        bar.max = total;
-        bar.value = done;
-        words.textContent = `${done} of ${total}`;
-      } }));
+      await take(
+        await longWork(command, asked, {
+          signal: mine.signal,
+          progress(done, total) {
+            bar.max = total;
+            bar.value = done;
+            words.textContent = `${done} of ${total}`;
+          },
+        }),
+      );
       words.textContent = "";
       dim(shown, false);
     } catch (problem) {
@@ -226,7 +308,15 @@ export function job(label, command, request, take, { fields, shown = [] } = {}) 
     if (ends === mine) bar.hidden = stop.hidden = true;
   }
   atEnd(() => ends?.abort());
-  return { element: el("div", {}, el("div", { class: "row" }, start, stop, bar, words), said), run };
+  return {
+    element: el(
+      "div",
+      {},
+      el("div", { class: "row" }, start, stop, bar, words),
+      said,
+    ),
+    run,
+  };
 }
 
 /**
@@ -236,23 +326,70 @@ export function job(label, command, request, take, { fields, shown = [] } = {}) 
  *   left
  */
 export function table(head, rows, { text = [0], pick, label } = {}) {
-  const cell = (/** @type {"td" | "th"} */ tag, /** @type {string | Node} */ value, /** @type {number} */ i) =>
-    el(tag, { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined }, value);
-  const picked = (/** @type {number} */ i) => (pick ? { class: "pick", tabindex: 0, onclick: () => pick(i),
-    onkeydown(/** @type {KeyboardEvent} */ event) { if (event.key === "Enter") pick(i); } } : {});
-  const body = rows.map((row, i) => el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))));
-  return el("div", { class: "scroll", tabindex: pick ? undefined : 0, role: "region", "aria-label": label ?? "table" },
-    el("table", {}, el("thead", {}, el("tr", {}, ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
-      el("tbody", {}, ...body)));
+  const cell = (
+    /** @type {"td" | "th"} */ tag,
+    /** @type {string | Node} */ value,
+    /** @type {number} */ i,
+  ) =>
+    el(
+      tag,
+      {
+        class: text.includes(i) ? "text" : undefined,
+        scope: tag === "th" ? "col" : undefined,
+      },
+      value,
+    );
+  const picked = (/** @type {number} */ i) =>
+    pick
+      ? {
+          class: "pick",
+          tabindex: 0,
+          onclick: () => pick(i),
+          onkeydown(/** @type {KeyboardEvent} */ event) {
+            if (event.key === "Enter") pick(i);
+          },
+        }
+      : {};
+  const body = rows.map((row, i) =>
+    el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))),
+  );
+  return el(
+    "div",
+    {
+      class: "scroll",
+      tabindex: pick ? undefined : 0,
+      role: "region",
+      "aria-label": label ?? "table",
+    },
+    el(
+      "table",
+      {},
+      el(
+        "thead",
+        {},
+        el("tr", {}, ...head.map((h, i) => cell(h ? "th" : "td", h, i))),
+      ),
+      el("tbody", {}, ...body),
+    ),
+  );
 }
 
 /** Warnings of an answer. @param {string[] | undefined} list */
 export const warnings = (list) =>
-  el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))));
+  el(
+    "ul",
+    { class: "warnings" },
+    ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))),
+  );
 
 /**
  * A page of controls, and what they lead to beside them.
  * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
  */
-export const bench = (label, controls, middle) => el("div", { class: "bench two" },
-  el("section", { class: "controls", "aria-label": label }, ...controls), el("div", { class: "middle" }, ...middle));
+export const bench = (label, controls, middle) =>
+  el(
+    "div",
+    { class: "bench two" },
+    el("section", { class: "controls", "aria-label": label }, ...controls),
+    el("div", { class: "middle" }, ...middle),
+  );

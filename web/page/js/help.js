@@ -8,26 +8,46 @@ import { pageOf } from "./pages.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
 const HOW = {
-  muscle: ["Drag a slider, the right end of the muscle, the gauge or a curve.",
+  muscle: [
+    "Drag a slider, the right end of the muscle, the gauge or a curve.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
-    "Hold the contraction or a load. The numbers beside the muscle carry their ±."],
-  design: ["Type the pull, the contraction and the pressure of your supply, and press Enter.",
-    "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss."],
-  joint: ["Drag the arm or a point of the torque curve.",
-    "Both muscles are the one above; open another file for muscle 2, or a joint file for pulley and link."],
-  motion: ["Select the step, the valve and the load, and press Run. Then drag the time.",
-    "Open a drive file for other commands than a step."],
-  sweep: ["Select a measure, its range and a result, and press Compute. The ring marks the muscle as it is.",
-    "The chart has its table, and saves CSV."],
-  rubber: ["Drop a table of stretches and stresses. Fit lists the laws with their constants.",
-    "A button puts the recommended law into the muscle."],
-  files: ["Each card makes files of the muscle above. The report is one HTML file.",
-    "The others come one by one, or all in one archive (ZIP)."],
-  data: ["Drop a table of pressures, contractions and pulls. The headings say what the columns are.",
-    "Compare shows the models over the points. Identify finds the constants that you list."],
-  formula: ["Change the plan, compute it, and fit a formula. Then download the formula as a file."],
+    "Hold the contraction or a load. The numbers beside the muscle carry their ±.",
+  ],
+  design: [
+    "Type the pull, the contraction and the pressure of your supply, and press Enter.",
+    "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss.",
+  ],
+  joint: [
+    "Drag the arm or a point of the torque curve.",
+    "Both muscles are the one above; open another file for muscle 2, or a joint file for pulley and link.",
+  ],
+  motion: [
+    "Select the step, the valve and the load, and press Run. Then drag the time.",
+    "Open a drive file for other commands than a step.",
+  ],
+  sweep: [
+    "Select a measure, its range and a result, and press Compute. The ring marks the muscle as it is.",
+    "The chart has its table, and saves CSV.",
+  ],
+  rubber: [
+    "Drop a table of stretches and stresses. Fit lists the laws with their constants.",
+    "A button puts the recommended law into the muscle.",
+  ],
+  files: [
+    "Each card makes files of the muscle above. The report is one HTML file.",
+    "The others come one by one, or all in one archive (ZIP).",
+  ],
+  data: [
+    "Drop a table of pressures, contractions and pulls. The headings say what the columns are.",
+    "Compare shows the models over the points. Identify finds the constants that you list.",
+  ],
+  formula: [
+    "Change the plan, compute it, and fit a formula. Then download the formula as a file.",
+  ],
   compare: ["Each side begins as the muscle above. Type what differs."],
-  parts: ["Filter the lists. A button puts a part into the muscle. What no seller states is marked as estimated."],
+  parts: [
+    "Filter the lists. A button puts a part into the muscle. What no seller states is marked as estimated.",
+  ],
   about: ["Compute the verification here: it takes about a minute."],
 };
 
@@ -40,21 +60,47 @@ function book(place) {
 /** The button of the frame; it shows the help of the page that is shown. */
 export function helpLink() {
   let page = "muscle";
-  const open = () => dialog(`Help: ${pageOf(page).text}`, (close) => [
-    el("p", {}, pageOf(page).about),
-    el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
-    el("p", {},
-      "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your "
-        + "gestures. Every view has a link."),
-    el("p", {}, el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
-      ": accuracy, verification, models, sources."),
-    DOCUMENTATION ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
-      : el("p", { class: "small soft" }, "The book comes with the program: ",
-        el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`), ". On the command line: ",
-        el("code", {}, "mckibben help"), "."),
-  ]);
+  const open = () =>
+    dialog(`Help: ${pageOf(page).text}`, (close) => [
+      el("p", {}, pageOf(page).about),
+      el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
+      el(
+        "p",
+        {},
+        "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your " +
+          "gestures. Every view has a link.",
+      ),
+      el(
+        "p",
+        {},
+        el(
+          "a",
+          { href: address("about", muscle.params()), onclick: close },
+          "About",
+        ),
+        ": accuracy, verification, models, sources.",
+      ),
+      DOCUMENTATION
+        ? el("iframe", {
+            class: "book",
+            title: "The book",
+            src: book(pageOf(page).help),
+          })
+        : el(
+            "p",
+            { class: "small soft" },
+            "The book comes with the program: ",
+            el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`),
+            ". On the command line: ",
+            el("code", {}, "mckibben help"),
+            ".",
+          ),
+    ]);
   const element = button("Help", open);
-  return { element, show(/** @type {string} */ name) {
-    page = name;
-  } };
+  return {
+    element,
+    show(/** @type {string} */ name) {
+      page = name;
+    },
+  };
 }

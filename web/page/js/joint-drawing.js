@@ -13,21 +13,32 @@ import { number, outside, show, unitName } from "./units.js";
 
 const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
   `${(radius * Math.cos((degrees * Math.PI) / 180)).toFixed(1)} ` +
-    `${(-radius * Math.sin((degrees * Math.PI) / 180)).toFixed(1)}`;
+  `${(-radius * Math.sin((degrees * Math.PI) / 180)).toFixed(1)}`;
 
 /**
  * A muscle of the drawing: its rubber has the colour of its pressure.
  * @param {Measures} m @param {1 | 2} which @param {JointPoint | undefined} point @param {number} supply @param {number} left
  */
 function tube(m, which, point, supply, left) {
-  const y = which === 1 ? -m.r : m.r, e = point?.[`contraction_${which}`] ?? m.e0, p = point?.[`pressure_${which}_mpa`];
-  const length = m.length * (1 - e), now = contracted(m.diameter, m.angle, e), fill = pressureColour(p ?? 0, supply),
-    b = Math.max(m.diameter, now.bulged) / 2, thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
-  const text = p === undefined ? String(which) : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
-  const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
-  return `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">`
-    + `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>`
-    + `<text x="${left}" y="${place}">${text}</text>`;
+  const y = which === 1 ? -m.r : m.r,
+    e = point?.[`contraction_${which}`] ?? m.e0,
+    p = point?.[`pressure_${which}_mpa`];
+  const length = m.length * (1 - e),
+    now = contracted(m.diameter, m.angle, e),
+    fill = pressureColour(p ?? 0, supply),
+    b = Math.max(m.diameter, now.bulged) / 2,
+    thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
+  const text =
+    p === undefined
+      ? String(which)
+      : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
+  const place =
+    which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
+  return (
+    `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">` +
+    `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>` +
+    `<text x="${left}" y="${place}">${text}</text>`
+  );
 }
 
 /**
@@ -35,27 +46,45 @@ function tube(m, which, point, supply, left) {
  * @param {JointPoint | undefined} point @param {number} angle in degrees @param {number} supply @param {Measures} m
  */
 export function jointDrawing(point, angle, supply, m) {
-  const arm = 0.45 * m.length, most = Math.max(Math.abs(m.low), Math.abs(m.high)), size = m.length / 26;
-  const left = -(m.length * (1 - m.e0) + m.r * ((most * Math.PI) / 180) + m.diameter);
+  const arm = 0.45 * m.length,
+    most = Math.max(Math.abs(m.low), Math.abs(m.high)),
+    size = m.length / 26;
+  const left = -(
+    m.length * (1 - m.e0) +
+    m.r * ((most * Math.PI) / 180) +
+    m.diameter
+  );
   const width = arm * 1.25 - left + 0.1 * m.length;
   const tall =
-    2 * Math.max(arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length, m.r + 1.6 * m.diameter);
-  const range = `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z" `
-    + 'class="range"/>';
+    2 *
+    Math.max(
+      arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length,
+      m.r + 1.6 * m.diameter,
+    );
+  const range =
+    `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z" ` +
+    'class="range"/>';
   const second = !point || point.pressure_2_mpa !== undefined;
-  const muscles = tube(m, 1, point, supply, left) + (second ? tube(m, 2, point, supply, left) : "");
-  const bar = niceUp(0.13 * m.length), scale = `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}`
-    + `h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" `
-    + `y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
+  const muscles =
+    tube(m, 1, point, supply, left) +
+    (second ? tube(m, 2, point, supply, left) : "");
+  const bar = niceUp(0.13 * m.length),
+    scale =
+      `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}` +
+      `h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" ` +
+      `y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
   const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
-  const legend = `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to `
-    + `${show("pressure", supply, 3)}</text>`;
-  return `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" `
-    + `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>`
-    + `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle `
-    + `r="${0.02 * m.length}" fill="currentColor"/>`
-    + `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>`
-    + `${load(point, angle, arm, size)}${scale}${legend}</svg>`;
+  const legend =
+    `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to ` +
+    `${show("pressure", supply, 3)}</text>`;
+  return (
+    `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
+    `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
+    `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
+    `r="${0.02 * m.length}" fill="currentColor"/>` +
+    `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>` +
+    `${load(point, angle, arm, size)}${scale}${legend}</svg>`
+  );
 }
 
 /**
@@ -65,11 +94,16 @@ export function jointDrawing(point, angle, supply, m) {
 function load(point, angle, arm, size) {
   const torque = Number(point?.torque_nm ?? 0);
   if (Math.abs(torque) < 1e-6) return "";
-  const r = 0.6 * arm, sweep = Math.sign(torque) * 28, tip = angle + sweep, back = tip - Math.sign(torque) * 5;
+  const r = 0.6 * arm,
+    sweep = Math.sign(torque) * 28,
+    tip = angle + sweep,
+    back = tip - Math.sign(torque) * 5;
   const text = `${number(outside("torque", torque), 3)} ${unitName("torque")}`;
-  return `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ${at(r, tip)}M${at(0.94 * r, back)}`
-    + `L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>`
-    + `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`;
+  return (
+    `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ${at(r, tip)}M${at(0.94 * r, back)}` +
+    `L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>` +
+    `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`
+  );
 }
 
 /**
@@ -77,11 +111,21 @@ function load(point, angle, arm, size) {
  * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {Series[]}
  */
 export function reachable(angles, torques) {
-  const known = angles.map((_, i) => torques.map((list) => list[i]).filter((v) => typeof v === "number"));
+  const known = angles.map((_, i) =>
+    torques.map((list) => list[i]).filter((v) => typeof v === "number"),
+  );
   const there = angles.map((_, i) => i).filter((i) => known[i].length > 1);
   if (there.length < 2) return [];
-  const ends = (/** @type {(...list: number[]) => number} */ of) => there.map((i) => of(...known[i]));
+  const ends = (/** @type {(...list: number[]) => number} */ of) =>
+    there.map((i) => of(...known[i]));
   const x = there.map((i) => angles[i]);
-  return [{ name: "reachable torque", band: true, colour: KINDS[0], x: [...x, ...[...x].reverse()],
-    y: [...ends(Math.max), ...ends(Math.min).reverse()] }];
+  return [
+    {
+      name: "reachable torque",
+      band: true,
+      colour: KINDS[0],
+      x: [...x, ...[...x].reverse()],
+      y: [...ends(Math.max), ...ends(Math.min).reverse()],
+    },
+  ];
 }

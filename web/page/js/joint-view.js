@@ -10,7 +10,8 @@ import { number, outside, show, unitName } from "./units.js";
 
 /** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
 export function angleAt(stage, event) {
-  const svg = stage.querySelector("svg"), matrix = svg?.getScreenCTM()?.inverse();
+  const svg = stage.querySelector("svg"),
+    matrix = svg?.getScreenCTM()?.inverse();
   if (!svg || !matrix) return undefined;
   const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
   return (Math.atan2(-at.y, at.x) * 180) / Math.PI;
@@ -18,33 +19,73 @@ export function angleAt(stage, event) {
 
 /** Whether finite elements have answered yet. @param {string} model */
 const badge = (model) =>
-  el("p", { class: model === "fe" ? "badge final" : "badge" }, model === "fe" ? "Final: finite elements"
-    : `First estimate: ${model}`);
+  el(
+    "p",
+    { class: model === "fe" ? "badge final" : "badge" },
+    model === "fe" ? "Final: finite elements" : `First estimate: ${model}`,
+  );
 
 /** @param {JointPoint} point @param {string} which muscles these are */
 export function numbersView(point, which) {
-  const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
-  const stiffness = (/** @type {JointPoint} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u }) =>
-    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} `
-    + unitName("angular-stiffness");
-  const closed = [point.stiffness_shut_isothermal_nm_per_rad, point.stiffness_shut_adiabatic_nm_per_rad]
-    .flatMap((k) => (typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : []));
+  const half = (/** @type {number | null | undefined} */ u) =>
+    u ? ` ± ${number(u, 2)}` : "";
+  const stiffness = (
+    /** @type {JointPoint} */ {
+      stiffness_nm_per_rad: k,
+      stiffness_uncertainty_nm_per_rad: u,
+    },
+  ) =>
+    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ` +
+    unitName("angular-stiffness");
+  const closed = [
+    point.stiffness_shut_isothermal_nm_per_rad,
+    point.stiffness_shut_adiabatic_nm_per_rad,
+  ].flatMap((k) =>
+    typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : [],
+  );
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
-  const pull = (/** @type {number | null | undefined} */ n) => show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
+  const pull = (/** @type {number | null | undefined} */ n) =>
+    show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
     ["pressure 1", show("pressure", point.pressure_1_mpa, 3)],
     ["pressure 2", show("pressure", point.pressure_2_mpa, 3)],
     ["stiffness", stiffness(point)],
-    ...(closed.length ? [["stiffness, valves closed", `${closed.join(" to ")} ${unitName("angular-stiffness")}`]] : []),
+    ...(closed.length
+      ? [
+          [
+            "stiffness, valves closed",
+            `${closed.join(" to ")} ${unitName("angular-stiffness")}`,
+          ],
+        ]
+      : []),
     ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
-    ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
+    [
+      "contractions",
+      `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`,
+    ],
   ]);
   const words = point.words ? ` The ± of the torque ${point.words}.` : "";
   return [
-    badge(point.model), el("dl", {}, el("dt", { class: "head" }, "Equilibrium angle"),
-      el("dd", { class: "head" }, `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`),
-      ...rows.flatMap(([name, value]) => [el("dt", {}, capital(name)), el("dd", {}, value)])),
-    el("p", { class: "small soft" }, `${which} Curves and map by universal.${words}`),
+    badge(point.model),
+    el(
+      "dl",
+      {},
+      el("dt", { class: "head" }, "Equilibrium angle"),
+      el(
+        "dd",
+        { class: "head" },
+        `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`,
+      ),
+      ...rows.flatMap(([name, value]) => [
+        el("dt", {}, capital(name)),
+        el("dd", {}, value),
+      ]),
+    ),
+    el(
+      "p",
+      { class: "small soft" },
+      `${which} Curves and map by universal.${words}`,
+    ),
   ];
 }
 
@@ -54,29 +95,80 @@ export function numbersView(point, which) {
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
-    const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
-    const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
-    return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((q) => outside("torque", q.torque_nm)) };
+    const rows = answer.points.slice(
+      i * angles.length,
+      (i + 1) * angles.length,
+    );
+    const name =
+      pair.map((p) => number(outside("pressure", p), 3)).join(" | ") +
+      " " +
+      unitName("pressure");
+    return {
+      name,
+      end: name,
+      colour: KINDS[i],
+      x: angles,
+      y: rows.map((q) => outside("torque", q.torque_nm)),
+    };
   });
-  const marks = point ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }] : [];
-  return { x: "angle φ [°]", y: `torque [${unitName("torque")}]`, yaxis: {},
-    series: [...reachable(angles, series.map((s) => s.y)), ...series], marks };
+  const marks = point
+    ? [
+        {
+          x: point.angle_deg,
+          y: outside("torque", point.torque_nm ?? 0),
+          text: "required",
+        },
+      ]
+    : [];
+  return {
+    x: "angle φ [°]",
+    y: `torque [${unitName("torque")}]`,
+    yaxis: {},
+    series: [
+      ...reachable(
+        angles,
+        series.map((s) => s.y),
+      ),
+      ...series,
+    ],
+    marks,
+  };
 }
 
 /** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {Spec} */
 export function reachChart(map) {
-  const points = map.points.filter((q) => q !== null), unit = unitName("pressure"), stiffness = "angular-stiffness";
+  const points = map.points.filter((q) => q !== null),
+    unit = unitName("pressure"),
+    stiffness = "angular-stiffness";
   const mean = (/** @type {Reach} */ { pressures_mpa: list }) =>
     outside("pressure", list.reduce((a, b) => a + b, 0) / list.length);
-  const most = Math.max(1e-9, ...points.map(mean)), step = niceUp(most / 6);
+  const most = Math.max(1e-9, ...points.map(mean)),
+    step = niceUp(most / 6);
   const count = Math.max(1, Math.ceil(most / step - 1e-9));
   const series = Array.from({ length: count }, (_, i) => {
-    const of = points.filter((q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
+    const of = points.filter(
+      (q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i,
+    );
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
     const y = of.map((q) => outside(stiffness, q.stiffness_nm_per_rad));
-    const x = of.map((q) => q.angle_deg), colour = pressureColour(i + 0.5, count);
-    const legend = i ? name : `mean pressure ${name}`, z = of.map(mean);
-    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
+    const x = of.map((q) => q.angle_deg),
+      colour = pressureColour(i + 0.5, count);
+    const legend = i ? name : `mean pressure ${name}`,
+      z = of.map(mean);
+    return {
+      name,
+      legend,
+      mode: /** @type {const} */ ("markers"),
+      colour,
+      x,
+      y,
+      z,
+    };
   });
-  return { x: "rest angle φ [°]", y: `stiffness [${unitName(stiffness)}]`, z: `mean pressure [${unit}]`, series };
+  return {
+    x: "rest angle φ [°]",
+    y: `stiffness [${unitName(stiffness)}]`,
+    z: `mean pressure [${unit}]`,
+    series,
+  };
 }

@@ -5,26 +5,56 @@ import { stated } from "./toml.js";
 import { typed } from "./units.js";
 
 /** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
-export const KINDS_OF =
-  /** @type {const} */ ({ r: "length", low: "angle", high: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness",
-    pmax: "pressure", mass: "mass", centre: "length", inertia: "inertia" });
-const USUAL = { r: 25, low: -60, high: 60, e0: 0.12, phi: 20, K: 8, pmax: 0.5, mass: 0, centre: 150, inertia: 0.03 };
+export const KINDS_OF = /** @type {const} */ ({
+  r: "length",
+  low: "angle",
+  high: "angle",
+  e0: "ratio",
+  phi: "angle",
+  K: "angular-stiffness",
+  pmax: "pressure",
+  mass: "mass",
+  centre: "length",
+  inertia: "inertia",
+});
+const USUAL = {
+  r: 25,
+  low: -60,
+  high: 60,
+  e0: 0.12,
+  phi: 20,
+  K: 8,
+  pmax: 0.5,
+  mass: 0,
+  centre: 150,
+  inertia: 0.03,
+};
 /** @typedef {keyof typeof KINDS_OF} Key */
 /** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa, kg, kg m² */
 export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 export const FILES = /** @type {const} */ (["joint", "file2"]);
 /** What a joint file states too, and where; both limits are its range. */
-const STATED = { r: "joint.radius", low: "", high: "", e0: "muscle_1.contraction_at_neutral", mass: "link.mass",
-  centre: "link.centre", inertia: "joint.inertia" };
+const STATED = {
+  r: "joint.radius",
+  low: "",
+  high: "",
+  e0: "muscle_1.contraction_at_neutral",
+  mass: "link.mass",
+  centre: "link.centre",
+  inertia: "joint.inertia",
+};
 const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
-export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
+export const ofFile = Object.fromEntries(
+  [...IN_FILE, "range"].map((key) => [key, undefined]),
+);
 
 export class JointWords {
   files = { joint: "", file2: "" };
   v = { ...USUAL };
-  /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
+  /** What was typed over the joint file. @type {Set<string>} */ over =
+    new Set();
 
   /** @param {URLSearchParams} params */
   async read(params) {
@@ -37,32 +67,47 @@ export class JointWords {
       await this.#limits(params.get("range"));
       this.over.add("low").add("high");
     }
-    await this.#take(KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]));
+    await this.#take(
+      KEYS.filter((key) => params.has(key)).map((key) => [
+        key,
+        params.get(key) ?? "",
+      ]),
+    );
   }
 
   /** Values that the joint file states. */
   async fromFile() {
     const own = IN_FILE.filter((key) => !this.over.has(key));
-    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
+    Object.assign(
+      this.v,
+      Object.fromEntries(own.map((key) => [key, USUAL[key]])),
+    );
     const of = stated(this.files.joint);
     await this.#limits(of.get("joint.range"));
-    await this.#take(own.flatMap((key) => {
-      const text = of.get(STATED[key]);
-      return text ? [/** @type {[Key, string]} */ ([key, text])] : [];
-    }));
+    await this.#take(
+      own.flatMap((key) => {
+        const text = of.get(STATED[key]);
+        return text ? [/** @type {[Key, string]} */ ([key, text])] : [];
+      }),
+    );
   }
 
   /** Both limits, where neither is typed. @param {string | null | undefined} text */
   async #limits(text) {
     if (!text || this.over.has("low") || this.over.has("high")) return;
-    const [{ values = [], value }] = await understood([{ text, kind: "angle", list: text.includes("..") }]);
+    const [{ values = [], value }] = await understood([
+      { text, kind: "angle", list: text.includes("..") },
+    ]);
     const ends = value === undefined ? values : [-value, value];
-    if (ends.length) [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
+    if (ends.length)
+      [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
   }
 
   /** @param {[Key, string][]} texts */
   async #take(texts) {
-    const readings = await understood(texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })));
+    const readings = await understood(
+      texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })),
+    );
     texts.forEach(([key], i) => {
       const { value } = readings[i];
       if (value !== undefined) this.v[key] = value;
@@ -73,17 +118,35 @@ export class JointWords {
   request(first) {
     const { files, over, v } = this;
     // One limit alone is no range.
-    const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
-    const own = (/** @type {Key} */ key) => (over.has(key) ? v[key] : undefined);
-    const put = { ...Object.fromEntries(IN_FILE.map((key) => [key, own(key)])), low: ends[0], high: ends[1] };
+    const ends =
+      over.has("low") || over.has("high")
+        ? [v.low, v.high]
+        : [undefined, undefined];
+    const own = (/** @type {Key} */ key) =>
+      over.has(key) ? v[key] : undefined;
+    const put = {
+      ...Object.fromEntries(IN_FILE.map((key) => [key, own(key)])),
+      low: ends[0],
+      high: ends[1],
+    };
     const arm = v.mass > 0 ? v : { ...v, mass: undefined, centre: undefined };
-    return files.joint ? joint(first, files.file2, put, files.joint) : joint(first, files.file2, arm);
+    return files.joint
+      ? joint(first, files.file2, put, files.joint)
+      : joint(first, files.file2, arm);
   }
 
   /** Its words of the address; what a joint file states is not there twice. @returns {Record<string, string>} */
   words() {
-    const { files, over, v } = this, inFile = /** @type {readonly string[]} */ (IN_FILE);
-    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
-    return { ...Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])])), ...files };
+    const { files, over, v } = this,
+      inFile = /** @type {readonly string[]} */ (IN_FILE);
+    const said = KEYS.filter(
+      (key) => !files.joint || !inFile.includes(key) || over.has(key),
+    );
+    return {
+      ...Object.fromEntries(
+        said.map((key) => [key, typed(KINDS_OF[key], v[key])]),
+      ),
+      ...files,
+    };
   }
 }

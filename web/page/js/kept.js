@@ -6,19 +6,32 @@ import { signal } from "./life.js";
 /** A text that the browser keeps, where it keeps any. @param {() => Storage} storage @param {string} name */
 const stored = (storage, name) => ({
   get() {
-    try { return storage().getItem(name) ?? ""; } catch { return ""; }
+    try {
+      return storage().getItem(name) ?? "";
+    } catch {
+      return "";
+    }
   },
   /** @param {string} text */
   set(text) {
-    try { storage().setItem(name, text); } catch { /* Then it is asked again, or lost with a reload. */ }
+    try {
+      storage().setItem(name, text);
+    } catch {
+      /* Then it is asked again, or lost with a reload. */
+    }
   },
 });
 /** A word for later visits. @param {string} name */
-export const remembered = (name) => stored(() => localStorage, `mckibben:${name}`);
+export const remembered = (name) =>
+  stored(() => localStorage, `mckibben:${name}`);
 const session = stored(() => sessionStorage, "mckibben:kept");
 /** @returns {Kept} */
 function before() {
-  try { return { words: {}, files: {}, ...JSON.parse(session.get() || "{}") }; } catch { return { words: {}, files: {} }; }
+  try {
+    return { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
+  } catch {
+    return { words: {}, files: {} };
+  }
 }
 const kept = before();
 const changed = signal();
@@ -33,7 +46,11 @@ function save() {
 export const wordsOf = (page) => kept.words[page] ?? {};
 /** @param {string} page @param {Record<string, string | undefined>} words */
 export function keepWords(page, words) {
-  const said = Object.fromEntries(Object.entries(words).filter(([, word]) => word !== undefined && word !== ""));
+  const said = Object.fromEntries(
+    Object.entries(words).filter(
+      ([, word]) => word !== undefined && word !== "",
+    ),
+  );
   if (JSON.stringify(said) === JSON.stringify(wordsOf(page))) return;
   kept.words[page] = /** @type {Words} */ (said);
   save();

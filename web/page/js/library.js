@@ -12,7 +12,9 @@ import { show, withUncertainty } from "./units.js";
 /** Opens one on the page Muscle. @param {string} name @param {Record<string, string>} [at] words of its point */
 export async function openPart(name, at = {}) {
   const { muscle: found } = await engine().ask("parts-show", { name });
-  const called = found?.product ? `${found.product} (${found.title})` : found?.title;
+  const called = found?.product
+    ? `${found.product} (${found.title})`
+    : found?.title;
   await muscle.take(found?.muscle_file.text ?? "", name, called);
   location.hash = address("muscle", { ...muscle.params(), ...at });
 }
@@ -21,30 +23,56 @@ export async function openPart(name, at = {}) {
  * What to do with a muscle file that was made: it becomes the muscle, or is saved.
  * @param {string} file @param {string} put @param {string} keep labels of the buttons @param {string} name of the file
  */
-export const muscleButtons = (file, put, keep, name) => el("p", { class: "row" },
-  button(put, async () => {
-    await muscle.take(file);
-    location.hash = address("muscle", muscle.params());
-  }, { class: "main" }), button(keep, () => download(fileName(name, ".toml"), file, "application/toml")));
+export const muscleButtons = (file, put, keep, name) =>
+  el(
+    "p",
+    { class: "row" },
+    button(
+      put,
+      async () => {
+        await muscle.take(file);
+        location.hash = address("muscle", muscle.params());
+      },
+      { class: "main" },
+    ),
+    button(keep, () =>
+      download(fileName(name, ".toml"), file, "application/toml"),
+    ),
+  );
 
 /** @param {Entry} entry @param {() => void} opened @param {(problem: unknown) => void} fail */
 function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force, uncertainty_n: half } = entry;
-  const pull = force && half
-    ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}` : "";
+  const pull =
+    force && half
+      ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}`
+      : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
-  const box = card(() => openPart(name).then(opened, fail), el("span", {}, thumbnail(entry)),
-    capital(entry.product ?? entry.title), `${name}: ${size}${pull}`);
+  const box = card(
+    () => openPart(name).then(opened, fail),
+    el("span", {}, thumbnail(entry)),
+    capital(entry.product ?? entry.title),
+    `${name}: ${size}${pull}`,
+  );
   box.title = `${entry.source}; ${entry.terms}`;
   return box;
 }
 
 /** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} opened */
 export function library(fail, opened) {
-  const box = el("div", { class: "gallery" }, el("span", { class: "small soft" }, "The library is being read."));
-  engine().ask("parts-list", { kind: "muscles" }).then(
-    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
-    fail,
+  const box = el(
+    "div",
+    { class: "gallery" },
+    el("span", { class: "small soft" }, "The library is being read."),
   );
+  engine()
+    .ask("parts-list", { kind: "muscles" })
+    .then(
+      ({ muscles }) =>
+        box.replaceChildren(
+          ...muscles.map((entry) => entryCard(entry, opened, fail)),
+        ),
+      fail,
+    );
   return el("div", {}, el("h2", {}, "Identified from measured points"), box);
 }

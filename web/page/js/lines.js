@@ -7,10 +7,17 @@ import { number, plusMinus } from "./units.js";
 const NEAR = 48;
 /** So long the pointer rests before what is below it is computed, in milliseconds. */
 const REST = 200;
-const colours = () => ({ ink: token("--ink"), line: token("--line"), faint: token("--faint"),
-  paper: token("--paper") });
+const colours = () => ({
+  ink: token("--ink"),
+  line: token("--line"),
+  faint: token("--faint"),
+  paper: token("--paper"),
+});
 /** The unit of an axis. @param {string} title */
-const unit = (title) => { const [, u] = /\[(.+)\]/.exec(title) ?? []; return u ? ` ${u}` : ""; };
+const unit = (title) => {
+  const [, u] = /\[(.+)\]/.exec(title) ?? [];
+  return u ? ` ${u}` : "";
+};
 
 export class Lines {
   /**
@@ -23,27 +30,46 @@ export class Lines {
     /** @type {Spec | undefined} */ this.spec = undefined;
     /** @type {import("./plot.js").Frame | undefined} */ this.at = undefined;
     /** @type {Reach | undefined} */ this.zoomed = undefined;
-    /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read = undefined;
+    /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ this.read =
+      undefined;
     this.resting = 0;
-    /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer = undefined;
-    /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked = undefined;
+    /** Where the pointer rests on the plot. @type {[number, number] | undefined} */ this.pointer =
+      undefined;
+    /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked =
+      undefined;
     this.drawn = el("div", {});
     this.ring = el("i", { class: "ring", hidden: true });
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });
     this.hair = el("i", { class: "hair", hidden: true });
     this.box = el("i", { class: "box", hidden: true });
-    this.all = button("Show all", () => this.zoom(undefined), { class: "all small", hidden: true });
-    host.replaceChildren(this.drawn, this.hair, this.box, this.dot, this.tip, this.all, this.ring);
+    this.all = button("Show all", () => this.zoom(undefined), {
+      class: "all small",
+      hidden: true,
+    });
+    host.replaceChildren(
+      this.drawn,
+      this.hair,
+      this.box,
+      this.dot,
+      this.tip,
+      this.all,
+      this.ring,
+    );
     host.tabIndex = 0;
     host.setAttribute("role", "group");
-    host.setAttribute("aria-label",
-      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`);
+    host.setAttribute(
+      "aria-label",
+      `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`,
+    );
     this.listen();
   }
 
   draw() {
-    const { spec, host: { clientWidth: width, clientHeight: height } } = this;
+    const {
+      spec,
+      host: { clientWidth: width, clientHeight: height },
+    } = this;
     if (!spec || !width || !height) return;
     this.at = frame(spec, width, height, this.zoomed ?? reachOf(spec));
     this.drawn.innerHTML = drawing(spec, this.at, colours());
@@ -67,14 +93,22 @@ export class Lines {
     const { at, marked } = this;
     this.ring.hidden = !at || !marked;
     if (!at || !marked) return;
-    const within = (/** @type {number} */ v, /** @type {number} */ low, /** @type {number} */ size) =>
-      Math.min(low + size, Math.max(low, v));
-    const [x, y] = [within(at.px(marked[0]), at.left, at.w), within(at.py(marked[1]), at.top, at.h)];
+    const within = (
+      /** @type {number} */ v,
+      /** @type {number} */ low,
+      /** @type {number} */ size,
+    ) => Math.min(low + size, Math.max(low, v));
+    const [x, y] = [
+      within(at.px(marked[0]), at.left, at.w),
+      within(at.py(marked[1]), at.top, at.h),
+    ];
     this.ring.style.transform = `translate(${x}px, ${y}px)`;
   }
 
   /** What lies at a place, as values of the axes. @param {number} px @param {number} py */
-  values(px, py) { return this.at && [this.at.x(px), this.at.y(py)]; }
+  values(px, py) {
+    return this.at && [this.at.x(px), this.at.y(py)];
+  }
 
   /** @param {Reach | undefined} reach nothing for all */
   zoom(reach) {
@@ -86,11 +120,22 @@ export class Lines {
   zoomAbout(by, px, py) {
     const { at } = this;
     if (!at) return;
-    const [cx, cy] = [at.x(px ?? at.left + at.w / 2), at.y(py ?? at.top + at.h / 2)];
-    const about = (/** @type {[number, number]} */ [low, high], /** @type {number} */ c, on = true) =>
-      /** @type {[number, number]} */ (on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]);
-    this.zoom({ x: about(at.reach.x, cx, px === undefined || px > at.left),
-      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h) });
+    const [cx, cy] = [
+      at.x(px ?? at.left + at.w / 2),
+      at.y(py ?? at.top + at.h / 2),
+    ];
+    const about = (
+      /** @type {[number, number]} */ [low, high],
+      /** @type {number} */ c,
+      on = true,
+    ) =>
+      /** @type {[number, number]} */ (
+        on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]
+      );
+    this.zoom({
+      x: about(at.reach.x, cx, px === undefined || px > at.left),
+      y: about(at.reach.y, cy, py === undefined || py < at.top + at.h),
+    });
   }
 
   /** What lies at a place, in words. @param {Found} found */
@@ -108,32 +153,57 @@ export class Lines {
     this.dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
     this.hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
     this.tip.textContent = this.words(found);
-    const side = px > at.left + at.w / 2 ? `right:${at.width - px + 12}px` : `left:${px + 12}px`;
+    const side =
+      px > at.left + at.w / 2
+        ? `right:${at.width - px + 12}px`
+        : `left:${px + 12}px`;
     this.tip.style.cssText = `${side};top:${Math.max(0, py - 34)}px`;
-    [this.dot, this.hair, this.tip].forEach((part) => { part.hidden = false; });
+    [this.dot, this.hair, this.tip].forEach((part) => {
+      part.hidden = false;
+    });
   }
 
   clear() {
     clearTimeout(this.resting);
     this.read = undefined;
-    [this.dot, this.hair, this.tip, this.box].forEach((part) => { part.hidden = true; });
+    [this.dot, this.hair, this.tip, this.box].forEach((part) => {
+      part.hidden = true;
+    });
   }
 
   listen() {
     const { host } = this;
-    const on = (/** @type {string} */ event, /** @type {(event: never) => void} */ act, options = {}) =>
+    const on = (
+      /** @type {string} */ event,
+      /** @type {(event: never) => void} */ act,
+      options = {},
+    ) =>
       host.addEventListener(event, /** @type {EventListener} */ (act), options);
     /** @type {{ px: number, py: number, what: "drag" | "x" | "y" | "box" } | undefined} */ let from;
     const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
       const box = host.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
-    const drag = (/** @type {number} */ px, /** @type {number} */ py, /** @type {boolean} */ settled) =>
-      this.at && this.drag?.(this.at.x(px), this.at.y(py), settled);
+    const drag = (
+      /** @type {number} */ px,
+      /** @type {number} */ py,
+      /** @type {boolean} */ settled,
+    ) => this.at && this.drag?.(this.at.x(px), this.at.y(py), settled);
     on("pointerdown", (/** @type {PointerEvent} */ event) => {
       if (event.button !== 0 || !this.at || event.target === this.all) return;
-      const [px, py] = where(event), { left, top, h } = this.at, touch = event.pointerType === "touch";
-      const what = py > top + h ? "x" : px < left ? "y" : this.drag ? "drag" : touch ? undefined : "box";
+      const [px, py] = where(event),
+        { left, top, h } = this.at,
+        touch = event.pointerType === "touch";
+      const what =
+        py > top + h
+          ? "x"
+          : px < left
+            ? "y"
+            : this.drag
+              ? "drag"
+              : touch
+                ? undefined
+                : "box";
       if (!what) return;
       from = { px, py, what };
       this.clear();
@@ -148,21 +218,32 @@ export class Lines {
       else this.frameOf(from, px, py);
     });
     on("pointerup", (/** @type {PointerEvent} */ event) => {
-      const [px, py] = where(event), begun = from;
+      const [px, py] = where(event),
+        begun = from;
       from = undefined;
       if (begun?.what === "drag") drag(px, py, true);
       else if (begun) this.zoomTo(begun, px, py);
     });
-    on("pointercancel", () => { from = undefined; this.clear(); });
-    on("pointerleave", () => { this.pointer = undefined; if (!from) this.clear(); });
+    on("pointercancel", () => {
+      from = undefined;
+      this.clear();
+    });
+    on("pointerleave", () => {
+      this.pointer = undefined;
+      if (!from) this.clear();
+    });
     on("blur", () => this.clear());
     on("dblclick", () => this.zoom(undefined));
-    on("wheel", (/** @type {WheelEvent} */ event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      const [px, py] = where(event);
-      this.zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
-    }, { passive: false });
+    on(
+      "wheel",
+      (/** @type {WheelEvent} */ event) => {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        const [px, py] = where(event);
+        this.zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
+      },
+      { passive: false },
+    );
     on("keydown", (/** @type {KeyboardEvent} */ event) => {
       if (event.target === host && this.key(event.key)) event.preventDefault();
     });
@@ -174,12 +255,21 @@ export class Lines {
   hover(px, py) {
     const { at, spec } = this;
     if (!at || !spec) return;
-    this.host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
-    const found = px >= at.left && py <= at.top + at.h ? nearest(spec, at, px, py) : undefined;
+    this.host.style.cursor =
+      py > at.top + at.h
+        ? "ew-resize"
+        : px < at.left
+          ? "ns-resize"
+          : "crosshair";
+    const found =
+      px >= at.left && py <= at.top + at.h
+        ? nearest(spec, at, px, py)
+        : undefined;
     if (!found || found.far >= NEAR) return this.clear();
     this.point(found);
     clearTimeout(this.resting);
-    if (spec.exact) this.resting = window.setTimeout(() => this.compute(found), REST);
+    if (spec.exact)
+      this.resting = window.setTimeout(() => this.compute(found), REST);
   }
 
   /**
@@ -189,7 +279,8 @@ export class Lines {
   compute(found) {
     const { spec, pointer } = this;
     spec?.exact?.(spec.series[found.which], found.x, (y, half) => {
-      if (this.spec === spec && this.pointer === pointer) this.point({ ...found, y, half: half ?? undefined });
+      if (this.spec === spec && this.pointer === pointer)
+        this.point({ ...found, y, half: half ?? undefined });
     });
   }
 
@@ -198,11 +289,19 @@ export class Lines {
    * @param {{ px: number, py: number, what: string }} from @param {number} px @param {number} py
    */
   selected(from, px, py) {
-    const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (this.at);
-    const sorted = (/** @type {number} */ a, /** @type {number} */ b, /** @type {number} */ low,
-      /** @type {number} */ size) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
-    const [x0, x1] = from.what === "y" ? [left, left + w] : sorted(from.px, px, left, w);
-    const [y0, y1] = from.what === "x" ? [top, top + h] : sorted(from.py, py, top, h);
+    const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (
+      this.at
+    );
+    const sorted = (
+      /** @type {number} */ a,
+      /** @type {number} */ b,
+      /** @type {number} */ low,
+      /** @type {number} */ size,
+    ) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
+    const [x0, x1] =
+      from.what === "y" ? [left, left + w] : sorted(from.px, px, left, w);
+    const [y0, y1] =
+      from.what === "x" ? [top, top + h] : sorted(from.py, py, top, h);
     return { x0, x1, y0, y1 };
   }
 
@@ -217,16 +316,24 @@ export class Lines {
   /** @param {{ px: number, py: number, what: string }} from @param {number} px @param {number} py */
   zoomTo(from, px, py) {
     this.box.hidden = true;
-    const { at } = this, { x0, x1, y0, y1 } = this.selected(from, px, py);
+    const { at } = this,
+      { x0, x1, y0, y1 } = this.selected(from, px, py);
     if (!at || x1 - x0 < 6 || y1 - y0 < 6) return;
-    this.zoom({ x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
-      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)] });
+    this.zoom({
+      x: from.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
+      y: from.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)],
+    });
   }
 
   /** @param {string} key @returns whether it means something here */
   key(key) {
     this.pointer = undefined;
-    const step = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowDown: [-1, 0] }[key];
+    const step = {
+      ArrowRight: [0, 1],
+      ArrowLeft: [0, -1],
+      ArrowUp: [1, 0],
+      ArrowDown: [-1, 0],
+    }[key];
     if (step) this.walk(step[0], step[1]);
     else if (key === "+" || key === "=") this.zoomAbout(0.7);
     else if (key === "-") this.zoomAbout(1 / 0.7);
@@ -238,10 +345,18 @@ export class Lines {
   /** To the next point with a value, of this curve or another one. @param {number} curve @param {number} along */
   walk(curve, along) {
     const series = this.spec?.series ?? [];
-    const readable = series.map((_, i) => i).filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
+    const readable = series
+      .map((_, i) => i)
+      .filter(
+        (i) => !series[i].band && !series[i].silent && series[i].x.length,
+      );
     if (!readable.length) return;
     const [was, i] = this.read ?? [readable[0], -1];
-    const which = readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];
+    const which =
+      readable[
+        (Math.max(0, readable.indexOf(was)) + curve + readable.length) %
+          readable.length
+      ];
     const s = series[which];
     let next = Math.min(s.x.length - 1, Math.max(0, i + along));
     if (i < 0) next = 0;
@@ -257,12 +372,19 @@ export class Lines {
   /** The drawing as text of an SVG file. @param {number} width @param {number} height */
   svg(width, height) {
     const spec = /** @type {Spec} */ (this.spec);
-    return drawing(spec, frame(spec, width, height, this.zoomed ?? reachOf(spec)), colours(), true);
+    return drawing(
+      spec,
+      frame(spec, width, height, this.zoomed ?? reachOf(spec)),
+      colours(),
+      true,
+    );
   }
 
   /** As an image's address. @param {"svg" | "png"} kind @param {{ width: number, height: number }} size */
   async picture(kind, { width, height }) {
-    const file = URL.createObjectURL(new Blob([this.svg(width, height)], { type: "image/svg+xml" }));
+    const file = URL.createObjectURL(
+      new Blob([this.svg(width, height)], { type: "image/svg+xml" }),
+    );
     if (kind === "svg") return file;
     const image = el("img", { src: file });
     await image.decode();

@@ -25,7 +25,8 @@ let routes = 0;
 
 // Words of the muscle mean other things in a specification: it is one word there.
 const OWN_WORDS = ["design"];
-/** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
+/** The view of a place that was shown last. @type {Map<string, string>} */ const last =
+  new Map();
 
 /**
  * A page's address with a muscle and what was typed there.
@@ -33,22 +34,35 @@ const OWN_WORDS = ["design"];
  */
 function linked(name, mine = muscle.params()) {
   const own = wordsOf(name);
-  return address(name, OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine });
+  return address(
+    name,
+    OWN_WORDS.includes(name)
+      ? { ...own, m: muscle.word() }
+      : { ...own, ...mine },
+  );
 }
 const places = PLACES.map(([place, text, short]) =>
-  el("a", { href: `#${place}`, "data-place": place }, el("span", {}, text),
-    el("span", { class: "short", "aria-hidden": true }, short))
+  el(
+    "a",
+    { href: `#${place}`, "data-place": place },
+    el("span", {}, text),
+    el("span", { class: "short", "aria-hidden": true }, short),
+  ),
 );
 byId("pages").append(...places);
 const views = byId("views");
 
 /** Links lead to the muscle as it is now. */
 function link() {
-  const put = (/** @type {HTMLAnchorElement} */ a, /** @type {string} */ name) => {
+  const put = (
+    /** @type {HTMLAnchorElement} */ a,
+    /** @type {string} */ name,
+  ) => {
     const to = linked(name);
     if (a.getAttribute("href") !== to) a.setAttribute("href", to);
   };
-  for (const a of places) put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
+  for (const a of places)
+    put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
   for (const a of views.querySelectorAll("a")) put(a, a.dataset.name ?? "");
 }
 
@@ -56,8 +70,13 @@ function link() {
 async function keep() {
   const { page, params } = await read();
   if (shown?.name !== page) return;
-  const theirs = OWN_WORDS.includes(page) ? ["m"] : [...keys(), "u", "name", ...muscle.unknown.map(([key]) => key)];
-  keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
+  const theirs = OWN_WORDS.includes(page)
+    ? ["m"]
+    : [...keys(), "u", "name", ...muscle.unknown.map(([key]) => key)];
+  keepWords(
+    page,
+    Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))),
+  );
 }
 
 const help = helpLink();
@@ -72,11 +91,17 @@ byId("bar").append(bar.element);
 let walking = 0;
 /** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
 async function walk(by) {
-  const words = step(by), { name } = pageOf(location.hash.slice(1).split("?")[0]);
+  const words = step(by),
+    { name } = pageOf(location.hash.slice(1).split("?")[0]);
   if (!words) return;
   const query = { ...words, u: muscle.params().u };
-  history.replaceState(null, "", OWN_WORDS.includes(name)
-    ? address(name, { ...wordsOf(name), m: address("", query).slice(2) }) : linked(name, query));
+  history.replaceState(
+    null,
+    "",
+    OWN_WORDS.includes(name)
+      ? address(name, { ...wordsOf(name), m: address("", query).slice(2) })
+      : linked(name, query),
+  );
   walking++;
   await route();
   walking--;
@@ -85,11 +110,25 @@ async function walk(by) {
 
 /** @param {string} name */
 function frame(name) {
-  const { text, about, place } = pageOf(name), list = viewsOf(place);
+  const { text, about, place } = pageOf(name),
+    list = viewsOf(place);
   last.set(place, name);
-  for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
-  const links = list.length > 1 ? list.map((view) => el("a", { "data-name": view.name, href: `#${view.name}`,
-    "aria-current": view.name === name && "page" }, view.text)) : [];
+  for (const a of places)
+    a.ariaCurrent = a.dataset.place === place ? "page" : null;
+  const links =
+    list.length > 1
+      ? list.map((view) =>
+          el(
+            "a",
+            {
+              "data-name": view.name,
+              href: `#${view.name}`,
+              "aria-current": view.name === name && "page",
+            },
+            view.text,
+          ),
+        )
+      : [];
   views.replaceChildren(...links);
   views.hidden = !links.length;
   byId("claim").textContent = about;
@@ -101,11 +140,16 @@ function frame(name) {
 }
 
 async function route() {
-  const mine = ++routes, { page: wanted, params, lost, bare } = await read();
+  const mine = ++routes,
+    { page: wanted, params, lost, bare } = await read();
   if (mine !== routes) return;
   const { name } = pageOf(wanted);
-  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
-  if (lost.length) notice("The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.");
+  if (name !== wanted)
+    notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
+  if (lost.length)
+    notice(
+      "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",
+    );
   frame(name);
   welcome(bare && name === "muscle");
   try {
@@ -135,7 +179,10 @@ function leave() {
 /** @param {unknown} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(problemBox(problem), el("p", {}, button("Try again", start, { class: "main" })));
+  main.replaceChildren(
+    problemBox(problem),
+    el("p", {}, button("Try again", start, { class: "main" })),
+  );
 }
 
 async function start() {
@@ -157,21 +204,47 @@ function changed() {
   bar.paint();
 }
 for (const event of ["pointerdown", "pointerup", "pointercancel"]) {
-  addEventListener(event, () => {
-    down = event === "pointerdown";
-    if (!down) muscle.touch();
-  }, true);
+  addEventListener(
+    event,
+    () => {
+      down = event === "pointerdown";
+      if (!down) muscle.touch();
+    },
+    true,
+  );
 }
-/** A field in which somebody types has an undo of its own. @type {EventTarget | null} */ let typing = null;
-addEventListener("input", ({ target }) => { typing = target; }, true);
-addEventListener("change", () => { typing = null; }, true);
-addEventListener("keydown", (event) => {
-  if (event.key === "Enter") typing = null;
-  const key = event.ctrlKey || event.metaKey ? event.key.toLowerCase() : "";
-  if ((key !== "z" && key !== "y") || event.target === typing || document.querySelector("dialog[open]")) return;
-  event.preventDefault();
-  walk(key === "y" || event.shiftKey ? 1 : -1);
-}, true);
+/** A field in which somebody types has an undo of its own. @type {EventTarget | null} */ let typing =
+  null;
+addEventListener(
+  "input",
+  ({ target }) => {
+    typing = target;
+  },
+  true,
+);
+addEventListener(
+  "change",
+  () => {
+    typing = null;
+  },
+  true,
+);
+addEventListener(
+  "keydown",
+  (event) => {
+    if (event.key === "Enter") typing = null;
+    const key = event.ctrlKey || event.metaKey ? event.key.toLowerCase() : "";
+    if (
+      (key !== "z" && key !== "y") ||
+      event.target === typing ||
+      document.querySelector("dialog[open]")
+    )
+      return;
+    event.preventDefault();
+    walk(key === "y" || event.shiftKey ? 1 : -1);
+  },
+  true,
+);
 // A page writes at the end of a gesture.
 onWritten(() => {
   changed();
@@ -181,7 +254,8 @@ onKept(link);
 muscle.onChange(changed);
 // A link that is followed right after a gesture has the muscle of that gesture.
 for (const box of [byId("pages"), views])
-  for (const event of ["pointerdown", "focusin"]) box.addEventListener(event, () => muscle.tell());
+  for (const event of ["pointerdown", "focusin"])
+    box.addEventListener(event, () => muscle.tell());
 addEventListener("popstate", route);
 sketches();
 printing();

@@ -11,10 +11,15 @@ export const onMeasured = changed.on;
 
 export const measured = {
   /** As it is used: a long one is thinned. @returns {TextFile | undefined} */
-  get file() { return fileOf("data"); },
+  get file() {
+    return fileOf("data");
+  },
   /** What to say of a table that was thinned. @returns {string} */
-  get said() { return fileOf("data-said") ?? ""; },
-  /** What its headings do not say, as requests have it. @type {Record<string, string>} */ columns: {},
+  get said() {
+    return fileOf("data-said") ?? "";
+  },
+  /** What its headings do not say, as requests have it. @type {Record<string, string>} */ columns:
+    {},
 
   /** @param {TextFile | undefined} file @param {Record<string, string>} [columns] */
   set(file, columns = {}) {

@@ -7,19 +7,41 @@ import { number, outside, show, unitName } from "./units.js";
 export const isJoint = (run) => Boolean(run.series.angle_deg);
 /** Series of pressures. */
 /** @typedef {"pressure_1_mpa" | "pressure_2_mpa" | "command_1" | "command_2" | "pressure_mpa" | "command"} Key */
-const pressures = (/** @type {number[]} */ list) => list.map((p) => outside("pressure", p));
+const pressures = (/** @type {number[]} */ list) =>
+  list.map((p) => outside("pressure", p));
 
 /** @param {Run} run @returns {Spec} */
 export function pressureChart({ series: s, ...run }) {
   const t = s.time_s,
-    line = (/** @type {Key} */ key, /** @type {string} */ name, /** @type {number} */ colour,
-      /** @type {"dot" | undefined} */ dash) => (s[key]
-        ? [{ name, x: t, y: pressures(s[key] ?? []), colour: KINDS[colour], end: name, dash }]
-        : []);
+    line = (
+      /** @type {Key} */ key,
+      /** @type {string} */ name,
+      /** @type {number} */ colour,
+      /** @type {"dot" | undefined} */ dash,
+    ) =>
+      s[key]
+        ? [
+            {
+              name,
+              x: t,
+              y: pressures(s[key] ?? []),
+              colour: KINDS[colour],
+              end: name,
+              dash,
+            },
+          ]
+        : [];
   const series = isJoint({ series: s, ...run })
-    ? [...line("pressure_1_mpa", "muscle 1", 0, undefined), ...line("command_1", "command 1", 6, "dot"),
-      ...line("pressure_2_mpa", "muscle 2", 1, undefined), ...line("command_2", "command 2", 6, "dot")]
-    : [...line("pressure_mpa", "muscle", 0, undefined), ...line("command", "command", 6, "dot")];
+    ? [
+        ...line("pressure_1_mpa", "muscle 1", 0, undefined),
+        ...line("command_1", "command 1", 6, "dot"),
+        ...line("pressure_2_mpa", "muscle 2", 1, undefined),
+        ...line("command_2", "command 2", 6, "dot"),
+      ]
+    : [
+        ...line("pressure_mpa", "muscle", 0, undefined),
+        ...line("command", "command", 6, "dot"),
+      ];
   return { x: "time [s]", y: `pressure [${unitName("pressure")}]`, series };
 }
 
@@ -27,46 +49,76 @@ export function pressureChart({ series: s, ...run }) {
 export function wayChart(run) {
   const { series: s } = run;
   if (isJoint(run))
-    return { x: "time [s]", y: "angle φ [°]", yaxis: {},
-      series: [{ name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] }] };
-  return { x: "time [s]", y: "contraction ε [%]",
-    series: [{ name: "contraction", x: s.time_s, y: (s.contraction ?? []).map((e) => 100 * e),
-      colour: KINDS[1] }] };
+    return {
+      x: "time [s]",
+      y: "angle φ [°]",
+      yaxis: {},
+      series: [
+        { name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] },
+      ],
+    };
+  return {
+    x: "time [s]",
+    y: "contraction ε [%]",
+    series: [
+      {
+        name: "contraction",
+        x: s.time_s,
+        y: (s.contraction ?? []).map((e) => 100 * e),
+        colour: KINDS[1],
+      },
+    ],
+  };
 }
 
 /** Largest speed, of the motion itself. @param {Run} run */
 function speed(run) {
-  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
+  if (isJoint(run))
+    return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
   const inside = run.largest_velocity_mm_per_s ?? 0;
   return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
 }
 
 /** @param {Run} run */
 export function figures(run) {
-  const time = (/** @type {number | null | undefined} */ x) => (x == null ? "–" : `${number(x, 3)} s`);
-  return table(["", ""], [
-    ["Rise time, 10–90 %", time(run.rise_time_s)],
-    ["Settling time, 2 %", time(run.settling_time_s)],
-    ["Overshoot", show("ratio", run.overshoot, 3)],
-    ["Filled within 2 % after", time(run.fill_time_s)],
-    run.liquid_volume_mm3 == null
-      ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
-      : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
-    ["Largest speed", speed(run)],
-    ["Largest power", `${number(run.largest_power_w, 3)} W`],
-  ], { label: "figures of the step" });
+  const time = (/** @type {number | null | undefined} */ x) =>
+    x == null ? "–" : `${number(x, 3)} s`;
+  return table(
+    ["", ""],
+    [
+      ["Rise time, 10–90 %", time(run.rise_time_s)],
+      ["Settling time, 2 %", time(run.settling_time_s)],
+      ["Overshoot", show("ratio", run.overshoot, 3)],
+      ["Filled within 2 % after", time(run.fill_time_s)],
+      run.liquid_volume_mm3 == null
+        ? [
+            "Air from the supply",
+            `${number(run.air_normal_litres, 3)} normal L`,
+          ]
+        : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+      ["Largest speed", speed(run)],
+      ["Largest power", `${number(run.largest_power_w, 3)} W`],
+    ],
+    { label: "figures of the step" },
+  );
 }
 
 /** The state at a place of the record, in a line. @param {Run} run @param {number} i */
 export function stateLine(run, i) {
   const { series: s } = run;
-  const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) => (p ? [show("pressure", p[i], 3)] : []));
-  if (isJoint(run)) return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
+  const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) =>
+    p ? [show("pressure", p[i], 3)] : [],
+  );
+  if (isJoint(run))
+    return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
   return `${show("pressure", s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
 export function stateAt({ series: s }, i) {
-  const [p, e] = [s.pressure_mpa ?? s.pressure_1_mpa ?? [], s.contraction ?? s.contraction_1 ?? []];
+  const [p, e] = [
+    s.pressure_mpa ?? s.pressure_1_mpa ?? [],
+    s.contraction ?? s.contraction_1 ?? [],
+  ];
   return { pressure_mpa: Math.max(0, p[i]), contraction: e[i] };
 }

@@ -3,13 +3,27 @@ import { engine, understood } from "./ask.js";
 import { address, query, write } from "./address.js";
 import { pack } from "./deflate.js";
 import { signal } from "./life.js";
-import { canonical, fields, fromWords, keys, missing, opened, prototype, say, shownValue, takeMeasures, texts, words,
-  MEASURES } from "./state.js";
+import {
+  canonical,
+  fields,
+  fromWords,
+  keys,
+  missing,
+  opened,
+  prototype,
+  say,
+  shownValue,
+  takeMeasures,
+  texts,
+  words,
+  MEASURES,
+} from "./state.js";
 import { nameIn, named } from "./toml.js";
 import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { braidName, learn, partName } from "./words.js";
 
-const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
+const measure = (/** @type {string} */ key) =>
+  MEASURES.find((m) => m.key === key);
 
 /** The measures that the program has; before a page asks for one. */
 export async function loadMeasures() {
@@ -38,18 +52,23 @@ export class MuscleState {
     this.sleeves = [];
     /** @type {[string, string][]} */ this.unknown = [];
     /** @type {Map<string, string>} */ this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
+    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written =
+      undefined;
     /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
     this.ready = Promise.resolve();
   }
 
-  get state() { return this.#state; }
+  get state() {
+    return this.#state;
+  }
   set state(next) {
     this.#state = next;
     this.touch();
   }
   /** What the engine read of file and fields, the last time that it could. */
-  get shown() { return this.#shown; }
+  get shown() {
+    return this.#shown;
+  }
   set shown(next) {
     this.#shown = next;
     this.touch();
@@ -58,7 +77,10 @@ export class MuscleState {
   /** Is called some time after it changed. */
   onChange = this.#changed.stay;
   /** Tells it once it rests: what stands above every place does not hold up a drag. */
-  touch() { clearTimeout(this.#telling); this.#telling = window.setTimeout(() => this.tell(), 120); }
+  touch() {
+    clearTimeout(this.#telling);
+    this.#telling = window.setTimeout(() => this.tell(), 120);
+  }
   /** Tells at once that it changed. */
   tell() {
     clearTimeout(this.#telling);
@@ -68,8 +90,13 @@ export class MuscleState {
   /** Its name. */
   get name() {
     const { file, said } = this.state;
-    return this.called || nameIn(file) || (file || Object.keys(said).length ? "My muscle"
-      : "Reference muscle (Antonelli 2018)");
+    return (
+      this.called ||
+      nameIn(file) ||
+      (file || Object.keys(said).length
+        ? "My muscle"
+        : "Reference muscle (Antonelli 2018)")
+    );
   }
   /** @param {string} text empty for that of its file */
   rename(text) {
@@ -77,12 +104,20 @@ export class MuscleState {
     this.touch();
   }
 
-  get p() { return this.state.p; }
-  get e() { return this.state.e; }
-  get F() { return this.state.F; }
+  get p() {
+    return this.state.p;
+  }
+  get e() {
+    return this.state.e;
+  }
+  get F() {
+    return this.state.F;
+  }
 
   /** Fields of a request. */
-  fields() { return fields(this.state); }
+  fields() {
+    return fields(this.state);
+  }
 
   /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
@@ -97,14 +132,18 @@ export class MuscleState {
   value(key) {
     const of = measure(key);
     if (of) return shownValue(this.state, this.shown, of);
-    return key === "p" || key === "e" || key === "F" ? this.state[key] : undefined;
+    return key === "p" || key === "e" || key === "F"
+      ? this.state[key]
+      : undefined;
   }
 
   /** The muscle file that says the same; what engines without a file are asked by. */
   file() {
     const of = JSON.stringify(this.fields());
     if (this.written?.of !== of) {
-      const file = canonical(this.state, (command, request) => engine().ask(command, request));
+      const file = canonical(this.state, (command, request) =>
+        engine().ask(command, request),
+      );
       this.written = { of, file };
       file.catch(() => {
         this.written = undefined;
@@ -114,7 +153,9 @@ export class MuscleState {
   }
 
   /** What its sleeve needs beside its name, and is not said yet. */
-  missing() { return missing(this.state, this.sleeves); }
+  missing() {
+    return missing(this.state, this.sleeves);
+  }
 
   /** The muscle file with its name, for people to keep. */
   async toml() {
@@ -125,19 +166,28 @@ export class MuscleState {
   /** The measures in a line. @param {Shown | undefined} [s] of another one */
   line(s = this.shown) {
     if (!s) return "none yet";
-    const [D, wall, L] = [s.outer_diameter_mm, s.wall_mm, s.length_mm].map((v) => show("length", v));
+    const [D, wall, L] = [s.outer_diameter_mm, s.wall_mm, s.length_mm].map(
+      (v) => show("length", v),
+    );
     return `D0 ${D}, s ${wall}, L0 ${L}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
   }
 
   /** Muscle and words of a page as its address. @param {string} page @param {Partial<Words>} own */
-  place(page, own) { write(address(page, { ...this.params(), ...own })); }
+  place(page, own) {
+    write(address(page, { ...this.params(), ...own }));
+  }
   /** Words of the address. */
-  params() { return this.paramsOf(this.state); }
+  params() {
+    return this.paramsOf(this.state);
+  }
 
   /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
   word() {
     const params = this.params(),
-      plain = !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
+      plain =
+        !this.called &&
+        !params.u &&
+        JSON.stringify(this.state) === JSON.stringify(prototype());
     return plain ? "" : query(params);
   }
 
@@ -161,8 +211,10 @@ export class MuscleState {
   /** @param {URLSearchParams} params @param {string[]} own */
   async #read(params, own) {
     unitsFromAddress(params.get("u") ?? "");
-    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
-      this.known()]);
+    const [readings] = await Promise.all([
+      understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
+      this.known(),
+    ]);
     Object.assign(this, fromWords(params, readings));
     this.called = (params.get("name") ?? "").slice(0, 80);
     const known = new Set([...keys(), "u", "name", ...own]);
@@ -177,13 +229,19 @@ export class MuscleState {
 
   /** The sleeves of the library, once. */
   async known() {
-    if (!this.sleeves.length) this.sleeves = (await engine().ask("parts-list", { kind: "sleeves" },
-      { lane: "read" })).sleeves;
+    if (!this.sleeves.length)
+      this.sleeves = (
+        await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })
+      ).sleeves;
   }
 
   /** What the engine reads of file and fields. */
   async look() {
-    this.shown = await engine().ask("check", { ...this.fields(), only_data: true }, { lane: "read" });
+    this.shown = await engine().ask(
+      "check",
+      { ...this.fields(), only_data: true },
+      { lane: "read" },
+    );
     return this.shown;
   }
 
@@ -192,10 +250,16 @@ export class MuscleState {
    * @param {string} text @param {string} [name] of the file @param {string} [called] what people call the muscle
    */
   async take(text, name = "muscle.toml", called = "") {
-    const next = opened(this.state, text), request = { ...fields(next), muscle: { name, text }, only_data: true };
+    const next = opened(this.state, text),
+      request = { ...fields(next), muscle: { name, text }, only_data: true };
     const shown = await engine().ask("check", request, { lane: "read" });
     await pack(text);
-    Object.assign(this, { state: next, shown, called: called === nameIn(text) ? "" : called, wrong: new Map() });
+    Object.assign(this, {
+      state: next,
+      shown,
+      called: called === nameIn(text) ? "" : called,
+      wrong: new Map(),
+    });
     return shown;
   }
 }

@@ -6,9 +6,13 @@ import { inWords } from "./words.js";
 /** @param {string} text @param {(Node | string)[]} more */
 export function notice(text, ...more) {
   const box = byId("notice");
-  const close = button("Close", () => {
-    box.hidden = true;
-  }, { class: "bare", "aria-label": "Close this message" });
+  const close = button(
+    "Close",
+    () => {
+      box.hidden = true;
+    },
+    { class: "bare", "aria-label": "Close this message" },
+  );
   box.replaceChildren(el("span", {}, text), ...more, close);
   box.hidden = false;
 }

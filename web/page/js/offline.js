@@ -9,7 +9,11 @@ const LATER = 2000;
 const isInstalled = () => matchMedia("(display-mode: standalone)").matches;
 /** Whether the browser asks for as little as possible. */
 const saves = () =>
-  Boolean(/** @type {Navigator & { connection?: { saveData?: boolean } }} */ (navigator).connection?.saveData);
+  Boolean(
+    /** @type {Navigator & { connection?: { saveData?: boolean } }} */ (
+      navigator
+    ).connection?.saveData,
+  );
 const large = () => engine().files;
 
 /** What the worker keeps its files in, once it is installed. */
@@ -20,15 +24,20 @@ async function shelf() {
 
 /** What is not kept yet. */
 async function lacking() {
-  const cache = await shelf(), there = await Promise.all(large().map((file) => cache?.match(file)));
+  const cache = await shelf(),
+    there = await Promise.all(large().map((file) => cache?.match(file)));
   return large().filter((_, i) => !there[i]);
 }
 
 const canKeep = () =>
-  engine().files.length > 0 && "serviceWorker" in navigator && window.isSecureContext && "caches" in window;
+  engine().files.length > 0 &&
+  "serviceWorker" in navigator &&
+  window.isSecureContext &&
+  "caches" in window;
 /** Whether every page is kept; there is no answer where the browser keeps nothing. */
 export async function isKept() {
-  if (!canKeep() || !(await navigator.serviceWorker.getRegistration())) throw new Error("This browser keeps no files.");
+  if (!canKeep() || !(await navigator.serviceWorker.getRegistration()))
+    throw new Error("This browser keeps no files.");
   return !(await lacking()).length;
 }
 

@@ -9,19 +9,34 @@ import { shelf } from "./project.js";
 export function openDialog() {
   dialog("Open a muscle", (close) => {
     const said = el("div", {});
-    const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-    const input = el("input", { type: "file", multiple: true, accept: ".toml,.csv,.txt,.tsv,.json", class: "unseen",
-      "aria-label": "Files", tabindex: -1 });
+    const fail = (/** @type {unknown} */ problem) =>
+      said.replaceChildren(problemBox(problem));
+    const input = el("input", {
+      type: "file",
+      multiple: true,
+      accept: ".toml,.csv,.txt,.tsv,.json",
+      class: "unseen",
+      "aria-label": "Files",
+      tabindex: -1,
+    });
     input.addEventListener("change", () => {
       const files = [...(input.files ?? [])];
       close();
       takeFiles(files);
     });
     return [
-      el("p", { class: "row" }, button("Choose files", () => input.click(), { class: "main" }), input,
-        el("span", { class: "small soft" },
-          "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files "
-            + "anywhere on the page.")),
+      el(
+        "p",
+        { class: "row" },
+        button("Choose files", () => input.click(), { class: "main" }),
+        input,
+        el(
+          "span",
+          { class: "small soft" },
+          "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files " +
+            "anywhere on the page.",
+        ),
+      ),
       said,
       gallery(fail, close),
       library(fail, close),

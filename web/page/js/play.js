@@ -11,12 +11,15 @@ export function playing(text, at, long, title) {
   let running = 0;
   const one = button(text, () => (running ? stop() : start()), { title });
   function start() {
-    const began = performance.now(), still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const began = performance.now(),
+      still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const step = () => {
       const share = Math.min(1, (performance.now() - began) / long());
       at(still ? Math.ceil(3 * share) / 3 : share);
       if (share === 1) return stop();
-      running = still ? window.setTimeout(step, long() / 3) : requestAnimationFrame(step);
+      running = still
+        ? window.setTimeout(step, long() / 3)
+        : requestAnimationFrame(step);
     };
     stop();
     running = 1;

@@ -3,21 +3,41 @@ import { niceUp } from "./bench/round.js";
 import { number } from "./units.js";
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
-export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
-const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
-const FONT = 12.5, GLYPH = 6.8;
+export const KINDS = [
+  "#0072B2",
+  "#D55E00",
+  "#009E73",
+  "#CC79A7",
+  "#56B4E9",
+  "#E69F00",
+  "#8a8a8a",
+];
+const DASHES = {
+  solid: "",
+  dash: ' stroke-dasharray="7 4"',
+  dot: ' stroke-dasharray="2 3"',
+};
+const FONT = 12.5,
+  GLYPH = 6.8;
 
 /** @typedef {{ ink: string, line: string, faint: string, paper: string }} Colours */
-const finite = (/** @type {number | null | undefined} */ v) => typeof v === "number" && Number.isFinite(v);
+const finite = (/** @type {number | null | undefined} */ v) =>
+  typeof v === "number" && Number.isFinite(v);
 const escaped = (/** @type {string} */ text) =>
-  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
+  text.replace(
+    /[&<>"]/g,
+    (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c,
+  );
 const short = (/** @type {number} */ v) => v.toFixed(1);
 /** @param {Series} s @param {number} i */
 export const colourOf = (s, i) => s.colour ?? KINDS[i % KINDS.length];
 
 /** What the axes have to show of the curves. @param {Spec} spec @returns {Reach} */
 export function reachOf(spec) {
-  const [x, y] = [[Infinity, -Infinity], [Infinity, -Infinity]];
+  const [x, y] = [
+    [Infinity, -Infinity],
+    [Infinity, -Infinity],
+  ];
   const take = (/** @type {number[]} */ r, /** @type {number} */ v) => {
     r[0] = Math.min(r[0], v);
     r[1] = Math.max(r[1], v);
@@ -31,7 +51,7 @@ export function reachOf(spec) {
       take(x, v);
       // The ± of the others may be far wider than the curves that they belong to: they are cut where they would
       // flatten them.
-      const half = s.strong ? s.half?.[i] ?? 0 : 0;
+      const half = s.strong ? (s.half?.[i] ?? 0) : 0;
       take(y, /** @type {number} */ (value) + half);
       take(y, /** @type {number} */ (value));
     });
@@ -40,8 +60,10 @@ export function reachOf(spec) {
     take(x, m.x);
     take(y, m.y);
   }
-  return { x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
-    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05) };
+  return {
+    x: axisReach(x, spec.xaxis ?? {}, points ? 0.03 : 0),
+    y: axisReach(y, spec.yaxis ?? { rangemode: "tozero" }, 0.05),
+  };
 }
 
 /** @param {number[]} found @param {Axis} axis @param {number} spare @returns {[number, number]} */
@@ -49,21 +71,37 @@ function axisReach(found, axis, spare) {
   if (axis.range) return [axis.range[0], axis.range[1]];
   let [low, high] = found[0] <= found[1] ? found : [0, 1];
   const zero = axis.rangemode === "tozero";
-  if (zero) { low = Math.min(0, low); high = Math.max(0, high); }
+  if (zero) {
+    low = Math.min(0, low);
+    high = Math.max(0, high);
+  }
   const wide = high - low || Math.abs(high) || 1;
   if (high === low) return [low - 0.5 * wide, high + 0.5 * wide];
-  return [zero && low === 0 ? 0 : low - spare * wide, zero && high === 0 ? 0 : high + spare * wide];
+  return [
+    zero && low === 0 ? 0 : low - spare * wide,
+    zero && high === 0 ? 0 : high + spare * wide,
+  ];
 }
 
 /** Round values between two others. @param {[number, number]} reach @param {number} most */
 export function ticks([low, high], most) {
-  const step = niceUp((high - low) / Math.max(1, most)), first = Math.ceil(low / step - 1e-9),
+  const step = niceUp((high - low) / Math.max(1, most)),
+    first = Math.ceil(low / step - 1e-9),
     count = Math.floor(high / step + 1e-9) - first + 1;
-  const values = Array.from({ length: Math.max(0, Math.min(50, count)) }, (_, i) =>
-    Number(((first + i) * step).toPrecision(12)),
+  const values = Array.from(
+    { length: Math.max(0, Math.min(50, count)) },
+    (_, i) => Number(((first + i) * step).toPrecision(12)),
   );
-  return values.map((value) => ({ value,
-    text: number(value, Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2))) }));
+  return values.map((value) => ({
+    value,
+    text: number(
+      value,
+      Math.max(
+        3,
+        Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2),
+      ),
+    ),
+  }));
 }
 
 /**
@@ -71,14 +109,35 @@ export function ticks([low, high], most) {
  * @param {Spec} spec @param {number} width @param {number} height @param {Reach} reach
  */
 export function frame(spec, width, height, reach) {
-  const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
+  const longest = Math.max(
+    0,
+    ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)),
+  );
   const across = ticks(reach.y, Math.max(2, height / 60));
   const left = 30 + GLYPH * Math.max(2, ...across.map((t) => t.text.length));
-  const named = legends(spec, left, width), top = named.length ? named[named.length - 1].y + 12 : 12, bottom = 40;
+  const named = legends(spec, left, width),
+    top = named.length ? named[named.length - 1].y + 12 : 12,
+    bottom = 40;
   const right = Math.min(0.4 * width, 20 + 1.06 * GLYPH * longest);
-  const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
-  const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
-  return { width, height, left, top, w, h, reach, across, named, along: ticks(reach.x, Math.max(2, w / 80)),
+  const [w, h] = [
+    Math.max(20, width - left - right),
+    Math.max(20, height - top - bottom),
+  ];
+  const [fx, fy] = [
+    w / (reach.x[1] - reach.x[0]),
+    h / (reach.y[1] - reach.y[0]),
+  ];
+  return {
+    width,
+    height,
+    left,
+    top,
+    w,
+    h,
+    reach,
+    across,
+    named,
+    along: ticks(reach.x, Math.max(2, w / 80)),
     px: (/** @type {number} */ v) => left + (v - reach.x[0]) * fx,
     py: (/** @type {number} */ v) => top + h - (v - reach.y[0]) * fy,
     x: (/** @type {number} */ p) => reach.x[0] + (p - left) / fx,
@@ -94,7 +153,9 @@ export function frame(spec, width, height, reach) {
 function legends(spec, left, width) {
   /** @type {Map<string, number>} */
   const found = new Map();
-  spec.series.forEach((s, i) => { if (s.legend && !found.has(s.legend)) found.set(s.legend, i); });
+  spec.series.forEach((s, i) => {
+    if (s.legend && !found.has(s.legend)) found.set(s.legend, i);
+  });
   let [x, y] = [left, 16];
   return [...found].map(([text, i]) => {
     const long = 40 + GLYPH * text.length;
@@ -106,7 +167,8 @@ function legends(spec, left, width) {
 
 const MIDDLE = ' text-anchor="middle"';
 /** @param {number} x @param {number} y @param {string} text @param {string} [more] attributes */
-const words = (x, y, text, more = "") => `<text x="${short(x)}" y="${short(y)}"${more}>${escaped(text)}</text>`;
+const words = (x, y, text, more = "") =>
+  `<text x="${short(x)}" y="${short(y)}"${more}>${escaped(text)}</text>`;
 /** Words on curves stand on paper. @param {Colours} colours @param {string} [fill] */
 const onPaper = ({ ink, paper }, fill = ink) =>
   ` fill="${fill}" stroke="${paper}" stroke-width="3" paint-order="stroke"`;
@@ -116,39 +178,76 @@ const onPaper = ({ ink, paper }, fill = ink) =>
  * @param {Spec} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
  */
 export function drawing(spec, at, colours, file = false) {
-  const { width, height, left, top, w, h, px, py } = at, box = [left - 4, top - 4, w + 8, h + 8];
+  const { width, height, left, top, w, h, px, py } = at,
+    box = [left - 4, top - 4, w + 8, h + 8];
   const strong = spec.series.some((s) => s.strong);
-  const inner = [image(spec.picture, at), ...spec.series.map((s, i) => band(s, i, at, strong)),
-    ...spec.series.map((s, i) => curve(s, i, at))].join("");
-  const marks = (spec.marks ?? []).map((m) => `<circle cx="${short(px(m.x))}" cy="${short(py(m.y))}" r="6" fill="none" `
-    + `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`).join("");
-  const notes = (spec.notes ?? []).map(({ x, y, text }) => words(px(x), py(y), text, MIDDLE + onPaper(colours)));
-  return `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" `
-    + `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"`
-    + `${file ? `><rect width="${width}" height="${height}" fill="${colours.paper}"/>` : ' aria-hidden="true">'}`
-    + `${axes(spec, at, colours)}<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" `
-    + `viewBox="${box.join(" ")}" overflow="hidden">${inner}</svg>`
-    + `${marks}${labels(spec, at, colours)}${notes.join("")}${legend(spec, at)}</svg>`;
+  const inner = [
+    image(spec.picture, at),
+    ...spec.series.map((s, i) => band(s, i, at, strong)),
+    ...spec.series.map((s, i) => curve(s, i, at)),
+  ].join("");
+  const marks = (spec.marks ?? [])
+    .map(
+      (m) =>
+        `<circle cx="${short(px(m.x))}" cy="${short(py(m.y))}" r="6" fill="none" ` +
+        `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`,
+    )
+    .join("");
+  const notes = (spec.notes ?? []).map(({ x, y, text }) =>
+    words(px(x), py(y), text, MIDDLE + onPaper(colours)),
+  );
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" ` +
+    `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"` +
+    `${file ? `><rect width="${width}" height="${height}" fill="${colours.paper}"/>` : ' aria-hidden="true">'}` +
+    `${axes(spec, at, colours)}<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
+    `viewBox="${box.join(" ")}" overflow="hidden">${inner}</svg>` +
+    `${marks}${labels(spec, at, colours)}${notes.join("")}${legend(spec, at)}</svg>`
+  );
 }
 
 /** @param {Picture | undefined} picture @param {Frame} at */
 function image(picture, { px, py }) {
   if (!picture) return "";
-  const { href, x: [x0, x1], y: [y0, y1] } = picture;
-  return `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" `
-    + `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`;
+  const {
+    href,
+    x: [x0, x1],
+    y: [y0, y1],
+  } = picture;
+  return (
+    `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" ` +
+    `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`
+  );
 }
 
 /** @param {Spec} spec @param {Frame} at @param {Colours} colours */
-function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
-  const bottom = top + h, rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
-  const down = along.map(({ value, text }) =>
-    rule(`M${short(px(value))} ${top}V${bottom}`) + words(px(value), bottom + 17, text, MIDDLE));
-  const over = across.map(({ value, text }) =>
-    rule(`M${left} ${short(py(value))}h${w}`) + words(left - 6, py(value) + 4, text, ' text-anchor="end"'));
-  return `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>`
-    + words(left + w / 2, bottom + 34, spec.x, MIDDLE)
-    + words(0, 0, spec.y, `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`);
+function axes(
+  spec,
+  { left, top, w, h, along, across, px, py },
+  { line, faint },
+) {
+  const bottom = top + h,
+    rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
+  const down = along.map(
+    ({ value, text }) =>
+      rule(`M${short(px(value))} ${top}V${bottom}`) +
+      words(px(value), bottom + 17, text, MIDDLE),
+  );
+  const over = across.map(
+    ({ value, text }) =>
+      rule(`M${left} ${short(py(value))}h${w}`) +
+      words(left - 6, py(value) + 4, text, ' text-anchor="end"'),
+  );
+  return (
+    `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>` +
+    words(left + w / 2, bottom + 34, spec.x, MIDDLE) +
+    words(
+      0,
+      0,
+      spec.y,
+      `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`,
+    )
+  );
 }
 
 /** Lists of neighbouring points that have a value. @param {Series} s @param {(i: number) => boolean} [has] */
@@ -162,43 +261,76 @@ function runs(s, has = () => true) {
 }
 
 /** Places of the points of a series. @param {Series} s @param {Frame} at */
-const placed = (s, { px, py }) => (/** @type {number} */ i, by = 0) =>
-  `${short(px(s.x[i]))} ${short(py(Number(s.y[i]) + by))}`;
+const placed =
+  (s, { px, py }) =>
+  (/** @type {number} */ i, by = 0) =>
+    `${short(px(s.x[i]))} ${short(py(Number(s.y[i]) + by))}`;
 
 /** @param {Series} s @param {number} which @param {Frame} at @param {boolean} strong whether one is, which alone has its ± */
 function band(s, which, at, strong) {
-  const place = placed(s, at), half = (/** @type {number} */ i) => Number(s.half?.[i]);
+  const place = placed(s, at),
+    half = (/** @type {number} */ i) => Number(s.half?.[i]);
   if (!s.band && (!s.half || (strong && !s.strong))) return "";
-  const all = s.band ? runs(s) : runs(s, (i) => finite(s.half?.[i])).filter((run) => run.length > 1);
-  return all.map((run) => {
-    const points = s.band ? run.map((i) => place(i))
-      : [...run.map((i) => place(i, half(i))), ...run.reverse().map((i) => place(i, -half(i)))];
-    const edge = s.strong ? ` stroke="${colourOf(s, which)}" stroke-opacity=".6" stroke-dasharray="2 3"` : "";
-    return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="${s.band ? 0.14 : 0.09}"${edge}/>`;
-  }).join("");
+  const all = s.band
+    ? runs(s)
+    : runs(s, (i) => finite(s.half?.[i])).filter((run) => run.length > 1);
+  return all
+    .map((run) => {
+      const points = s.band
+        ? run.map((i) => place(i))
+        : [
+            ...run.map((i) => place(i, half(i))),
+            ...run.reverse().map((i) => place(i, -half(i))),
+          ];
+      const edge = s.strong
+        ? ` stroke="${colourOf(s, which)}" stroke-opacity=".6" stroke-dasharray="2 3"`
+        : "";
+      return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="${s.band ? 0.14 : 0.09}"${edge}/>`;
+    })
+    .join("");
 }
 
 /** A run as a cubic. @param {Series} s @param {number[]} run @param {Frame} at */
 function bent(s, run, { px, py }) {
-  const [x, y] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))], m = slopes(x, y);
-  const at = (/** @type {number} */ vx, /** @type {number} */ vy) => `${short(px(vx))} ${short(py(vy))}`;
-  return x.map((v, i) => {
-    const h = (v - x[i - 1]) / 3;
-    return i ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}`
-      : `M${at(v, y[i])}`;
-  }).join("");
+  const [x, y] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))],
+    m = slopes(x, y);
+  const at = (/** @type {number} */ vx, /** @type {number} */ vy) =>
+    `${short(px(vx))} ${short(py(vy))}`;
+  return x
+    .map((v, i) => {
+      const h = (v - x[i - 1]) / 3;
+      return i
+        ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}`
+        : `M${at(v, y[i])}`;
+    })
+    .join("");
 }
 
 /** @param {Series} s @param {number} which @param {Frame} at */
 function curve(s, which, at) {
   if (s.band) return "";
-  const place = placed(s, at), all = runs(s), drawn = (/** @type {string} */ d, /** @type {string} */ more) =>
-    `<path d="${d}" fill="none" stroke="${colourOf(s, which)}" ${more}/>`;
+  const place = placed(s, at),
+    all = runs(s),
+    drawn = (/** @type {string} */ d, /** @type {string} */ more) =>
+      `<path d="${d}" fill="none" stroke="${colourOf(s, which)}" ${more}/>`;
   if (s.mode === "markers")
-    return drawn(all.flat().map((i) => `M${place(i)}m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0`).join(""),
-      'stroke-width="1.4"');
-  return drawn(all.map((run) => (s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`)).join(""),
-    `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}`);
+    return drawn(
+      all
+        .flat()
+        .map(
+          (i) => `M${place(i)}m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0`,
+        )
+        .join(""),
+      'stroke-width="1.4"',
+    );
+  return drawn(
+    all
+      .map((run) =>
+        s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`,
+      )
+      .join(""),
+    `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}`,
+  );
 }
 
 /**
@@ -207,44 +339,81 @@ function curve(s, which, at) {
  */
 function labels(spec, { px, py, left, top, w, h, reach }, colours) {
   const ends = spec.series.flatMap((s, k) => {
-    const start = s.at === "start", seen = runs(s, (i) => s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1]).flat();
-    const i = start ? seen[0] : seen[seen.length - 1], y = py(Number(s.y[i]));
-    if (!s.end || i === undefined || y < top - 20 || y > top + h + 20) return [];
-    return [{ x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5, y: start ? y - 4 : y + 4, text: s.end,
-      strong: s.strong, colour: s.colour && colourOf(s, k) }];
+    const start = s.at === "start",
+      seen = runs(
+        s,
+        (i) => s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1],
+      ).flat();
+    const i = start ? seen[0] : seen[seen.length - 1],
+      y = py(Number(s.y[i]));
+    if (!s.end || i === undefined || y < top - 20 || y > top + h + 20)
+      return [];
+    return [
+      {
+        x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5,
+        y: start ? y - 4 : y + 4,
+        text: s.end,
+        strong: s.strong,
+        colour: s.colour && colourOf(s, k),
+      },
+    ];
   });
   let below = top + h + 6;
   for (const end of [...ends].sort((a, b) => b.y - a.y)) {
     end.y = Math.min(end.y, below);
     below = end.y - 14;
   }
-  return ends.map(({ x, y, text, strong, colour }) =>
-    words(x, y, text, onPaper(colours, colour) + (strong ? ' font-weight="600"' : ""))).join("");
+  return ends
+    .map(({ x, y, text, strong, colour }) =>
+      words(
+        x,
+        y,
+        text,
+        onPaper(colours, colour) + (strong ? ' font-weight="600"' : ""),
+      ),
+    )
+    .join("");
 }
 
 /** @param {Spec} spec @param {Frame} at */
-const legend = (spec, { named }) => named.map(({ text, i, x, y }) => {
-  const s = spec.series[i], colour = colourOf(s, i);
-  const sign = s.mode === "markers"
-    ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
-    : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
-  return sign + words(x + 25, y, text);
-}).join("");
+const legend = (spec, { named }) =>
+  named
+    .map(({ text, i, x, y }) => {
+      const s = spec.series[i],
+        colour = colourOf(s, i);
+      const sign =
+        s.mode === "markers"
+          ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+          : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
+      return sign + words(x + 25, y, text);
+    })
+    .join("");
 
 /**
  * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at rest in a turn.
  * @param {number[]} x @param {number[]} y
  */
 export function slopes(x, y) {
-  if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
-  const h = x.slice(1).map((v, i) => v - x[i]), d = h.map((w, i) => (y[i + 1] - y[i]) / w), n = d.length;
+  if (x.length < 3)
+    return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
+  const h = x.slice(1).map((v, i) => v - x[i]),
+    d = h.map((w, i) => (y[i + 1] - y[i]) / w),
+    n = d.length;
   // Of the parabola through three points.
   const end = (/** @type {number} */ a, /** @type {number} */ b) =>
     ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a] + h[b]);
-  const m = x.map((_, i) => i === 0 ? end(0, 1) : i === n ? end(n - 1, n - 2) : d[i - 1] * d[i] <= 0 ? 0
-    : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]));
+  const m = x.map((_, i) =>
+    i === 0
+      ? end(0, 1)
+      : i === n
+        ? end(n - 1, n - 2)
+        : d[i - 1] * d[i] <= 0
+          ? 0
+          : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]),
+  );
   d.forEach((slope, i) => {
-    const far = slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
+    const far =
+      slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
     if (far > 3) for (const k of [i, i + 1]) m[k] *= 3 / far;
   });
   return m;
@@ -258,14 +427,30 @@ export function valueAt(s, x, of = "y") {
   const list = s[of] ?? [];
   for (let i = 1; i < s.x.length; i++) {
     const [a, b, ya, yb] = [s.x[i - 1], s.x[i], list[i - 1], list[i]];
-    if (typeof ya !== "number" || typeof yb !== "number" || Math.min(a, b) > x || Math.max(a, b) < x || a === b)
+    if (
+      typeof ya !== "number" ||
+      typeof yb !== "number" ||
+      Math.min(a, b) > x ||
+      Math.max(a, b) < x ||
+      a === b
+    )
       continue;
     const t = (x - a) / (b - a);
     if (of === "half" || !s.smooth) return ya + t * (yb - ya);
-    const run = runs(s).find((list) => list.includes(i)) ?? [], k = run.indexOf(i);
-    const m = slopes(run.map((j) => s.x[j]), run.map((j) => /** @type {number} */ (s.y[j])));
-    const [p, q] = [m[k - 1] * (b - a), m[k] * (b - a)], back = 1 - t;
-    return ya * back * back * (1 + 2 * t) + p * t * back * back + yb * t * t * (3 - 2 * t) - q * t * t * back;
+    const run = runs(s).find((list) => list.includes(i)) ?? [],
+      k = run.indexOf(i);
+    const m = slopes(
+      run.map((j) => s.x[j]),
+      run.map((j) => /** @type {number} */ (s.y[j])),
+    );
+    const [p, q] = [m[k - 1] * (b - a), m[k] * (b - a)],
+      back = 1 - t;
+    return (
+      ya * back * back * (1 + 2 * t) +
+      p * t * back * back +
+      yb * t * t * (3 - 2 * t) -
+      q * t * t * back
+    );
   }
   return undefined;
 }
@@ -276,8 +461,13 @@ export function valueAt(s, x, of = "y") {
  */
 export function nearest(spec, at, x, y) {
   /** @type {(Found & { far: number }) | undefined} */ let best;
-  const take = (/** @type {number} */ which, /** @type {number} */ vx, /** @type {number} */ vy,
-    /** @type {number | undefined} */ half, more = 0) => {
+  const take = (
+    /** @type {number} */ which,
+    /** @type {number} */ vx,
+    /** @type {number} */ vy,
+    /** @type {number | undefined} */ half,
+    more = 0,
+  ) => {
     const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;
     if (!best || far < best.far) best = { far, which, x: vx, y: vy, half };
   };
@@ -287,7 +477,8 @@ export function nearest(spec, at, x, y) {
     if (s.mode?.includes("markers"))
       s.x.forEach((vx, i) => {
         const vy = s.y[i];
-        if (finite(vx) && typeof vy === "number") take(which, vx, vy, s.half?.[i] ?? undefined);
+        if (finite(vx) && typeof vy === "number")
+          take(which, vx, vy, s.half?.[i] ?? undefined);
       });
     const on = s.mode === "markers" ? undefined : valueAt(s, value);
     // Points come first where a curve runs through them.

@@ -10,43 +10,106 @@ import { pictures } from "./view3d.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
-  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")];
-  return rows.filter((row) => !row.closest("[hidden], details:not([open])")).flatMap((row) => {
-    const name = row.querySelector("label, span")?.textContent?.trim() ?? "";
-    const field = /** @type {HTMLInputElement | null} */ (row.querySelector("input[type=text], select"));
-    const text = field instanceof HTMLSelectElement ? field.selectedOptions[0]?.textContent : field?.value;
-    const unit = row.classList.contains("quantity") && !text?.includes("%")
-      ? row.querySelector(":scope > button, :scope > span.soft")?.textContent : "";
-    return text ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])] : [];
-  });
+  const rows = [
+    ...document.querySelectorAll(".controls .quantity, .controls .choice"),
+  ];
+  return rows
+    .filter((row) => !row.closest("[hidden], details:not([open])"))
+    .flatMap((row) => {
+      const name = row.querySelector("label, span")?.textContent?.trim() ?? "";
+      const field = /** @type {HTMLInputElement | null} */ (
+        row.querySelector("input[type=text], select")
+      );
+      const text =
+        field instanceof HTMLSelectElement
+          ? field.selectedOptions[0]?.textContent
+          : field?.value;
+      const unit =
+        row.classList.contains("quantity") && !text?.includes("%")
+          ? row.querySelector(":scope > button, :scope > span.soft")
+              ?.textContent
+          : "";
+      return text
+        ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])]
+        : [];
+    });
 }
 
 /** @param {[string, string][]} rows */
-const list = (rows) => el("dl", {}, ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+const list = (rows) =>
+  el(
+    "dl",
+    {},
+    ...rows.flatMap(([name, value]) => [
+      el("dt", {}, name),
+      el("dd", {}, value),
+    ]),
+  );
 
 /** The muscle as it is seen. */
 function picture() {
-  const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("main .stage canvas"));
+  const canvas = /** @type {HTMLCanvasElement | null} */ (
+    document.querySelector("main .stage canvas")
+  );
   const src = canvas && pictures.get(canvas)?.();
-  return src ? el("img", { src, alt: "The muscle in this state" })
-    : document.querySelector("main .stage svg.joint")?.cloneNode(true) ?? null;
+  return src
+    ? el("img", { src, alt: "The muscle in this state" })
+    : (document.querySelector("main .stage svg.joint")?.cloneNode(true) ??
+        null);
 }
 
 /** The sheet of the page as it is now. */
 function sheet() {
   const numbers = [
-    ...document.querySelectorAll("main .numbers dl, main .controls table, main .middle > div > .scroll > table"),
+    ...document.querySelectorAll(
+      "main .numbers dl, main .controls table, main .middle > div > .scroll > table",
+    ),
   ].map((part) => part.cloneNode(true));
   const notes = document.querySelector("main .warnings")?.cloneNode(true);
-  return el("section", { class: "sheet", "aria-label": "Sheet" },
-    el("div", { class: "row" }, muscle.shown && thumbnail(muscle.shown, "The muscle"),
-      el("div", { class: "grow" }, el("h1", {}, muscle.name), el("p", {}, muscle.line())),
-      el("p", { class: "small" },
-        `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`, el("br"),
-        `mckibben workbench, ${engine().about}`)),
-    picture(), el("div", { class: "columns" }, el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
-      el("div", {}, el("h2", {}, "Numbers"), .../** @type {Node[]} */ (numbers))), notes ?? null,
-    el("p", { class: "small link" }, location.href.length < 2000 ? isLocal() ? location.hash : location.href : ""));
+  return el(
+    "section",
+    { class: "sheet", "aria-label": "Sheet" },
+    el(
+      "div",
+      { class: "row" },
+      muscle.shown && thumbnail(muscle.shown, "The muscle"),
+      el(
+        "div",
+        { class: "grow" },
+        el("h1", {}, muscle.name),
+        el("p", {}, muscle.line()),
+      ),
+      el(
+        "p",
+        { class: "small" },
+        `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`,
+        el("br"),
+        `mckibben workbench, ${engine().about}`,
+      ),
+    ),
+    picture(),
+    el(
+      "div",
+      { class: "columns" },
+      el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
+      el(
+        "div",
+        {},
+        el("h2", {}, "Numbers"),
+        .../** @type {Node[]} */ (numbers),
+      ),
+    ),
+    notes ?? null,
+    el(
+      "p",
+      { class: "small link" },
+      location.href.length < 2000
+        ? isLocal()
+          ? location.hash
+          : location.href
+        : "",
+    ),
+  );
 }
 
 export function printing() {

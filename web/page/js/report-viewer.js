@@ -3,7 +3,9 @@
 import { el } from "./dom.js";
 import { View } from "./view3d.js";
 
-for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".body"))) {
+for (const box of /** @type {NodeListOf<HTMLElement>} */ (
+  document.querySelectorAll(".body")
+)) {
   const data = box.querySelector("script")?.textContent;
   if (!data) continue;
   const shape = JSON.parse(data);
@@ -14,5 +16,11 @@ for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelector
     continue;
   }
   view.stretched(shape);
-  box.append(el("p", { class: "hint" }, "Drag to turn. Coloured by the largest stretch of the rubber."));
+  box.append(
+    el(
+      "p",
+      { class: "hint" },
+      "Drag to turn. Coloured by the largest stretch of the rubber.",
+    ),
+  );
 }

@@ -8,7 +8,9 @@ uniform float outer;             // row of the outer surface
 vec4 node(int j, float row) { return texelFetch(shape, ivec2(abs(j), int(row + 0.5)), 0); }
 float side(int j) { return j < 0 ? -1.0 : 1.0; }
 `;
-export const SURFACE = SHARED + `
+export const SURFACE =
+  SHARED +
+  `
 in float station; in float angle; in float row;   // station: −1 to 1, from end to end
 uniform float flat_normal; uniform float last;
 out vec3 place; out vec3 normal; out float value; out vec3 strand;

@@ -19,43 +19,88 @@ const OWN = {
   grip_mm: { key: "grip", low: 0, high: 40 },
 };
 /** Another way to state the cross-section of a strand; no measure of the program. @type {Measure} */
-const STRAND_DIAMETER = { key: "sd", field: "strand_diameter_mm", group: "braid", kind: "length",
-  label: "Diameter of a strand", low: 0.05, high: 1 };
+const STRAND_DIAMETER = {
+  key: "sd",
+  field: "strand_diameter_mm",
+  group: "braid",
+  kind: "length",
+  label: "Diameter of a strand",
+  low: 0.05,
+  high: 1,
+};
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
 /**
  * The usual ones; of the strands of a named sleeve, where its source does not state them; what the ends of the muscle
  * do; all others.
  */
-export let QUANTITIES = MEASURES, STRANDS = MEASURES, ENDS = MEASURES, MORE = MEASURES;
+export let QUANTITIES = MEASURES,
+  STRANDS = MEASURES,
+  ENDS = MEASURES,
+  MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
 /** @param {Commands["measures"]["answer"]} answer */
 export function takeMeasures({ measures }) {
-  MEASURES = measures.flatMap(({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
-    if (!field) return [];
-    // Pressures of a muscle are moduli.
-    const kind = /** @type {Kind} */ (quantity === "pressure" ? "modulus" : quantity ?? "number");
-    const found = /** @type {Measure} */ ({ ...rest, ...OWN[field], key: OWN[field]?.key ?? field, field, filed: key,
-      group, kind, usual, label: label.charAt(0).toUpperCase() + label.slice(1), unit: quantity ? undefined : unit });
-    return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
-  });
-  const of = (/** @type {string[]} */ keys) => keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
+  MEASURES = measures.flatMap(
+    ({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
+      if (!field) return [];
+      // Pressures of a muscle are moduli.
+      const kind = /** @type {Kind} */ (
+        quantity === "pressure" ? "modulus" : (quantity ?? "number")
+      );
+      const found = /** @type {Measure} */ ({
+        ...rest,
+        ...OWN[field],
+        key: OWN[field]?.key ?? field,
+        field,
+        filed: key,
+        group,
+        kind,
+        usual,
+        label: label.charAt(0).toUpperCase() + label.slice(1),
+        unit: quantity ? undefined : unit,
+      });
+      return found.key === "sE" ? [STRAND_DIAMETER, found] : [found];
+    },
+  );
+  const of = (/** @type {string[]} */ keys) =>
+    keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
   QUANTITIES = of(["D", "s", "L", "angle"]);
   STRANDS = of(["sd", "sE"]);
   ENDS = of(["seating", "slip", "grip"]);
   [STIFFNESS] = of(["k"]);
-  MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
+  MORE = MEASURES.filter(
+    (m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m),
+  );
 }
-export const PRESSURE =
-  /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure",
-    symbol: "p", low: 0, high: 0.6 });
-export const CONTRACTION =
-  /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction",
-    symbol: "ε", low: 0, high: 0.35 });
-export const LOAD =
-  /** @type {const} @satisfies {Measure} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F",
-    low: 0, high: 1000 });
+export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({
+  key: "p",
+  field: "pressure_mpa",
+  kind: "pressure",
+  label: "Pressure",
+  symbol: "p",
+  low: 0,
+  high: 0.6,
+});
+export const CONTRACTION = /** @type {const} @satisfies {Measure} */ ({
+  key: "e",
+  field: "contraction",
+  kind: "ratio",
+  label: "Contraction",
+  symbol: "ε",
+  low: 0,
+  high: 0.35,
+});
+export const LOAD = /** @type {const} @satisfies {Measure} */ ({
+  key: "F",
+  field: "force_n",
+  kind: "force",
+  label: "Load",
+  symbol: "F",
+  low: 0,
+  high: 1000,
+});
 
 /** @type {readonly Measure[]} */
 export const POINT = [PRESSURE, CONTRACTION, LOAD];
@@ -66,19 +111,36 @@ export const STIFFNESS_NAMES = ["inextensible", "paper"];
 export const FILE = "file";
 
 /** The prototype at its usual point. @returns {State} */
-export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
+export const prototype = () => ({
+  file: "",
+  said: {},
+  p: 0.25,
+  e: 0.15,
+  F: undefined,
+});
 
 /** The state of a muscle file at the same pressure. @param {State} state @param {string} file @returns {State} */
-export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e, file });
+export const opened = (state, file) => ({
+  ...prototype(),
+  p: state.p,
+  e: state.e,
+  file,
+});
 
 /** What gives the stiffness of strands, and all of the strands of a sleeve. */
-const SECTION = ["sd", "sE", "strand_area_mm2"], OF_SLEEVE = [...SECTION, "strands", "strand_strength_n"];
+const SECTION = ["sd", "sE", "strand_area_mm2"],
+  OF_SLEEVE = [...SECTION, "strands", "strand_strength_n"];
 /**
  * What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of their section.
  * @type {Record<string, string[]>}
  */
-const OUSTS = { braid: ["angle", ...OF_SLEEVE], k: SECTION, sd: ["k", "strand_area_mm2"], sE: ["k"],
-  strand_area_mm2: ["k", "sd"] };
+const OUSTS = {
+  braid: ["angle", ...OF_SLEEVE],
+  k: SECTION,
+  sd: ["k", "strand_area_mm2"],
+  sE: ["k"],
+  strand_area_mm2: ["k", "sd"],
+};
 
 /**
  * The state with something said; nothing (`undefined` or an empty text) takes it back.
@@ -87,14 +149,22 @@ const OUSTS = { braid: ["angle", ...OF_SLEEVE], k: SECTION, sd: ["k", "strand_ar
 export function say(state, key, value) {
   if (key === "p") return { ...state, p: Number(value) };
   if (key === "e") return { ...state, e: Number(value), F: undefined };
-  if (key === "F") return { ...state, F: value === undefined ? undefined : Number(value) };
+  if (key === "F")
+    return { ...state, F: value === undefined ? undefined : Number(value) };
   const said = { ...state.said };
   if (value === undefined || value === "") {
     delete said[key];
-    if (key === "braid") { for (const other of OF_SLEEVE) delete said[other]; }
+    if (key === "braid") {
+      for (const other of OF_SLEEVE) delete said[other];
+    }
   } else {
-    const others = key === "angle" && said.braid !== undefined ? ["braid", ...OF_SLEEVE] : OUSTS[key] ?? [];
-    if (said[key] !== value) { for (const other of others) delete said[other]; }
+    const others =
+      key === "angle" && said.braid !== undefined
+        ? ["braid", ...OF_SLEEVE]
+        : (OUSTS[key] ?? []);
+    if (said[key] !== value) {
+      for (const other of others) delete said[other];
+    }
     said[key] = value;
   }
   return { ...state, said };
@@ -104,7 +174,8 @@ export function say(state, key, value) {
 export function fields({ file, said }) {
   /** @type {Record<string, unknown>} */
   const out = file ? { muscle: { name: "muscle.toml", text: file } } : {};
-  for (const { key, field } of MEASURES) if (said[key] !== undefined) out[field] = said[key];
+  for (const { key, field } of MEASURES)
+    if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
   return out;
 }
@@ -114,15 +185,21 @@ export function fields({ file, said }) {
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
-  const at = (/** @type {Measure} */ { filed }) => (filed ? message.indexOf(filed) : -1);
+  const at = (/** @type {Measure} */ { filed }) =>
+    filed ? message.indexOf(filed) : -1;
   // One key may begin with another.
-  const named = MEASURES.filter((m) => at(m) >= 0)
-    .sort((a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length);
-  return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
+  const named = MEASURES.filter((m) => at(m) >= 0).sort(
+    (a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length,
+  );
+  return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])
+    ?.key;
 }
 
 /** Where it is asked. @param {State} state */
-export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? { contraction: e } : { force_n: F }) });
+export const point = ({ p, e, F }) => ({
+  pressure_mpa: p,
+  ...(F === undefined ? { contraction: e } : { force_n: F }),
+});
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
@@ -131,8 +208,15 @@ export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? 
  */
 export async function canonical(state, ask) {
   if (state.file && !Object.keys(state.said).length) return state.file;
-  return /** @type {string} */ ((await ask("check", { ...fields(state), muscle_file: true,
-    only_data: true })).muscle_file);
+  return /** @type {string} */ (
+    (
+      await ask("check", {
+        ...fields(state),
+        muscle_file: true,
+        only_data: true,
+      })
+    ).muscle_file
+  );
 }
 
 /**
@@ -144,7 +228,11 @@ export function shownValue(state, shown, { key, field, usual }) {
   if (typeof said === "number") return said;
   const of = /** @type {Record<string, unknown>} */ (shown ?? {});
   const read = key === "k" ? of.stiffness_n_per_mm : of[field];
-  return typeof read === "number" ? read : QUANTITIES.some((m) => m.key === key) ? usual : undefined;
+  return typeof read === "number"
+    ? read
+    : QUANTITIES.some((m) => m.key === key)
+      ? usual
+      : undefined;
 }
 
 /**
@@ -153,9 +241,14 @@ export function shownValue(state, shown, { key, field, usual }) {
  */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
-  const words = sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
-  const lacks = STRANDS.filter(({ field }) => words.includes(field.replace(/_(mm|mpa)$/, ""))).map(({ key }) => key);
-  return lacks.filter((key) => key !== "sd" || said.strand_area_mm2 === undefined);
+  const words =
+    sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
+  const lacks = STRANDS.filter(({ field }) =>
+    words.includes(field.replace(/_(mm|mpa)$/, "")),
+  ).map(({ key }) => key);
+  return lacks.filter(
+    (key) => key !== "sd" || said.strand_area_mm2 === undefined,
+  );
 }
 
 /**
@@ -167,9 +260,11 @@ export function words({ file, said, p, e, F }, typed) {
   const out = {};
   for (const { key, kind } of MEASURES) {
     const value = said[key];
-    if (value !== undefined) out[key] = typeof value === "number" ? typed(kind, value) : value;
+    if (value !== undefined)
+      out[key] = typeof value === "number" ? typed(kind, value) : value;
   }
-  for (const key of NAMES) if (said[key] !== undefined) out[key] = String(said[key]);
+  for (const key of NAMES)
+    if (said[key] !== undefined) out[key] = String(said[key]);
   out.p = typed("pressure", p);
   if (F === undefined) out.e = typed("ratio", e);
   else out.F = typed("force", F);
@@ -179,8 +274,15 @@ export function words({ file, said, p, e, F }, typed) {
 
 /** Texts of an address that the engine has to read. @param {URLSearchParams} params */
 export function texts(params) {
-  const list = [...MEASURES, ...POINT].map(({ key, kind }) => ({ key, kind, text: params.get(key) ?? "" }));
-  return list.filter(({ key, text }) => params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)));
+  const list = [...MEASURES, ...POINT].map(({ key, kind }) => ({
+    key,
+    kind,
+    text: params.get(key) ?? "",
+  }));
+  return list.filter(
+    ({ key, text }) =>
+      params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)),
+  );
 }
 
 /**
@@ -192,26 +294,34 @@ export function texts(params) {
 export function fromWords(params, readings) {
   /** @type {Record<string, number | string>} */ const said = {};
   /** @type {Map<string, string>} */ const wrong = new Map();
-  const at = { p: prototype().p, e: prototype().e, F: /** @type {number | undefined} */ (undefined) };
+  const at = {
+    p: prototype().p,
+    e: prototype().e,
+    F: /** @type {number | undefined} */ (undefined),
+  };
   texts(params).forEach(({ key }, i) => {
     const { value, problem } = readings[i];
-    if (problem || value === undefined) return wrong.set(key, problem?.message ?? "");
+    if (problem || value === undefined)
+      return wrong.set(key, problem?.message ?? "");
     if (key === "p" || key === "e" || key === "F") at[key] = value;
     else said[key] = value;
   });
   const stiffness = params.get("k") ?? "";
   if (STIFFNESS_NAMES.includes(stiffness)) said.k = stiffness;
-  for (const key of NAMES) if (params.get(key)) said[key] = params.get(key) ?? "";
+  for (const key of NAMES)
+    if (params.get(key)) said[key] = params.get(key) ?? "";
   return { state: { file: params.get(FILE) ?? "", said, ...at }, wrong };
 }
 
 /** Keys of the address that are the muscle's. */
-export const keys = () => [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
+export const keys = () =>
+  [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
 
 /** A joint of two muscles; a link where it has a mass. @param {boolean} hasMass */
-const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = ""\nrange = ""\ninertia = ""\n`
-  + `${hasMass ? '[link]\nmass = ""\ncentre = ""\ninclination = "-90 deg"\n' : ""}[muscle_1]\nfile = ""\n`
-  + 'contraction_at_neutral = ""\n[muscle_2]\nfile = ""\ncontraction_at_neutral = ""\n';
+const template = (hasMass) =>
+  `#:schema joint.schema.json\n\n[joint]\nradius = ""\nrange = ""\ninertia = ""\n` +
+  `${hasMass ? '[link]\nmass = ""\ncentre = ""\ninclination = "-90 deg"\n' : ""}[muscle_1]\nfile = ""\n` +
+  'contraction_at_neutral = ""\n[muscle_2]\nfile = ""\ncontraction_at_neutral = ""\n';
 
 /**
  * A request for a joint with this muscle against itself or another one: that of a file, where there is one, with what
@@ -220,19 +330,41 @@ const template = (hasMass) => `#:schema joint.schema.json\n\n[joint]\nradius = "
  * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
  *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
  */
-export function joint(file, second, { r, low, high, e0, mass, centre, inertia }, text = template(Number(mass) > 0)) {
-  const other = second ? "muscle-2.toml" : "muscle.toml", neutral = e0 === undefined ? undefined : String(e0);
-  const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
-    value === undefined ? undefined : `${value} ${unit}`;
-  const put = { "muscle_1.file": "muscle.toml", "muscle_2.file": other, "joint.radius": said(r, "mm"),
-    "joint.inertia": said(inertia || undefined, "kg m2"), "link.mass": said(mass, "kg"), "link.centre": said(centre,
-      "mm"),
-    "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
-    "muscle_1.contraction_at_neutral": neutral, "muscle_2.contraction_at_neutral": neutral };
+export function joint(
+  file,
+  second,
+  { r, low, high, e0, mass, centre, inertia },
+  text = template(Number(mass) > 0),
+) {
+  const other = second ? "muscle-2.toml" : "muscle.toml",
+    neutral = e0 === undefined ? undefined : String(e0);
+  const said = (
+    /** @type {number | undefined} */ value,
+    /** @type {string} */ unit,
+  ) => (value === undefined ? undefined : `${value} ${unit}`);
+  const put = {
+    "muscle_1.file": "muscle.toml",
+    "muscle_2.file": other,
+    "joint.radius": said(r, "mm"),
+    "joint.inertia": said(inertia || undefined, "kg m2"),
+    "link.mass": said(mass, "kg"),
+    "link.centre": said(centre, "mm"),
+    "joint.range":
+      low === undefined || high === undefined
+        ? undefined
+        : `${low}..${high} deg`,
+    "muscle_1.contraction_at_neutral": neutral,
+    "muscle_2.contraction_at_neutral": neutral,
+  };
   // What stays empty is not stated.
   const written = replaced(text, put).replace(/^\w+ = ""\n/gm, "");
-  return { joint: { name: "joint.toml", text: written },
-    muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
+  return {
+    joint: { name: "joint.toml", text: written },
+    muscles: [
+      { name: "muscle.toml", text: file },
+      ...(second ? [{ name: other, text: second }] : []),
+    ],
+  };
 }
 
 /** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
@@ -245,14 +377,25 @@ export function motion(file, { model, ...step }) {
  * point or this one's.
  * @param {State} state @param {string} own a muscle file @param {Read} read fields of the side's form
  */
-export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
+export function side(
+  state,
+  own,
+  { model, pressure_mpa, contraction, ...over },
+) {
   // What a side says ousts what excludes it, as on the page Muscle.
   let base = own ? opened(state, own) : state;
-  for (const { key, field } of [...MEASURES, { key: "rubber", field: "rubber" }, { key: "braid", field: "braid" }])
+  for (const { key, field } of [
+    ...MEASURES,
+    { key: "rubber", field: "rubber" },
+    { key: "braid", field: "braid" },
+  ])
     if (over[field] !== undefined) base = say(base, key, over[field]);
-  return { muscle: fields(base), model: /** @type {string} */ (model),
+  return {
+    muscle: fields(base),
+    model: /** @type {string} */ (model),
     pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p),
-    contraction: /** @type {number} */ (contraction ?? state.e) };
+    contraction: /** @type {number} */ (contraction ?? state.e),
+  };
 }
 /**
  * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
@@ -261,13 +404,19 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
  */
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */
-  const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
-  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber ?? "";
+  const said = {
+    D: candidate.outer_diameter_mm,
+    s: candidate.wall_mm,
+    L: candidate.length_mm,
+  };
+  if (candidate.tube || asked.rubbers?.length)
+    said.rubber = candidate.rubber ?? "";
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;
   for (const { key, field } of [...STRANDS, STIFFNESS]) {
     const value = /** @type {Record<string, unknown>} */ (asked)[field];
-    if (typeof value === "number" || typeof value === "string") said[key] = value;
+    if (typeof value === "number" || typeof value === "string")
+      said[key] = value;
   }
   return { ...prototype(), said, p, e };
 }

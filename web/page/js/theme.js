@@ -3,7 +3,8 @@ import { button } from "./dom.js";
 import { remembered } from "./kept.js";
 import { signal } from "./life.js";
 
-const chosen = remembered("theme"), changed = signal();
+const chosen = remembered("theme"),
+  changed = signal();
 const system = () => matchMedia("(prefers-color-scheme: dark)");
 /** Is told of another theme. */
 export const onTheme = changed.on;
@@ -27,7 +28,9 @@ export function themeButton() {
     chosen.set(isDark() ? "light" : "dark");
     setTheme(chosen.get());
   });
-  const paint = () => { other.textContent = isDark() ? "Light" : "Dark"; };
+  const paint = () => {
+    other.textContent = isDark() ? "Light" : "Dark";
+  };
   paint();
   changed.stay(paint);
   return other;

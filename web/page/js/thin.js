@@ -17,7 +17,11 @@ export function thinned(text, most = MOST_ROWS) {
 
 /** @param {{ rows: number, kept: number, step: number }} of */
 export function thinnedWords({ rows, kept, step }) {
-  const [all, most, used] = [rows, MOST_ROWS, kept].map((n) => n.toLocaleString("en"));
+  const [all, most, used] = [rows, MOST_ROWS, kept].map((n) =>
+    n.toLocaleString("en"),
+  );
   const which = step === 2 ? "second" : step === 3 ? "third" : `${step}th`;
-  return step === 1 ? "" : `The table has ${all} rows, more than ${most}: every ${which} one is used, ${used} points.`;
+  return step === 1
+    ? ""
+    : `The table has ${all} rows, more than ${most}: every ${which} one is used, ${used} points.`;
 }

@@ -6,18 +6,26 @@
  */
 function walk(text, each) {
   let table = "";
-  return text.split("\n").map((line) => {
-    const head = /^\s*\[+\s*([\w.-]+)\s*\]+/.exec(line);
-    if (head) table = head[1];
-    const [, key, value = ""] = head ? [] : /^\s*([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|[^#]*)/.exec(line) ?? [];
-    const put = key && each(`${table}.${key}`, plain(value.trim()));
-    return put ? `${key} = ${JSON.stringify(put)}` : line;
-  }).join("\n");
+  return text
+    .split("\n")
+    .map((line) => {
+      const head = /^\s*\[+\s*([\w.-]+)\s*\]+/.exec(line);
+      if (head) table = head[1];
+      const [, key, value = ""] = head
+        ? []
+        : (/^\s*([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|[^#]*)/.exec(line) ??
+          []);
+      const put = key && each(`${table}.${key}`, plain(value.trim()));
+      return put ? `${key} = ${JSON.stringify(put)}` : line;
+    })
+    .join("\n");
 }
 /** @param {string} value */
 function plain(value) {
   try {
-    return value.startsWith('"') ? String(JSON.parse(value)) : value.replace(/^'|'$/g, "");
+    return value.startsWith('"')
+      ? String(JSON.parse(value))
+      : value.replace(/^'|'$/g, "");
   } catch {
     return value.slice(1, -1);
   }
@@ -25,7 +33,9 @@ function plain(value) {
 /** What a file states first, by table and key. @param {string} text */
 export function stated(text) {
   /** @type {Map<string, string>} */ const found = new Map();
-  walk(text, (place, value) => { if (!found.has(place)) found.set(place, value); });
+  walk(text, (place, value) => {
+    if (!found.has(place)) found.set(place, value);
+  });
   return found;
 }
 /**
@@ -41,12 +51,17 @@ export function named(file, name) {
   if (!name || nameIn(file) === name) return file;
   if (stated(file).has(".name")) return replaced(file, { ".name": name });
   // Below the remarks that a file begins with.
-  const remarks = /^(?:[ \t]*#.*\n)*/.exec(file)?.[0] ?? "", rest = file.slice(remarks.length);
+  const remarks = /^(?:[ \t]*#.*\n)*/.exec(file)?.[0] ?? "",
+    rest = file.slice(remarks.length);
   return `${remarks}name = ${JSON.stringify(name)}\n${remarks && !rest.startsWith("\n") ? "\n" : ""}${rest}`;
 }
 
 /** The name of a file. @param {string} name @param {string} end such as `.toml` */
 export function fileName(name, end) {
-  const plain = name.normalize("NFKD").replace(/[^\w.-]+/g, "-").replace(/^[-.]+|-+$/g, "").toLowerCase();
+  const plain = name
+    .normalize("NFKD")
+    .replace(/[^\w.-]+/g, "-")
+    .replace(/^[-.]+|-+$/g, "")
+    .toLowerCase();
   return `${plain.slice(0, 60) || "muscle"}${end}`;
 }

@@ -1,7 +1,8 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
 import { signal } from "./life.js";
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
-export const kindOf = (kind) => (kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind);
+export const kindOf = (kind) =>
+  kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind;
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */
@@ -25,36 +26,55 @@ const CHOICES = {
   inertia: ["kg m2"],
 };
 /** @type {Record<string, string>} */
-const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
+const chosen = Object.fromEntries(
+  Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]),
+);
 /** What a click changed, and what an address did. */
-const clicked = signal(), read = signal();
+const clicked = signal(),
+  read = signal();
 
 /** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
-  for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
+  for (const { kind, expectation, units } of answer.kinds)
+    kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");
   if (pressure)
-    kinds.set("modulus", { ...pressure, expectation: "a modulus such as 2500MPa or 3.5GPa (a bare number is MPa)" });
-  kinds.set("number", { expectation: "a number", units: [{ name: "", multiply: 1, divide: 1 }] });
+    kinds.set("modulus", {
+      ...pressure,
+      expectation: "a modulus such as 2500MPa or 3.5GPa (a bare number is MPa)",
+    });
+  kinds.set("number", {
+    expectation: "a number",
+    units: [{ name: "", multiply: 1, divide: 1 }],
+  });
 }
 
 /** What may be typed; a number alone has the unit that is shown. @param {string} kind */
-export const expectation = (kind) => bareIn(kinds.get(kind)?.expectation ?? "", kind);
+export const expectation = (kind) =>
+  bareIn(kinds.get(kind)?.expectation ?? "", kind);
 /** With what a number alone means on the page. @param {string} text @param {string} kind */
 export const bareIn = (text, kind) =>
-  text.replace(/\(a bare number is [^)]*\)$/, () => `(a number alone is in ${unitName(kind)})`);
+  text.replace(
+    /\(a bare number is [^)]*\)$/,
+    () => `(a number alone is in ${unitName(kind)})`,
+  );
 /** Names of its units. @param {string} kind */
-export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
+export const unitsOf = (kind) =>
+  (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
-const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
+const baseUnit = (kind) =>
+  kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
 /** The kind of quantities that have a unit inside. @param {string} unit */
-export const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
+export const kindInside = (unit) =>
+  [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
 const writtenUnit = (kind) => chosen[kind] ?? baseUnit(kind);
 /** As people write it. @param {string} kind */
 export const unitName = (kind) => {
   const unit = writtenUnit(kind);
-  return unit === "deg" ? "°" : unit.replace(/(?<=m)2\b/, "²").replace(/(?<=m)3\b/, "³");
+  return unit === "deg"
+    ? "°"
+    : unit.replace(/(?<=m)2\b/, "²").replace(/(?<=m)3\b/, "³");
 };
 
 /** @param {string} kind */
@@ -73,7 +93,9 @@ export const outside = (kind, inside) => {
  */
 export const inside = (kind, shown) => {
   const u = factor(kind);
-  return u.divide === u.multiply ? shown : Number(((shown * u.divide) / u.multiply).toPrecision(15));
+  return u.divide === u.multiply
+    ? shown
+    : Number(((shown * u.divide) / u.multiply).toPrecision(15));
 };
 
 /**
@@ -85,21 +107,26 @@ export function number(v, digits = 4) {
   if (v === 0) return "0";
   const size = Math.floor(Math.log10(Math.abs(v)));
   if (size < -5 || size > 14) return v.toExponential(digits - 1);
-  const text = String(Number(v.toFixed(Math.min(20, Math.max(0, digits - 1 - size)))));
+  const text = String(
+    Number(v.toFixed(Math.min(20, Math.max(0, digits - 1 - size)))),
+  );
   return text.replace("-", "−");
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
-export const show = (kind, value, digits = 4) => (value === null || value === undefined
-  ? "–"
-  : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd());
+export const show = (kind, value, digits = 4) =>
+  value === null || value === undefined
+    ? "–"
+    : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd();
 /** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
 export function typed(kind, value) {
-  const shown = [6, 9, 12, 15].map((digits) => Number(outside(kind, value).toPrecision(digits))).find((x) =>
-    inside(kind, x) === value
-  );
+  const shown = [6, 9, 12, 15]
+    .map((digits) => Number(outside(kind, value).toPrecision(digits)))
+    .find((x) => inside(kind, x) === value);
   // What no short number in the shown unit means is written in the unit inside.
   const unit = shown === undefined ? baseUnit(kind) : writtenUnit(kind);
-  const bare = ["length", "angle", "force"].includes(kind) && ["mm", "deg", "N"].includes(unit);
+  const bare =
+    ["length", "angle", "force"].includes(kind) &&
+    ["mm", "deg", "N"].includes(unit);
   return String(shown ?? value) + (bare ? "" : unit.replace(" ", ""));
 }
 
@@ -110,10 +137,12 @@ export function typed(kind, value) {
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
 /** With a point in place of a decimal comma; points before it separate thousands. @param {string} text */
 function pointed(text) {
-  if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text)) return text.replaceAll(".", "").replace(",", ".");
+  if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text))
+    return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];
-  return whole !== undefined && (decimals.length !== 3 || /^0*$/.test(whole)) &&
-      !/\d/.test(rest.replace(/[a-z]+\d/gi, ""))
+  return whole !== undefined &&
+    (decimals.length !== 3 || /^0*$/.test(whole)) &&
+    !/\d/.test(rest.replace(/[a-z]+\d/gi, ""))
     ? `${sign}${whole}.${decimals}${rest}`
     : text;
 }
@@ -125,13 +154,22 @@ function pointed(text) {
  * @param {string} kind @param {string} typed @returns {{ text: string, value?: number, note?: string }}
  */
 export function meant(kind, typed) {
-  const text = pointed(typed), comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
-  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) || !Number.isFinite(Number(text))) return { text, ...comma };
+  const text = pointed(typed),
+    comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
+  if (
+    !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ||
+    !Number.isFinite(Number(text))
+  )
+    return { text, ...comma };
   const value = Number(text);
   if (kind !== "ratio") return { text, value: inside(kind, value), ...comma };
   if (value === 0) return { text, value };
-  const percent = Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
-  return { text: `${percent} %`, note: `${typed} without a unit was read as ${number(percent, 6)} %.` };
+  const percent =
+    Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
+  return {
+    text: `${percent} %`,
+    note: `${typed} without a unit was read as ${number(percent, 6)} %.`,
+  };
 }
 
 /**
@@ -153,7 +191,9 @@ export function plusMinus(value, half) {
 }
 /** The same of a quantity. @param {string} kind @param {number} value @param {number | null | undefined} half */
 export const withUncertainty = (kind, value, half) =>
-  half ? `${plusMinus(outside(kind, value), outside(kind, half))} ${unitName(kind)}` : show(kind, value);
+  half
+    ? `${plusMinus(outside(kind, value), outside(kind, half))} ${unitName(kind)}`
+    : show(kind, value);
 
 /** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
 export function changeUnit(kind, name) {
@@ -166,7 +206,10 @@ export function changeUnit(kind, name) {
 }
 /** Names that are not the usual ones, as they stand in an address. */
 export const unitsInAddress = () =>
-  Object.entries(CHOICES).filter(([kind, list]) => chosen[kind] !== list[0]).map(([kind]) => chosen[kind]).join(",");
+  Object.entries(CHOICES)
+    .filter(([kind, list]) => chosen[kind] !== list[0])
+    .map(([kind]) => chosen[kind])
+    .join(",");
 /** @param {string} names */
 export function unitsFromAddress(names) {
   const before = JSON.stringify(chosen);
@@ -177,6 +220,7 @@ export function unitsFromAddress(names) {
 /** Is told of units that a click changed. */
 export const onUnits = clicked.on;
 /** Is told of units that a click or an address changed: fields, which write nothing into it. @param {() => void} tell */
-export const onAnyUnits = (tell) => [clicked, read].forEach((one) => one.on(tell));
+export const onAnyUnits = (tell) =>
+  [clicked, read].forEach((one) => one.on(tell));
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;

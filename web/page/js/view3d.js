@@ -9,39 +9,78 @@ import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE } from "./shaders.js";
 
 /** Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics processor. */
-const AROUND = 48, COARSE = [24, 40];
+const AROUND = 48,
+  COARSE = [24, 40];
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
-const DRAWN = 18, MOST = 60;
+const DRAWN = 18,
+  MOST = 60;
 /** How the muscle is first seen, and how far it may be zoomed. */
-const TURN = [0.35, -0.5], ZOOM = [0.5, 8];
+const TURN = [0.35, -0.5],
+  ZOOM = [0.5, 8];
 /**
  * The profile of a crimped fitting: radius and distance from the tube's end, as shares of the tube's radius; doubled
  * points are edges.
  */
 const FITTING = [
-  [1.02, -0.12], [1.14, -0.12], [1.14, -0.12], [1.14, 0.06], [1.14, 0.06], [1.05, 0.12], [1.05, 0.2], [1.14, 0.26],
-  [1.14, 0.26], [1.14, 0.36], [1.14, 0.36], [1.05, 0.42], [1.05, 0.5], [1.14, 0.56], [1.14, 0.56], [1.14, 0.72],
-  [1.14, 0.72], [0.62, 0.72], [0.62, 0.72], [0.62, 0.98], [0.62, 0.98], [0.36, 0.98], [0.36, 0.98], [0.36, 1.1],
-  [0.42, 1.14], [0.36, 1.22], [0.42, 1.26], [0.36, 1.34], [0.36, 1.42], [0.36, 1.42], [0.18, 1.42]];
+  [1.02, -0.12],
+  [1.14, -0.12],
+  [1.14, -0.12],
+  [1.14, 0.06],
+  [1.14, 0.06],
+  [1.05, 0.12],
+  [1.05, 0.2],
+  [1.14, 0.26],
+  [1.14, 0.26],
+  [1.14, 0.36],
+  [1.14, 0.36],
+  [1.05, 0.42],
+  [1.05, 0.5],
+  [1.14, 0.56],
+  [1.14, 0.56],
+  [1.14, 0.72],
+  [1.14, 0.72],
+  [0.62, 0.72],
+  [0.62, 0.72],
+  [0.62, 0.98],
+  [0.62, 0.98],
+  [0.36, 0.98],
+  [0.36, 0.98],
+  [0.36, 1.1],
+  [0.42, 1.14],
+  [0.36, 1.22],
+  [0.42, 1.26],
+  [0.36, 1.34],
+  [0.36, 1.42],
+  [0.36, 1.42],
+  [0.18, 1.42],
+];
 
 /** A row of the mesh about the axis: angles and rows. @param {number} row @param {number} around */
-const round = (row, around) => Array.from({ length: around + 1 }, (_, k) => [(2 * Math.PI * k) / around, row]);
+const round = (row, around) =>
+  Array.from({ length: around + 1 }, (_, k) => [
+    (2 * Math.PI * k) / around,
+    row,
+  ]);
 
 /** Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half */
-const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
+const shares = (half) =>
+  Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
   const made = /** @type {WebGLProgram} */ (gl.createProgram());
-  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+  for (const [kind, source] of /** @type {[number, string][]} */ ([
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ])) {
     const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
     gl.attachShader(made, shader);
   }
   gl.linkProgram(made);
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? "shader");
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS))
+    throw new Error(gl.getProgramInfoLog(made) ?? "shader");
   return made;
 }
 
@@ -60,8 +99,12 @@ function software() {
   if (slow !== undefined) return slow;
   const gl = document.createElement("canvas").getContext("webgl2");
   const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  slow = Boolean(info &&
-    /swiftshader|llvmpipe|software|basic render/i.test(String(gl?.getParameter(info.UNMASKED_RENDERER_WEBGL))));
+  slow = Boolean(
+    info &&
+    /swiftshader|llvmpipe|software|basic render/i.test(
+      String(gl?.getParameter(info.UNMASKED_RENDERER_WEBGL)),
+    ),
+  );
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return slow;
 }
@@ -72,7 +115,10 @@ function software() {
  */
 export function reach(list) {
   const sorted = Float64Array.from(list).sort();
-  return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
+  return [
+    sorted[Math.floor(0.01 * sorted.length)],
+    sorted[Math.ceil(0.985 * sorted.length) - 1],
+  ];
 }
 
 /**
@@ -109,16 +155,31 @@ export class View {
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** Parts of the mesh. @type {Map<string, Piece>} */
     this.pieces = new Map();
-    this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
-    const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
+    this.canvas = el("canvas", {
+      role: "img",
+      "aria-label": "The deformed muscle",
+    });
+    const gl = this.canvas.getContext("webgl2", {
+      antialias: !software(),
+      alpha: true,
+    });
     this.gl = gl;
     if (gl) {
       this.prepare(gl);
       stage.prepend(this.canvas);
       this.listen();
-      pictures.set(this.canvas, () => { this.draw(true); return this.canvas.toDataURL(); });
-      this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-      this.canvas.addEventListener("webglcontextrestored", () => { this.prepare(gl); this.upload(); this.draw(); });
+      pictures.set(this.canvas, () => {
+        this.draw(true);
+        return this.canvas.toDataURL();
+      });
+      this.canvas.addEventListener("webglcontextlost", (event) =>
+        event.preventDefault(),
+      );
+      this.canvas.addEventListener("webglcontextrestored", () => {
+        this.prepare(gl);
+        this.upload();
+        this.draw();
+      });
     }
     /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
     this.width = stage.clientWidth;
@@ -138,10 +199,16 @@ export class View {
   /** @param {WebGL2RenderingContext} gl */
   prepare(gl) {
     this.surface = program(gl, SURFACE);
-    const { surface } = this, count = gl.getProgramParameter(surface, gl.ACTIVE_UNIFORMS);
-    const names = Array.from({ length: count }, (_, i) => gl.getActiveUniform(surface, i)?.name ?? "");
+    const { surface } = this,
+      count = gl.getProgramParameter(surface, gl.ACTIVE_UNIFORMS);
+    const names = Array.from(
+      { length: count },
+      (_, i) => gl.getActiveUniform(surface, i)?.name ?? "",
+    );
     /** @type {Record<string, WebGLUniformLocation | null>} */
-    this.places = Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(surface, name)]));
+    this.places = Object.fromEntries(
+      names.map((name) => [name, gl.getUniformLocation(surface, name)]),
+    );
     this.texture = table(gl);
     this.plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
@@ -154,20 +221,32 @@ export class View {
    * @param {string} name @param {number[]} along @param {number[][]} columns @returns {Piece}
    */
   piece(name, along, columns) {
-    const key = `${name} ${along.length}`, known = this.pieces.get(key);
+    const key = `${name} ${along.length}`,
+      known = this.pieces.get(key);
     if (known) return known;
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl), program = /** @type {WebGLProgram} */ (this.surface);
-    const data = columns.flatMap(([angle, row]) => along.flatMap((t) => [t, angle, row])), count = along.length;
-    const index = columns.slice(1).flatMap((_, k) => along.slice(1).flatMap((__, i) => {
-      const a = k * count + i, b = a + count;
-      return [a, b, a + 1, b, b + 1, a + 1];
-    }));
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl),
+      program = /** @type {WebGLProgram} */ (this.surface);
+    const data = columns.flatMap(([angle, row]) =>
+        along.flatMap((t) => [t, angle, row]),
+      ),
+      count = along.length;
+    const index = columns.slice(1).flatMap((_, k) =>
+      along.slice(1).flatMap((__, i) => {
+        const a = k * count + i,
+          b = a + count;
+        return [a, b, a + 1, b, b + 1, a + 1];
+      }),
+    );
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(index), gl.STATIC_DRAW);
+    gl.bufferData(
+      gl.ELEMENT_ARRAY_BUFFER,
+      new Uint32Array(index),
+      gl.STATIC_DRAW,
+    );
     ["station", "angle", "row"].forEach((name, i) => {
       const at = gl.getAttribLocation(program, name);
       if (at < 0) return;
@@ -186,8 +265,10 @@ export class View {
   set(shape, show) {
     this.shape = shape;
     this.show = show;
-    if (this.gl) { this.upload(); this.draw(); }
-    else this.section();
+    if (this.gl) {
+      this.upload();
+      this.draw();
+    } else this.section();
   }
 
   /**
@@ -195,8 +276,13 @@ export class View {
    * @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least]
    */
   stretched(shape, least = 1.2) {
-    this.set(shape, { field: "max_stretch", low: 1, high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
-      restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+    this.set(shape, {
+      field: "max_stretch",
+      low: 1,
+      high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
+      restLength: shape.muscle.length_mm,
+      restRadius: shape.muscle.outer_diameter_mm / 2,
+    });
   }
 
   upload() {
@@ -219,7 +305,17 @@ export class View {
       texels[to + 2] = field && strand ? field[j] : 0;
     }
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, stations, across + 1, 0, gl.RGBA, gl.FLOAT, texels);
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      gl.RGBA32F,
+      stations,
+      across + 1,
+      0,
+      gl.RGBA,
+      gl.FLOAT,
+      texels,
+    );
   }
 
   /** @param {boolean} [sharp] */
@@ -228,11 +324,20 @@ export class View {
     if (!gl || !shape) return;
     // Without a graphics processor a moving muscle is drawn coarser, and sharp when it rests.
     const coarse = software() && !sharp;
-    if (coarse) { clearTimeout(this.rest); this.rest = window.setTimeout(() => this.draw(true), 200); }
+    if (coarse) {
+      clearTimeout(this.rest);
+      this.rest = window.setTimeout(() => this.draw(true), 200);
+    }
     const ratio = coarse ? 0.6 : Math.min(2, devicePixelRatio || 1);
-    const [w, h] = [Math.round(this.width * ratio), Math.round(this.height * ratio)];
+    const [w, h] = [
+      Math.round(this.width * ratio),
+      Math.round(this.height * ratio),
+    ];
     if (!w || !h) return;
-    if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+    if (canvas.width !== w || canvas.height !== h) {
+      canvas.width = w;
+      canvas.height = h;
+    }
     gl.viewport(0, 0, w, h);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -246,17 +351,24 @@ export class View {
     gl.uniform1f(at("cut"), this.cut ? 1 : 0);
     gl.uniform2f(at("reach"), this.show.low, this.show.high);
     // A power of two: with the measures of the muscle the number of its stations changes to and fro.
-    const { stations, across } = shape, sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
-    const [around, half] = coarse ? COARSE : sharpest, along = shares(half);
+    const { stations, across } = shape,
+      sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
+    const [around, half] = coarse ? COARSE : sharpest,
+      along = shares(half);
     gl.uniform1f(at("last"), stations - 1);
     const draw = (/** @type {Piece} */ part) => {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
     };
-    const surface = (/** @type {number} */ row) => draw(this.piece(`${row} of ${around}`, along, round(row, around)));
+    const surface = (/** @type {number} */ row) =>
+      draw(this.piece(`${row} of ${around}`, along, round(row, around)));
     const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
-    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
+    const paint = (
+      /** @type {number} */ mapped,
+      /** @type {number[]} */ plain,
+      strands = 0,
+    ) => {
       gl.uniform1f(at("mapped"), mapped);
       gl.uniform3fv(at("plain"), plain);
       gl.uniform1f(at("strands"), strands);
@@ -273,7 +385,13 @@ export class View {
       gl.uniform1f(at("flat_normal"), 1);
       gl.uniform1f(at("cut"), 0);
       for (const angle of [0, Math.PI / 2])
-        draw(this.piece(`${across} wall ${angle}`, along, Array.from({ length: across }, (_, i) => [angle, i])));
+        draw(
+          this.piece(
+            `${across} wall ${angle}`,
+            along,
+            Array.from({ length: across }, (_, i) => [angle, i]),
+          ),
+        );
     }
     paint(0, [0.56, 0.58, 0.61]);
     gl.uniform1f(at("shine"), 0.35);
@@ -292,19 +410,36 @@ export class View {
   plugs(at, draw, around) {
     const { gl, shape } = this;
     if (!gl || !shape) return;
-    const last = shape.arrays.z_mm.length - 1, end = shape.arrays.z_mm[last], r = shape.arrays.r_mm[last];
+    const last = shape.arrays.z_mm.length - 1,
+      end = shape.arrays.z_mm[last],
+      r = shape.arrays.r_mm[last];
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
     const all = [profile[0], ...profile, profile[profile.length - 1]];
     gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, all.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      gl.RGBA32F,
+      all.length,
+      1,
+      0,
+      gl.RGBA,
+      gl.FLOAT,
+      texels,
+    );
     gl.uniform1f(at("flat_normal"), 0);
     gl.uniform1f(at("cut"), 0);
     gl.uniform1f(at("last"), profile.length);
     for (const sign of [1, -1])
-      draw(this.piece(`plug ${sign} of ${around}`, profile.map((_, j) => (sign * (j + 1)) / profile.length),
-        round(0, around)));
+      draw(
+        this.piece(
+          `plug ${sign} of ${around}`,
+          profile.map((_, j) => (sign * (j + 1)) / profile.length),
+          round(0, around),
+        ),
+      );
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }
 
@@ -313,16 +448,30 @@ export class View {
     const { restLength, restRadius } = this.show;
     const now = this.shape?.length_mm ?? this.show.restLength;
     const wide = 0.5 * restLength + 2 * restRadius;
-    const half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect) / this.zoom;
+    const half =
+      Math.max(
+        wide,
+        Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect,
+      ) / this.zoom;
     this.half = half;
     const [pitch, yaw] = this.turn;
-    const [cp, sp, cy, sy] = [Math.cos(pitch), Math.sin(pitch), Math.cos(yaw), Math.sin(yaw)];
+    const [cp, sp, cy, sy] = [
+      Math.cos(pitch),
+      Math.sin(pitch),
+      Math.cos(yaw),
+      Math.sin(yaw),
+    ];
     // Turned about the vertical, then tilted; x runs along the muscle.
-    const rows = [[cy, 0, sy], [sp * sy, cp, -sp * cy], [-cp * sy, sp, cp * cy]];
+    const rows = [
+      [cy, 0, sy],
+      [sp * sy, cp, -sp * cy],
+      [-cp * sy, sp, cp * cy],
+    ];
     const shift = 0.5 * (now - restLength);
     const scale = [1 / half, aspect / half, -1 / (4 * wide)];
     const m = new Float32Array(16);
-    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
+    for (let c = 0; c < 3; c++)
+      for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
     for (let r = 0; r < 3; r++) m[12 + r] = rows[r][0] * shift * scale[r];
     m[15] = 1;
     this.matrix = m;
@@ -336,7 +485,8 @@ export class View {
   project(x, y, z) {
     const m = this.matrix;
     if (!m) return [0, 0];
-    const at = (/** @type {number} */ r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    const at = (/** @type {number} */ r) =>
+      m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
     return [0.5 * (1 + at(0)) * this.width, 0.5 * (1 - at(1)) * this.height];
   }
 
@@ -364,7 +514,9 @@ export class View {
   }
 
   /** For a scale bar. */
-  get millimetresPerPixel() { return (2 * (this.half ?? 1)) / Math.max(1, this.width); }
+  get millimetresPerPixel() {
+    return (2 * (this.half ?? 1)) / Math.max(1, this.width);
+  }
 
   /** Nothing of it is kept. */
   #destroy() {
@@ -377,17 +529,33 @@ export class View {
   listen() {
     this.listenToPointers();
     const { canvas } = this;
-    canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return;
-      event.preventDefault();
-      this.zoomBy(Math.exp(-0.001 * event.deltaY));
-    }, { passive: false });
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (
+          !event.ctrlKey &&
+          !event.shiftKey &&
+          document.activeElement !== canvas
+        )
+          return;
+        event.preventDefault();
+        this.zoomBy(Math.exp(-0.001 * event.deltaY));
+      },
+      { passive: false },
+    );
     canvas.tabIndex = 0;
     canvas.addEventListener("keydown", (event) => {
-      const step = { ArrowLeft: [0, -0.1], ArrowRight: [0, 0.1], ArrowUp: [-0.1, 0], ArrowDown: [0.1, 0] }[event.key];
-      if (event.key === "+" || event.key === "-") this.zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
+      const step = {
+        ArrowLeft: [0, -0.1],
+        ArrowRight: [0, 0.1],
+        ArrowUp: [-0.1, 0],
+        ArrowDown: [0.1, 0],
+      }[event.key];
+      if (event.key === "+" || event.key === "-")
+        this.zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
       else if (event.key === "0" || event.key === "Home") this.reset();
-      else if (step) this.turnTo(this.turn[0] + step[0], this.turn[1] + step[1]);
+      else if (step)
+        this.turnTo(this.turn[0] + step[0], this.turn[1] + step[1]);
       else return;
       event.preventDefault();
     });
@@ -401,8 +569,13 @@ export class View {
   #isAtEnd(share) {
     const { restLength } = this.show;
     const now = this.shape?.length_mm ?? restLength;
-    const place = 0.5 + ((now - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
-    return Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
+    const place =
+      0.5 +
+      ((now - 0.5 * restLength) * Math.cos(this.turn[1])) /
+        (2 * (this.half ?? 1));
+    return (
+      Boolean(this.contract) && share > place - 0.06 && share < place + 0.08
+    );
   }
 
   /** One pointer turns, or drags the end; two zoom. */
@@ -416,19 +589,32 @@ export class View {
       const [a, b] = [...down.values()];
       return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
     };
-    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+    const moved = (
+      /** @type {PointerEvent} */ event,
+      /** @type {boolean} */ settled,
+    ) => {
       if (!from) return;
       const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
-      if (!from.end) return this.turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
-      const along = (dx * this.millimetresPerPixel) / Math.max(0.3, Math.cos(this.turn[1]));
+      if (!from.end)
+        return this.turnTo(
+          from.turn[0] + 0.008 * dy,
+          from.turn[1] + 0.008 * dx,
+        );
+      const along =
+        (dx * this.millimetresPerPixel) / Math.max(0.3, Math.cos(this.turn[1]));
       this.contract?.(-along / this.show.restLength, settled);
     };
     canvas.addEventListener("pointerdown", (event) => {
       if (!this.shape) return;
       down.set(event.pointerId, event);
       canvas.setPointerCapture(event.pointerId);
-      if (down.size > 1) { from = undefined; apart = distance(); return; }
-      const box = canvas.getBoundingClientRect(), end = this.#isAtEnd((event.clientX - box.left) / box.width);
+      if (down.size > 1) {
+        from = undefined;
+        apart = distance();
+        return;
+      }
+      const box = canvas.getBoundingClientRect(),
+        end = this.#isAtEnd((event.clientX - box.left) / box.width);
       from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
       canvas.style.cursor = end ? "ew-resize" : "grabbing";
     });
@@ -452,16 +638,33 @@ export class View {
 
   /** Without WebGL: the muscle from the side. */
   section() {
-    const { shape, show: { restLength, restRadius } } = this;
+    const {
+      shape,
+      show: { restLength, restRadius },
+    } = this;
     if (!shape) return;
-    const most = Math.max(1.3 * this.largest(), 10), angle = shape.arrays.strand_angle_deg[0];
-    const muscle = body({ length: shape.length_mm, diameter: 2 * restRadius, bulged: 2 * this.largest(), angle });
+    const most = Math.max(1.3 * this.largest(), 10),
+      angle = shape.arrays.strand_angle_deg[0];
+    const muscle = body({
+      length: shape.length_mm,
+      diameter: 2 * restRadius,
+      bulged: 2 * this.largest(),
+      angle,
+    });
     this.stage.querySelector("svg.section")?.remove();
     const box = `${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    this.stage.insertAdjacentHTML("afterbegin", `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" `
-      + `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`);
+    this.stage.insertAdjacentHTML(
+      "afterbegin",
+      `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" ` +
+        `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`,
+    );
     // Of a box that is fitted into the stage whole.
-    this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));
+    this.half =
+      0.5 *
+      Math.max(
+        1.2 * restLength,
+        (2 * most * this.width) / Math.max(1, this.height),
+      );
     this.drawn?.();
   }
 }

@@ -11,6 +11,9 @@ import { muscle } from "./muscle.js";
 export async function visit(page, words) {
   await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
   const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
-  if (to === location.hash) window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
+  if (to === location.hash)
+    window.dispatchEvent(
+      new PopStateEvent("popstate", { state: history.state }),
+    );
   else location.hash = to;
 }

@@ -16,10 +16,34 @@ import { candidate } from "./state.js";
 const seen = remembered("welcomed");
 /** @type {Field[]} */
 const WANTED = [
-  { key: "F", field: "force_n", label: "It pulls", kind: "force", value: "300 N" },
-  { key: "e", field: "contraction", label: "while it shortens by", kind: "ratio", value: "15 %" },
-  { key: "stroke", field: "stroke_mm", label: "or by a stroke of", kind: "length", hint: "40 mm" },
-  { key: "pmax", field: "max_pressure_mpa", label: "from a supply of", kind: "pressure", value: "2.5 bar" },
+  {
+    key: "F",
+    field: "force_n",
+    label: "It pulls",
+    kind: "force",
+    value: "300 N",
+  },
+  {
+    key: "e",
+    field: "contraction",
+    label: "while it shortens by",
+    kind: "ratio",
+    value: "15 %",
+  },
+  {
+    key: "stroke",
+    field: "stroke_mm",
+    label: "or by a stroke of",
+    kind: "length",
+    hint: "40 mm",
+  },
+  {
+    key: "pmax",
+    field: "max_pressure_mpa",
+    label: "from a supply of",
+    kind: "pressure",
+    value: "2.5 bar",
+  },
 ];
 
 /** @param {() => void} hide */
@@ -27,12 +51,20 @@ function question(hide) {
   const fields = form(WANTED, () => ask());
   const shown = candidatesView((one, request) => {
     hide();
-    location.hash = address("muscle", muscle.paramsOf(candidate(one, request, { p: one.pressure_mpa,
-      e: one.points[0].contraction })));
+    location.hash = address(
+      "muscle",
+      muscle.paramsOf(
+        candidate(one, request, {
+          p: one.pressure_mpa,
+          e: one.points[0].contraction,
+        }),
+      ),
+    );
   });
   let asking = 0;
   async function ask() {
-    const mine = ++asking, read = await fields.read();
+    const mine = ++asking,
+      read = await fields.read();
     if (!read || mine !== asking) return;
     if (read.stroke_mm) delete read.contraction;
     shown.ask(/** @type {Design["request"]} */ (read));
@@ -40,18 +72,41 @@ function question(hide) {
   // What each is.
   for (const [key, { row }] of fields.rows) {
     const svg = drawing(WANTED.find((f) => f.key === key)?.field);
-    if (svg) row.insertAdjacentHTML("afterbegin",
-      `<svg class="drawn" viewBox="0 0 240 120" aria-hidden="true">${svg()}</svg>`);
+    if (svg)
+      row.insertAdjacentHTML(
+        "afterbegin",
+        `<svg class="drawn" viewBox="0 0 240 120" aria-hidden="true">${svg()}</svg>`,
+      );
   }
   fields.element.addEventListener("input", () => setTimeout(ask, 300));
   const more = () => {
-    const texts = fields.texts(), of = Object.fromEntries(WANTED.map(({ key, value }) => [key, texts[key] || value]));
+    const texts = fields.texts(),
+      of = Object.fromEntries(
+        WANTED.map(({ key, value }) => [key, texts[key] || value]),
+      );
     location.hash = address("design", of);
   };
-  return { ask, element: el("div", { class: "question" }, el("h2", {}, "What must it pull?"), fields.element,
-    shown.element,
-    el("p", { class: "row" }, button("More wishes, all muscles and the map", more)),
-    el("details", { class: "small" }, el("summary", {}, "The narrowest in words"), shown.said)) };
+  return {
+    ask,
+    element: el(
+      "div",
+      { class: "question" },
+      el("h2", {}, "What must it pull?"),
+      fields.element,
+      shown.element,
+      el(
+        "p",
+        { class: "row" },
+        button("More wishes, all muscles and the map", more),
+      ),
+      el(
+        "details",
+        { class: "small" },
+        el("summary", {}, "The narrowest in words"),
+        shown.said,
+      ),
+    ),
+  };
 }
 
 /** @param {boolean} on the address is bare: somebody has just arrived */
@@ -59,26 +114,46 @@ export function welcome(on) {
   const box = byId("welcome");
   box.hidden = !on || Boolean(seen.get());
   if (box.hidden || box.childElementCount) return;
-  const hide = () => { box.hidden = true; };
+  const hide = () => {
+    box.hidden = true;
+  };
   const asked = question(hide);
   const go = (/** @type {string} */ page) => () => {
     hide();
     location.hash = `#${page}`;
   };
   box.append(
-    button("Hide this", () => {
-      hide();
-      seen.set("1");
-    }, { class: "hide" }),
+    button(
+      "Hide this",
+      () => {
+        hide();
+        seen.set("1");
+      },
+      { class: "hide" },
+    ),
     asked.element,
-    el("div", { class: "ways" }, el("h2", {}, "I have a muscle"),
-      el("p", { class: "row" }, button("Open a file or the library", openDialog),
-        button("Build it from parts", go("parts"))),
+    el(
+      "div",
+      { class: "ways" },
+      el("h2", {}, "I have a muscle"),
+      el(
+        "p",
+        { class: "row" },
+        button("Open a file or the library", openDialog),
+        button("Build it from parts", go("parts")),
+      ),
       gallery(noticeProblem, hide),
       el("h2", {}, "I have measurements"),
-      el("p", { class: "row" }, button("Pulls of a muscle", go("data")),
-        button("A test of a rubber", go("rubber")))));
+      el(
+        "p",
+        { class: "row" },
+        button("Pulls of a muscle", go("data")),
+        button("A test of a rubber", go("rubber")),
+      ),
+    ),
+  );
   // The engine of the search is loaded with the first question, where it is not a server's.
-  if (engine().files.length) asked.element.addEventListener("focusin", asked.ask, { once: true });
+  if (engine().files.length)
+    asked.element.addEventListener("focusin", asked.ask, { once: true });
   else setTimeout(asked.ask, 600);
 }

@@ -3,24 +3,37 @@
 import { kindInside, show, unitName } from "./units.js";
 
 /** A part as people call it: those of the reference muscle by their source. @param {string | null | undefined} name */
-export const partName = (name) => (name === "paper" ? "silicone (Antonelli 2018)" : name ?? "");
+export const partName = (name) =>
+  name === "paper" ? "silicone (Antonelli 2018)" : (name ?? "");
 /** The same of a braid. @param {string | null | undefined} name */
-export const braidName = (name) => (name === "paper" ? "braid (Antonelli 2018)" : name ?? "");
+export const braidName = (name) =>
+  name === "paper" ? "braid (Antonelli 2018)" : (name ?? "");
 
 /**
  * Fields and keys that the page calls otherwise than they are; those of measures are added.
  * @type {Record<string, string>}
  */
-const LABELS = { strand_diameter: "diameter of a strand", max_pressure_mpa: "pressure of the supply", force_n: "pull",
-  until_s: "end", extrapolate: "to answer outside of the model's range" };
+const LABELS = {
+  strand_diameter: "diameter of a strand",
+  max_pressure_mpa: "pressure of the supply",
+  force_n: "pull",
+  until_s: "end",
+  extrapolate: "to answer outside of the model's range",
+};
 /** A field without its unit. @param {string} field */
-const plain = (field) => field.replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "").replaceAll("_", " ");
+const plain = (field) =>
+  field
+    .replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "")
+    .replaceAll("_", " ");
 
 /** Names of measures, by field, key and key in its table. @param {readonly Measure[]} measures */
 export function learn(measures) {
   for (const { field, filed, label } of measures) {
-    const name = label.replace(/^[A-Z](?!oung)/, (letter) => letter.toLowerCase());
-    for (const key of [field, filed, filed?.split(".")[1]]) if (key) LABELS[key] ??= name;
+    const name = label.replace(/^[A-Z](?!oung)/, (letter) =>
+      letter.toLowerCase(),
+    );
+    for (const key of [field, filed, filed?.split(".")[1]])
+      if (key) LABELS[key] ??= name;
   }
 }
 
@@ -29,10 +42,19 @@ const worded = (word) => (/[._]/.test(word) && LABELS[word]) || word;
 /** A quantity in the unit that is shown. @param {string} _ @param {string} value @param {string} unit inside */
 function quantity(_, value, unit) {
   const kind = kindInside(unit);
-  return kind && unitName(kind) !== unit ? show(kind, Number(value)) : `${value} ${unit}`;
+  return kind && unitName(kind) !== unit
+    ? show(kind, Number(value))
+    : `${value} ${unit}`;
 }
 
 /** A sentence of the engine. @param {string} text */
 export const inWords = (text) =>
-  text.split("`").map((part, i) => (i % 2 ? LABELS[part] ?? plain(part) : part.replace(/\w[\w.]*\w/g, worded)))
-    .join("").replace(/([-\d.e]+)\u00a0([A-Za-z/]+)/g, quantity);
+  text
+    .split("`")
+    .map((part, i) =>
+      i % 2
+        ? (LABELS[part] ?? plain(part))
+        : part.replace(/\w[\w.]*\w/g, worded),
+    )
+    .join("")
+    .replace(/([-\d.e]+)\u00a0([A-Za-z/]+)/g, quantity);

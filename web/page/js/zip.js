@@ -16,7 +16,9 @@ export function crc32(bytes) {
 
 /** Numbers of 2 or 4 bytes, little-endian. @param {[size: 2 | 4, value: number][]} fields */
 function packed(fields) {
-  const out = new DataView(new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)));
+  const out = new DataView(
+    new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)),
+  );
   let at = 0;
   for (const [size, value] of fields) {
     if (size === 2) out.setUint16(at, value, true);
@@ -28,23 +30,54 @@ function packed(fields) {
 
 /** What both headers of an entry say; names are UTF-8, and the date is the first that ZIP has. */
 const common = (/** @type {Entry} */ { bytes }, /** @type {number} */ name) =>
-  /** @type {[2 | 4, number][]} */ ([[2, 20], [2, 0x0800], [2, 0], [2, 0], [2, 0x21], [4, crc32(bytes)],
-    [4, bytes.length], [4, bytes.length], [2, name], [2, 0]]);
+  /** @type {[2 | 4, number][]} */ ([
+    [2, 20],
+    [2, 0x0800],
+    [2, 0],
+    [2, 0],
+    [2, 0x21],
+    [4, crc32(bytes)],
+    [4, bytes.length],
+    [4, bytes.length],
+    [2, name],
+    [2, 0],
+  ]);
 
 /** @param {Entry[]} entries */
 export function zip(entries) {
-  /** @type {BlobPart[]} */ const parts = [], /** @type {BlobPart[]} */ list = [];
-  let at = 0, listed = 0;
+  /** @type {BlobPart[]} */ const parts = [],
+    /** @type {BlobPart[]} */ list = [];
+  let at = 0,
+    listed = 0;
   for (const entry of entries) {
-    const name = new TextEncoder().encode(entry.name), of = common(entry, name.length);
+    const name = new TextEncoder().encode(entry.name),
+      of = common(entry, name.length);
     const local = packed([[4, 0x04034b50], ...of]);
-    const central = packed([[4, 0x02014b50], [2, 20], ...of, [2, 0], [2, 0], [2, 0], [4, 0], [4, at]]);
+    const central = packed([
+      [4, 0x02014b50],
+      [2, 20],
+      ...of,
+      [2, 0],
+      [2, 0],
+      [2, 0],
+      [4, 0],
+      [4, at],
+    ]);
     parts.push(local, name, entry.bytes);
     list.push(central, name);
     at += local.byteLength + name.length + entry.bytes.length;
     listed += central.byteLength + name.length;
   }
   const count = entries.length;
-  const end = packed([[4, 0x06054b50], [2, 0], [2, 0], [2, count], [2, count], [4, listed], [4, at], [2, 0]]);
+  const end = packed([
+    [4, 0x06054b50],
+    [2, 0],
+    [2, 0],
+    [2, count],
+    [2, count],
+    [4, listed],
+    [4, at],
+    [2, 0],
+  ]);
   return new Blob([...parts, ...list, end], { type: "application/zip" });
 }

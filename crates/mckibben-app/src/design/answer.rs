@@ -5,13 +5,15 @@ use super::bundle::BundleAnswer;
 use super::remedies::RelaxationAnswer;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::{
-    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first, said_of,
-    words::braid_name, words::rubber_name,
+    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first,
+    said_of, words::braid_name, words::rubber_name,
 };
 use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
-use mckibben_design::{BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, tubes::rubbers};
+use mckibben_design::{
+    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, tubes::rubbers,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -20,7 +22,8 @@ use serde::Serialize;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
-    /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure, what limits it; none where nothing fits.
+    /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure,
+    /// what limits it; none where nothing fits.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub decision: Vec<String>,
     /// The model that all numbers come from.
@@ -53,14 +56,16 @@ pub struct DesignAnswer {
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement
-    /// (`guaranteed`); none where the same search finds none.
+    /// If none of the candidates is sure at a pressure that it may have: the best muscle whose
+    /// lower end of the ± meets the requirement (`guaranteed`); none where the same search finds
+    /// none.
     pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
     pub closest: Option<ClosestAnswer>,
     /// Of a bundle: what its muscles do together, by the best muscle.
     pub bundle: Option<BundleAnswer>,
-    /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
+    /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement.
+    /// Of a bundle: so many of them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bought: Vec<BoughtAnswer>,
     /// The figure, where one is wanted and something fits.
@@ -108,7 +113,8 @@ pub struct SearchedAnswer {
     pub braid: String,
     /// Length L0 of all muscles, mm, where it is not searched.
     pub length_mm: Option<f64>,
-    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure, where there is one.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed
+    /// pressure, where there is one.
     pub min_burst_margin: Option<f64>,
     /// Safety factor of the tube.
     pub min_tube_margin: Option<f64>,
@@ -116,7 +122,8 @@ pub struct SearchedAnswer {
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
     pub max_strand_strain: Option<f64>,
-    /// Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its lower end.
+    /// Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its
+    /// lower end.
     pub guaranteed: Option<f64>,
 }
 
@@ -139,7 +146,8 @@ pub struct CandidateAnswer {
     pub stiffness_n_per_mm: Option<f64>,
     /// Largest air per stroke over the points, normal litres; none with a liquid.
     pub air_normal_litres: Option<f64>,
-    /// Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
+    /// Largest liquid volume over the points that is pushed in from rest, measured at atmospheric
+    /// pressure, mm³.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
     /// Largest tension of one strand, N.
@@ -188,26 +196,43 @@ pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
-    /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
+    /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask
+    /// for least first.
     pub relaxations: Vec<RelaxationAnswer>,
     /// Contractions beyond every braid of the search, and the angle that reaches them.
     pub hint: Option<String>,
 }
 
 pub(super) fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
-    let name = if place == 0 { "winner.toml".to_owned() } else { format!("candidate-{}.toml", place + 1) };
-    TextFile { name, text: to_toml(&candidate.muscle) }
+    let name = if place == 0 {
+        "winner.toml".to_owned()
+    } else {
+        format!("candidate-{}.toml", place + 1)
+    };
+    TextFile {
+        name,
+        text: to_toml(&candidate.muscle),
+    }
 }
 
 impl DemandAnswer {
     pub(super) fn new(demand: &Demand) -> Self {
         match demand {
-            Demand::Points(points) => Self::Points { points: points.clone() },
-            &Demand::Load { way: Lift::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
-            &Demand::Load { way: Lift::Contraction(contraction), .. } => Self::Contraction { contraction },
-            Demand::Joint(joint) => {
-                Self::Joint { torques: joint.torques.clone(), radius_mm: joint.radius_mm }
-            }
+            Demand::Points(points) => Self::Points {
+                points: points.clone(),
+            },
+            &Demand::Load {
+                way: Lift::Stroke(stroke_mm),
+                ..
+            } => Self::Stroke { stroke_mm },
+            &Demand::Load {
+                way: Lift::Contraction(contraction),
+                ..
+            } => Self::Contraction { contraction },
+            Demand::Joint(joint) => Self::Joint {
+                torques: joint.torques.clone(),
+                radius_mm: joint.radius_mm,
+            },
         }
     }
 }
@@ -237,7 +262,11 @@ fn rubber_of(spec: &Spec) -> String {
         let (n, of) = (spec.tubes.len(), rubbers(&spec.tubes).join(", "));
         return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
     }
-    let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
+    let names: Vec<&str> = spec
+        .rubbers
+        .iter()
+        .filter_map(|rubber| rubber.name.as_deref())
+        .collect();
     match names[..] {
         [] => format!("rubber {}", rubber_name(&spec.base)),
         [one] => format!("rubber {one}"),
@@ -250,10 +279,17 @@ fn braid_of(spec: &Spec) -> String {
     let base = &spec.base;
     match (&spec.braid, base.braid().stiffness, base.braid().strands) {
         (BraidChoice::Sleeves(list), ..) => match &list[..] {
-            [one] => format!("sleeve {}", one.sleeve.as_ref().map_or("of the muscle file", |s| &s.name)),
+            [one] => format!(
+                "sleeve {}",
+                one.sleeve
+                    .as_ref()
+                    .map_or("of the muscle file", |s| &s.name)
+            ),
             _ => format!("{} sleeves", list.len()),
         },
-        (_, BraidStiffness::OfStrands, Some(strands)) => format!("braid of {} strands", strands.count),
+        (_, BraidStiffness::OfStrands, Some(strands)) => {
+            format!("braid of {} strands", strands.count)
+        }
         _ => format!("braid {}", braid_name(base)),
     }
 }
@@ -296,13 +332,20 @@ impl From<&Rejected> for RejectedAnswer {
     }
 }
 
-/// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
+/// What is said of a burst where nothing fits: that it was not checked, of strands whose strength
+/// is not stated.
 pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
-    let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.rejected.muscle));
-    missing.map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0)).unwrap_or_default()
+    let missing = outcome
+        .closest
+        .as_ref()
+        .and_then(|closest| Burst::missing(&closest.rejected.muscle));
+    missing
+        .map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0))
+        .unwrap_or_default()
 }
 
-/// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
+/// What the user should know of a candidate: of its burst pressure, of its muscle, and of its
+/// operating points.
 pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
@@ -327,17 +370,30 @@ pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
         _ => return None,
     };
     let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
-    let points = spec.wanted.points(spec.length_mm.as_ref().map_or(spec.base.length_mm(), |l| l.bounds().1));
+    let points = spec.wanted.points(
+        spec.length_mm
+            .as_ref()
+            .map_or(spec.base.length_mm(), |l| l.bounds().1),
+    );
     let wanted = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
     if wanted < most(smallest) || spec.wanted.extends() {
         return None;
     }
     let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
     let reach = if cos < 1.0 {
-        format!("{} needs one well below {}°", percent(wanted), number(cos.acos().to_degrees().floor(), 3))
+        format!(
+            "{} needs one well below {}°",
+            percent(wanted),
+            number(cos.acos().to_degrees().floor(), 3)
+        )
     } else {
         format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
     };
-    let (at, most) = (number(smallest, 4), percent((most(smallest) * 1e3).round() / 1e3));
-    Some(format!("A braid at {at}° contracts by {most} at most; {reach}."))
+    let (at, most) = (
+        number(smallest, 4),
+        percent((most(smallest) * 1e3).round() / 1e3),
+    );
+    Some(format!(
+        "A braid at {at}° contracts by {most} at most; {reach}."
+    ))
 }

@@ -1,9 +1,11 @@
-//! Would a muscle as sold do? Those of the library that have a product, held against the specification.
+//! Would a muscle as sold do? Those of the library that have a product, held against the
+//! specification.
 //!
-//! Such a muscle does where its pull less its ± (95 %, or the share that is guaranteed) meets every operating point by finite elements, at the
-//! supply's pressure or the highest of its bench where that is lower, and where bulged diameter and liquid volume meet the limits of the specification. Its
-//! length is the one that the specification states, since such muscles are cut to length; else that of the bench. Burst, strands and rubber are its
-//! seller's matter: they are not checked.
+//! Such a muscle does where its pull less its ± (95 %, or the share that is guaranteed) meets every
+//! operating point by finite elements, at the supply's pressure or the highest of its bench where
+//! that is lower, and where bulged diameter and liquid volume meet the limits of the specification.
+//! Its length is the one that the specification states, since such muscles are cut to length; else
+//! that of the bench. Burst, strands and rubber are its seller's matter: they are not checked.
 
 use super::request::{Choice, DesignRequest};
 use crate::model::Model;
@@ -51,7 +53,11 @@ pub(super) fn bought(request: &DesignRequest, spec: &Spec) -> Vec<BoughtAnswer> 
         .filter_map(|(case, muscle)| {
             let product = case.facts.product.clone()?;
             let name = format!("{PREFIX}{}", case.facts.name);
-            one(request, spec, muscle).map(|answer| BoughtAnswer { name, product, ..answer })
+            one(request, spec, muscle).map(|answer| BoughtAnswer {
+                name,
+                product,
+                ..answer
+            })
         })
         .collect();
     found.sort_by(|a, b| a.outer_diameter_mm.total_cmp(&b.outer_diameter_mm));
@@ -86,7 +92,9 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
     };
     let all: Vec<(OperatingPoint, f64, f64)> = points.iter().map(&mut at).collect::<Option<_>>()?;
     let spare = |(q, force_n, half): &(OperatingPoint, f64, f64)| (force_n - half) / q.force_n;
-    let (wanted, force_n, uncertainty_n) = all.into_iter().min_by(|a, b| spare(a).total_cmp(&spare(b)))?;
+    let (wanted, force_n, uncertainty_n) = all
+        .into_iter()
+        .min_by(|a, b| spare(a).total_cmp(&spare(b)))?;
     Some(BoughtAnswer {
         name: String::new(),
         product: String::new(),
@@ -99,17 +107,23 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
     })
 }
 
-/// The muscle cut to the length that is stated; `None` where its own lies outside of the lengths that are searched.
+/// The muscle cut to the length that is stated; `None` where its own lies outside of the lengths
+/// that are searched.
 fn of_length(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
-        return (low..=high).contains(&muscle.length_mm()).then(|| muscle.clone());
+        return (low..=high)
+            .contains(&muscle.length_mm())
+            .then(|| muscle.clone());
     }
     let stated = matches!(request.length_mm, Some(Choice::One(_))) || request.stroke_mm.is_some();
     if !stated || spec.base.length_mm() == muscle.length_mm() {
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.
-    let tube = Tube { length_mm: spec.base.length_mm(), ..muscle.tube().clone() };
+    let tube = Tube {
+        length_mm: spec.base.length_mm(),
+        ..muscle.tube().clone()
+    };
     muscle.with_tube(tube).ok()
 }

@@ -19,9 +19,11 @@ pub struct BundleAnswer {
     pub envelope_mm: Option<f64>,
     /// Width of all in one flat row at the largest bulged diameter, mm.
     pub row_mm: Option<f64>,
-    /// Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the bulged diameter.
+    /// Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the
+    /// bulged diameter.
     pub pitch_mm: Option<f64>,
-    /// Contraction at which neighbours touch at that distance and the pressure of the supply; none where they do not.
+    /// Contraction at which neighbours touch at that distance and the pressure of the supply; none
+    /// where they do not.
     pub touch_contraction: Option<f64>,
     /// The operating points of all together.
     pub points: Vec<BundlePoint>,
@@ -38,7 +40,8 @@ pub struct BundlePoint {
     pub wanted: OperatingPoint,
     /// Pull at the pressure of the supply, N.
     pub force_at_max_pressure_n: f64,
-    /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
+    /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so
+    /// many times that of one.
     pub uncertainty_n: Option<f64>,
     /// Air from rest to the point, normal litres; none with a liquid.
     pub air_normal_litres: Option<f64>,
@@ -60,8 +63,13 @@ impl DesignRequest {
             &pitch,
             "it is the distance of neighbours in a `count` of two muscles or more",
         )?;
-        for (field, value) in [("max_envelope_mm", self.max_envelope_mm), ("pitch_mm", self.pitch_mm)] {
-            value.map(|mm| above_zero(ProblemKind::Specification, field, mm)).transpose()?;
+        for (field, value) in [
+            ("max_envelope_mm", self.max_envelope_mm),
+            ("pitch_mm", self.pitch_mm),
+        ] {
+            value
+                .map(|mm| above_zero(ProblemKind::Specification, field, mm))
+                .transpose()?;
         }
         Ok(count)
     }
@@ -71,7 +79,8 @@ impl DesignRequest {
         Ok(wanted.times(1.0 / f64::from(self.count()?)))
     }
 
-    /// The largest bulged diameter of one muscle in mm: its own limit, and its share of the envelope.
+    /// The largest bulged diameter of one muscle in mm: its own limit, and its share of the
+    /// envelope.
     pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>> {
         let share = envelope_ratio(self.count()?);
         let of_envelope = self.max_envelope_mm.map(|mm| mm / share);
@@ -90,11 +99,17 @@ impl BundleAnswer {
     /// That neighbours touch before the largest contraction that is wanted.
     pub(super) fn warning(&self) -> Option<Warning> {
         let touch = self.touch_contraction?;
-        let largest = self.points.iter().map(|q| q.wanted.contraction).fold(0.0, f64::max);
+        let largest = self
+            .points
+            .iter()
+            .map(|q| q.wanted.contraction)
+            .fold(0.0, f64::max);
         (touch < largest - 1e-6).then(|| {
             let (touch, largest) = (percent(touch), percent(largest));
             Warning::from(format!(
-                "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and {largest} is required: beyond that they press on each other, which is not computed"
+                "neighbours of the bundle touch from a contraction of {touch} at the maximum \
+                 pressure, and {largest} is required: beyond that they press on each other, which \
+                 is not computed"
             ))
         })
     }
@@ -109,13 +124,27 @@ pub(super) fn of_winner(
     let (winner, muscles) = (winner?, request.count?);
     let (ratio, count) = (envelope_ratio(muscles), f64::from(muscles));
     let bulged = winner.bulged_diameter_mm();
-    let pitch_mm = request.pitch_mm.or(request.max_envelope_mm.map(|mm| mm / ratio)).or(bulged);
+    let pitch_mm = request
+        .pitch_mm
+        .or(request.max_envelope_mm.map(|mm| mm / ratio))
+        .or(bulged);
     let model = build(&winner.muscle).ok();
-    let touch = model.zip(pitch_mm).filter(|_| muscles > 1).and_then(|(model, pitch)| {
-        touches_at(&*model, &mut Workspace::new(), winner.highest_pressure_mpa, pitch)
-    });
+    let touch = model
+        .zip(pitch_mm)
+        .filter(|_| muscles > 1)
+        .and_then(|(model, pitch)| {
+            touches_at(
+                &*model,
+                &mut Workspace::new(),
+                winner.highest_pressure_mpa,
+                pitch,
+            )
+        });
     let point = |q: &CandidatePoint| BundlePoint {
-        wanted: OperatingPoint { force_n: count * q.wanted.force_n, ..q.wanted },
+        wanted: OperatingPoint {
+            force_n: count * q.wanted.force_n,
+            ..q.wanted
+        },
         force_at_max_pressure_n: count * q.force_at_max_pressure_n,
         uncertainty_n: q.uncertainty_n.map(|n| count * n),
         air_normal_litres: q.air_normal_litres.map(|litres| count * litres),

@@ -1,4 +1,5 @@
-//! The decision: what to take, which pressure to set, what it pulls, what is sure, and what limits it.
+//! The decision: what to take, which pressure to set, what it pulls, what is sure, and what limits
+//! it.
 
 use super::CandidateAnswer;
 use crate::words::within;
@@ -20,8 +21,16 @@ pub(super) struct Decision<'a> {
 impl Decision<'_> {
     /// The lines; none where nothing fits. Each begins with its verb.
     pub(super) fn lines(&self) -> Vec<String> {
-        let Some(first) = self.candidates.first() else { return vec![] };
-        vec![self.take(first), set(first), self.pulls(first), self.sure(first), limit(first)]
+        let Some(first) = self.candidates.first() else {
+            return vec![];
+        };
+        vec![
+            self.take(first),
+            set(first),
+            self.pulls(first),
+            self.sure(first),
+            limit(first),
+        ]
     }
 
     fn take(&self, first: &Candidate) -> String {
@@ -31,8 +40,13 @@ impl Decision<'_> {
             String::new()
         };
         let length = show(Dimension::Length, first.muscle.length_mm());
-        let assumed = self.length_by.map_or_else(String::new, |by| format!(" (assumed: {by})"));
-        let mut take = format!("Take {many}{}, {length} between the terminals{assumed}", parts(first));
+        let assumed = self
+            .length_by
+            .map_or_else(String::new, |by| format!(" (assumed: {by})"));
+        let mut take = format!(
+            "Take {many}{}, {length} between the terminals{assumed}",
+            parts(first)
+        );
         if let Demand::Joint(joint) = &self.spec.wanted {
             let radius = Units::default().show(Dimension::Length, joint.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
@@ -44,8 +58,13 @@ impl Decision<'_> {
         let point = |q: &mckibben_design::CandidatePoint| {
             let wanted_n = q.response.force_n;
             let range = q.uncertainty_n.map(|half| {
-                let [low, high] = [wanted_n - half, wanted_n + half]
-                    .map(|n| if n * wanted_n > 0.0 { within(n, half) } else { "0".into() });
+                let [low, high] = [wanted_n - half, wanted_n + half].map(|n| {
+                    if n * wanted_n > 0.0 {
+                        within(n, half)
+                    } else {
+                        "0".into()
+                    }
+                });
                 format!(" ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
             });
             format!(
@@ -57,7 +76,9 @@ impl Decision<'_> {
         };
         let points: Vec<String> = first.points.iter().map(point).collect();
         let facts = [
-            first.bulged_diameter_mm().map(|mm| format!("{}\u{a0}mm wide", number(mm, 3))),
+            first
+                .bulged_diameter_mm()
+                .map(|mm| format!("{}\u{a0}mm wide", number(mm, 3))),
             first.muscle.mass_g().map(|g| format!("{} g", number(g, 3))),
             first
                 .largest(|q| q.air_normal_litres)
@@ -68,8 +89,16 @@ impl Decision<'_> {
         ];
         let facts: Vec<String> = facts.into_iter().flatten().collect();
         let each = if self.spec.count > 1 { "each " } else { "" };
-        let way = if self.spec.options().direction.is_mean() { "" } else { " while it shortens" };
-        format!("Pulls {each}{}{way}; {}", points.join(", "), facts.join(", "))
+        let way = if self.spec.options().direction.is_mean() {
+            ""
+        } else {
+            " while it shortens"
+        };
+        format!(
+            "Pulls {each}{}{way}; {}",
+            points.join(", "),
+            facts.join(", ")
+        )
     }
 
     fn sure(&self, first: &Candidate) -> String {
@@ -78,12 +107,21 @@ impl Decision<'_> {
         if self.spec.guaranteed.is_some() {
             return format!("Sure to {share}: the lower end of the ± meets what is required");
         }
-        let sure = self.candidates.iter().find_map(|c| Some((c, c.sure_pressure_mpa?)));
+        let sure = self
+            .candidates
+            .iter()
+            .find_map(|c| Some((c, c.sure_pressure_mpa?)));
         match (sure, self.to_be_sure) {
-            (Some((c, p)), _) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
+            (Some((c, p)), _) if c.muscle == first.muscle => {
+                format!("Sure to {share} at {}", mpa(p))
+            }
             (Some((c, p)), _) => format!("Sure to {share}: {} at {}", parts(c), mpa(p)),
             (None, Some(sure)) => {
-                format!("Sure to {share}: {} at {}", parts(&sure.candidate), mpa(sure.candidate.pressure_mpa))
+                format!(
+                    "Sure to {share}: {} at {}",
+                    parts(&sure.candidate),
+                    mpa(sure.candidate.pressure_mpa)
+                )
             }
             (None, None) => format!("Sure to {share}: no muscle of this search"),
         }
@@ -97,10 +135,16 @@ fn show(kind: Dimension, value: f64) -> String {
 /// The tube and the sleeve.
 fn parts(c: &Candidate) -> String {
     let m = &c.muscle;
-    let [bore, outer] =
-        [m.outer_diameter_mm() - 2.0 * m.wall_mm(), m.outer_diameter_mm()].map(|mm| number(mm, 4));
+    let [bore, outer] = [
+        m.outer_diameter_mm() - 2.0 * m.wall_mm(),
+        m.outer_diameter_mm(),
+    ]
+    .map(|mm| number(mm, 4));
     let rubber = crate::words::rubber_name(m);
-    let name = c.tube.as_ref().map_or_else(String::new, |name| format!(" ({name})"));
+    let name = c
+        .tube
+        .as_ref()
+        .map_or_else(String::new, |name| format!(" ({name})"));
     let sleeve = match &m.braid().sleeve {
         Some(sleeve) => format!("sleeve {}", sleeve.name),
         None => format!("braid at {}°", number(m.braid().angle_deg, 4)),
@@ -116,7 +160,8 @@ fn set(first: &Candidate) -> String {
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
     let most_mpa = rounded(highest_mpa, 4, f64::floor);
     let at_most = |p: f64| Units::default().show(Dimension::Pressure, p.min(most_mpa));
-    let [set, relief] = [set_mpa, relief_mpa(set_mpa, highest_mpa)].map(|p| at_most(tidy(p, digits)));
+    let [set, relief] =
+        [set_mpa, relief_mpa(set_mpa, highest_mpa)].map(|p| at_most(tidy(p, digits)));
     match first.below {
         None => format!("Set {set}, relief valve at {relief}"),
         Some(below) => format!(
@@ -137,7 +182,11 @@ fn limit(first: &Candidate) -> String {
         Limit::LiquidVolume => "the largest liquid volume",
     };
     let one = |(limit, share): &(Limit, f64)| {
-        format!("{}, {} to spare", name(*limit), percent((1e3 * share).floor() / 1e3))
+        format!(
+            "{}, {} to spare",
+            name(*limit),
+            percent((1e3 * share).floor() / 1e3)
+        )
     };
     let all: Vec<String> = first.spare.iter().take(2).map(one).collect();
     format!("Limit {}", all.join("; next: "))

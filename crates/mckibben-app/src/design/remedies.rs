@@ -9,7 +9,8 @@ use mckibben::progress::Progress;
 use mckibben::sleeve::library;
 use mckibben::units::{Dimension, rounded};
 use mckibben_design::{
-    BraidChoice, Build, Closest, Demand, Lift, Models, OperatingPoint, Relaxation, Spec, design_with, fits,
+    BraidChoice, Build, Closest, Demand, Lift, Models, OperatingPoint, Relaxation, Spec,
+    design_with, fits,
 };
 use mckibben_design::{bundle::envelope_ratio, tubes::cast_of};
 use schemars::JsonSchema;
@@ -26,17 +27,24 @@ pub struct RelaxationAnswer {
 }
 
 impl RelaxationAnswer {
-    /// Of a specification, where a stroke may set the contraction, in the numbers of its request: of all muscles together, and of the circle around them.
+    /// Of a specification, where a stroke may set the contraction, in the numbers of its request:
+    /// of all muscles together, and of the circle around them.
     pub(super) fn new(change: Relaxation, spec: &Spec, request: &DesignRequest) -> Self {
-        let mut text = text(&change, spec, request.max_envelope_mm.map(|_| envelope_ratio(spec.count)));
+        let mut text = text(
+            &change,
+            spec,
+            request.max_envelope_mm.map(|_| envelope_ratio(spec.count)),
+        );
         let stroke = (request.stroke_mm, request.contraction);
         if let (Relaxation::Contraction { share, .. }, (Some(_), None)) = (&change, stroke) {
             let mm = (spec.base.length_mm() / share).ceil();
             text += &format!("; or keep the stroke with a length of {mm}\u{a0}mm");
         }
         if let Demand::Joint(joint) = &spec.wanted {
-            text +=
-                &format!(", with a pulley of radius {}\u{a0}mm (`radius_mm`)", number(joint.radius_mm, 5));
+            text += &format!(
+                ", with a pulley of radius {}\u{a0}mm (`radius_mm`)",
+                number(joint.radius_mm, 5)
+            );
         }
         Self { change, text }
     }
@@ -49,11 +57,13 @@ const SIZES: (f64, f64) = (2.0, 80.0);
 const RATIO: f64 = 1.15;
 /// Rubbers of which tubes are cast by hand, where another one is looked for.
 const CAST: [&str; 2] = ["ecoflex-00-50", "dragon-skin-10-medium"];
-/// Factors on the stiffness of strands that are looked at, and halvings between 1 and the first that does.
+/// Factors on the stiffness of strands that are looked at, and halvings between 1 and the first
+/// that does.
 const STIFFER: [f64; 4] = [1.5, 2.5, 5.0, 10.0];
 const HALVINGS: usize = 6;
 
-/// Other parts with which a muscle fits: a sleeve of another size, a tube of another rubber, stiffer strands. Not of a joint, whose search takes longer.
+/// Other parts with which a muscle fits: a sleeve of another size, a tube of another rubber,
+/// stiffer strands. Not of a joint, whose search takes longer.
 pub(super) fn of_parts(
     request: &DesignRequest,
     spec: &Spec,
@@ -62,34 +72,60 @@ pub(super) fn of_parts(
     progress: &dyn Progress,
 ) -> Vec<Relaxation> {
     if assumed::is_paper(spec) {
-        return stiffer(spec, models.decides(), &closest.rejected.muscle).into_iter().collect();
+        return stiffer(spec, models.decides(), &closest.rejected.muscle)
+            .into_iter()
+            .collect();
     }
     if spec.tubes.is_empty() || matches!(spec.wanted, Demand::Joint(_)) {
         return vec![];
     }
     let search = |other: Spec| {
-        design_with(&Spec { top: 1, ..other }, models, progress).ok()?.candidates.into_iter().next()
+        design_with(&Spec { top: 1, ..other }, models, progress)
+            .ok()?
+            .candidates
+            .into_iter()
+            .next()
     };
-    let sizes = std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
+    let sizes =
+        std::iter::successors(Some(SIZES.0), |d| Some(d * RATIO)).take_while(|d| *d <= SIZES.1);
     let sized = |least_mm: f64| {
         let least_mm = (10.0 * least_mm).round() / 10.0;
-        library::between("pet", least_mm, EXPANDS * least_mm).ok()?.on(least_mm).ok()
+        library::between("pet", least_mm, EXPANDS * least_mm)
+            .ok()?
+            .on(least_mm)
+            .ok()
     };
     let sleeve = || {
-        let best =
-            search(Spec { braid: BraidChoice::Sleeves(sizes.filter_map(sized).collect()), ..spec.clone() })?;
+        let best = search(Spec {
+            braid: BraidChoice::Sleeves(sizes.filter_map(sized).collect()),
+            ..spec.clone()
+        })?;
         let sleeve = best.muscle.braid().sleeve.as_ref()?.name.clone();
-        Some(Relaxation::Sleeve { sleeve, tube: best.tube })
+        Some(Relaxation::Sleeve {
+            sleeve,
+            tube: best.tube,
+        })
     };
     let rubber = || {
-        let cast = CAST.into_iter().filter_map(|name| cast_of(name).ok()).flatten().collect();
-        let best = search(Spec { tubes: cast, ..spec.clone() })?;
-        Some(Relaxation::Rubber { rubber: best.muscle.tube().rubber.name.clone()?, tube: best.tube? })
+        let cast = CAST
+            .into_iter()
+            .filter_map(|name| cast_of(name).ok())
+            .flatten()
+            .collect();
+        let best = search(Spec {
+            tubes: cast,
+            ..spec.clone()
+        })?;
+        Some(Relaxation::Rubber {
+            rubber: best.muscle.tube().rubber.name.clone()?,
+            tube: best.tube?,
+        })
     };
     let free_sleeve = request.braids.is_empty().then(sleeve).flatten();
-    let free_rubber = (request.tubes.is_empty() && request.rubbers.is_empty() && request.parts.is_none())
-        .then(rubber)
-        .flatten();
+    let free_rubber =
+        (request.tubes.is_empty() && request.rubbers.is_empty() && request.parts.is_none())
+            .then(rubber)
+            .flatten();
     free_sleeve.into_iter().chain(free_rubber).collect()
 }
 
@@ -97,13 +133,19 @@ pub(super) fn of_parts(
 fn stiffer(spec: &Spec, decide: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
     let paper = muscle.family_stiffness_n_per_mm()?;
     let does = |factor: f64| {
-        let braid =
-            Braid { stiffness: BraidStiffness::NewtonPerMm(factor * paper), ..muscle.braid().clone() };
-        muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, decide, &stiff))
+        let braid = Braid {
+            stiffness: BraidStiffness::NewtonPerMm(factor * paper),
+            ..muscle.braid().clone()
+        };
+        muscle
+            .with_braid(braid)
+            .is_ok_and(|stiff| fits(spec, decide, &stiff))
     };
     let high = STIFFER.into_iter().find(|&factor| does(factor))?;
     let (_, high) = bisect(1.0, high, HALVINGS, |factor| !does(factor));
-    Some(Relaxation::Stiffness { family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()? })
+    Some(Relaxation::Stiffness {
+        family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()?,
+    })
 }
 
 /// With the ratio of the circle around them where that is limited.
@@ -112,33 +154,69 @@ fn text(change: &Relaxation, spec: &Spec, envelope_ratio: Option<f64>) -> String
     let show = |kind, value| Units::default().show(kind, value);
     let points = |points: &[OperatingPoint]| {
         let one = |q: &OperatingPoint| {
-            format!("{} at {}", show(Dimension::Force, count * q.force_n), percent(q.contraction))
+            format!(
+                "{} at {}",
+                show(Dimension::Force, count * q.force_n),
+                percent(q.contraction)
+            )
         };
         points.iter().map(one).collect::<Vec<_>>().join(" and ")
     };
     match change {
-        Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
-            let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
-            format!("raise the supply to {}{far}", show(Dimension::Pressure, *pressure_mpa))
+        Relaxation::MaxPressure {
+            pressure_mpa,
+            extrapolated,
+        } => {
+            let far = if *extrapolated {
+                " (extrapolated: outside of the model's range)"
+            } else {
+                ""
+            };
+            format!(
+                "raise the supply to {}{far}",
+                show(Dimension::Pressure, *pressure_mpa)
+            )
         }
-        Relaxation::Force { points: list, share } => match wanted {
+        Relaxation::Force {
+            points: list,
+            share,
+        } => match wanted {
             Demand::Points(_) => format!("reduce the pull to {}", points(list)),
             Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
             Demand::Joint(joint) => {
                 let torques = joint.torques.iter().map(|t| {
-                    format!("{} N m at ±{}°", number(count * share * t.torque_nm, 5), number(t.angle_deg, 4))
+                    format!(
+                        "{} N m at ±{}°",
+                        number(count * share * t.torque_nm, 5),
+                        number(t.angle_deg, 4)
+                    )
                 });
-                format!("reduce the torque to {}", torques.collect::<Vec<_>>().join(" and "))
+                format!(
+                    "reduce the torque to {}",
+                    torques.collect::<Vec<_>>().join(" and ")
+                )
             }
         },
-        Relaxation::Contraction { points: list, share } => match wanted {
-            Demand::Load { way: Lift::Stroke(stroke_mm), .. } => {
-                format!("reduce the stroke to {}", show(Dimension::Length, share * stroke_mm))
+        Relaxation::Contraction {
+            points: list,
+            share,
+        } => match wanted {
+            Demand::Load {
+                way: Lift::Stroke(stroke_mm),
+                ..
+            } => {
+                format!(
+                    "reduce the stroke to {}",
+                    show(Dimension::Length, share * stroke_mm)
+                )
             }
             _ => format!("reduce the contraction: {}", points(list)),
         },
         Relaxation::OuterDiameter { outer_diameter_mm } => {
-            format!("take an outer diameter of {}", show(Dimension::Length, *outer_diameter_mm))
+            format!(
+                "take an outer diameter of {}",
+                show(Dimension::Length, *outer_diameter_mm)
+            )
         }
         Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
             let envelope = |ratio| {
@@ -146,30 +224,45 @@ fn text(change: &Relaxation, spec: &Spec, envelope_ratio: Option<f64>) -> String
                 format!(" (an envelope of {})", show(Dimension::Length, mm))
             };
             let envelope = envelope_ratio.map(envelope).unwrap_or_default();
-            format!("allow a bulged diameter of {}{envelope}", show(Dimension::Length, *bulged_diameter_mm))
+            format!(
+                "allow a bulged diameter of {}{envelope}",
+                show(Dimension::Length, *bulged_diameter_mm)
+            )
         }
         Relaxation::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
         Relaxation::MaxStrandStrain { strand_strain } => {
             format!("allow a strand strain of {}", percent(*strand_strain))
         }
-        Relaxation::MinBurstMargin { burst_margin } => format!("reduce the safety factor to {burst_margin}"),
+        Relaxation::MinBurstMargin { burst_margin } => {
+            format!("reduce the safety factor to {burst_margin}")
+        }
         Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (`guided`)".into(),
         Relaxation::MaxLiquidVolume { liquid_volume_mm3 } => {
-            format!("provide {} mL of liquid for each muscle", number(1e-3 * liquid_volume_mm3, 3))
+            format!(
+                "provide {} mL of liquid for each muscle",
+                number(1e-3 * liquid_volume_mm3, 3)
+            )
         }
         Relaxation::Sleeve { sleeve, tube } => {
-            let tube = tube.as_ref().map_or_else(String::new, |tube| format!(" with the tube {tube}"));
+            let tube = tube
+                .as_ref()
+                .map_or_else(String::new, |tube| format!(" with the tube {tube}"));
             format!("take another sleeve, {sleeve} (polyester that expands so far){tube}")
         }
         Relaxation::Rubber { tube, .. } => format!("cast the tube of another rubber: {tube}"),
-        Relaxation::Stiffness { family_stiffness_n_per_mm: k } => {
+        Relaxation::Stiffness {
+            family_stiffness_n_per_mm: k,
+        } => {
             format!(
-                "take a stiffer sleeve: {} N/mm of one strand family (`braids`, `stiffness`, or a muscle file with strands)",
+                "take a stiffer sleeve: {} N/mm of one strand family (`braids`, `stiffness`, or a \
+                 muscle file with strands)",
                 number(*k, 3)
             )
         }
         Relaxation::Together { changes } => {
-            let all = changes.iter().map(|change| text(change, spec, envelope_ratio));
+            let all = changes
+                .iter()
+                .map(|change| text(change, spec, envelope_ratio));
             all.collect::<Vec<_>>().join(", and together with that ")
         }
     }

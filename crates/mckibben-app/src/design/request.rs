@@ -5,7 +5,8 @@ use super::{ModelPolicy, near_the_box};
 use crate::parts::{sleeve_entries, unread, users_tubes};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
-    ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
+    ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber,
+    sleeve,
 };
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
@@ -13,14 +14,16 @@ use mckibben::sleeve::SleeveEntry;
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec, VALIDATED_STRAND_STRAIN,
+    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec,
+    VALIDATED_STRAND_STRAIN,
 };
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
-/// A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
+/// A specification: required pulls at contractions with a maximum pressure. All other fields have a
+/// default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct DesignRequest {
@@ -33,13 +36,16 @@ pub struct DesignRequest {
     /// A load to lift over the stroke, or to the contraction, instead of a pull.
     #[serde(flatten)]
     pub load: LoadFields,
-    /// Required torques of a joint with two equal opposed muscles on a pulley, instead of operating points.
+    /// Required torques of a joint with two equal opposed muscles on a pulley, instead of operating
+    /// points.
     pub torques: Vec<TorqueWanted>,
-    /// Largest angle of the joint to either side of the neutral angle, degrees; default: the largest of `torques`.
+    /// Largest angle of the joint to either side of the neutral angle, degrees; default: the
+    /// largest of `torques`.
     pub largest_angle_deg: Option<f64>,
     /// Radii of the pulley, mm; default: searched.
     pub radius_mm: Option<Choice>,
-    /// Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
+    /// Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure
+    /// or its own allowed one, whichever is lower.
     pub max_pressure_mpa: Option<f64>,
     /// A liquid in the place of air.
     #[serde(flatten)]
@@ -48,37 +54,45 @@ pub struct DesignRequest {
     pub stroke_mm: Option<f64>,
     /// Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
     pub max_bulged_diameter_mm: Option<f64>,
-    /// Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or pump gives; of a bundle to all its muscles
-    /// together. It needs `liquid`.
+    /// Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or
+    /// pump gives; of a bundle to all its muscles together. It needs `liquid`.
     pub max_liquid_volume_mm3: Option<f64>,
     /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
     pub count: Option<u32>,
     /// Largest diameter of the circle around all muscles at the operating points, mm.
     pub max_envelope_mm: Option<f64>,
-    /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
+    /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest
+    /// envelope, or the bulged diameter.
     pub pitch_mm: Option<f64>,
-    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure; default 4; 0 for none.
+    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed
+    /// pressure; default 4; 0 for none.
     pub min_burst_margin: Option<f64>,
-    /// Safety factor of the tube, which leaks where it fails; default: half of that of strands and clamps.
+    /// Safety factor of the tube, which leaks where it fails; default: half of that of strands and
+    /// clamps.
     pub min_tube_margin: Option<f64>,
-    /// Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data
-    /// behind the rubber's law.
+    /// Largest stretch of the rubber at the operating points (2 means twice its length); default:
+    /// the largest stretch of the data behind the rubber's law.
     pub max_stretch: Option<f64>,
-    /// Largest strain of the strands, not shortened and at the operating points; it bounds the pressure of the muscle; default 0.06,
-    /// the validated range.
+    /// Largest strain of the strands, not shortened and at the operating points; it bounds the
+    /// pressure of the muscle; default 0.06, the validated range.
     pub max_strand_strain: Option<f64>,
     /// The muscle is guided on its way, so that it cannot buckle under its push.
     pub guided: bool,
-    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
+    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of
+    /// the lower end of the ±.
     pub guaranteed: Option<f64>,
     /// Quantity to rank by.
     pub objective: ObjectiveWord,
-    /// Muscle file (TOML) for all values that are not searched; the other fields override it. With it diameters and walls are free.
+    /// Muscle file (TOML) for all values that are not searched; the other fields override it. With
+    /// it diameters and walls are free.
     pub muscle: Option<TextFile>,
-    /// Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So
-    /// does any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
+    /// Search free diameters and walls with the rubber and the braid of the paper, or those that
+    /// are given, instead of tubes and sleeves as sold. So does any of `muscle`,
+    /// `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
     pub continuous: bool,
-    /// Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each of `rubbers`; default: all that are sold, and those that can be cast of `dragon-skin-30` or of `rubbers`.
+    /// Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each
+    /// of `rubbers`; default: all that are sold, and those that can be cast of `dragon-skin-30` or
+    /// of `rubbers`.
     pub tubes: Vec<String>,
     /// Tubes and sleeves of your own (TOML, as the catalogues), in place of those of the catalogue.
     pub parts: Option<TextFile>,
@@ -90,7 +104,8 @@ pub struct DesignRequest {
     pub angle_deg: Option<Choice>,
     /// Sleeves on sale, by strand length per turn, mm; the tube diameter then sets the angle.
     pub strand_length_per_turn_mm: Vec<f64>,
-    /// Named sleeves; the diameter then sets the angle and, where the strands are known, the stiffness.
+    /// Named sleeves; the diameter then sets the angle and, where the strands are known, the
+    /// stiffness.
     pub braids: Vec<String>,
     /// Diameter of a strand of the named sleeves, mm, where they do not state it.
     pub strand_diameter_mm: Option<f64>,
@@ -115,7 +130,10 @@ pub struct DesignRequest {
 
 /// Values to search through: one, several, or all between two.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged, expecting = "a number, a list of numbers, or `low` and `high` are expected")]
+#[serde(
+    untagged,
+    expecting = "a number, a list of numbers, or `low` and `high` are expected"
+)]
 pub enum Choice {
     /// One value.
     One(f64),
@@ -138,7 +156,8 @@ pub(super) struct Search {
     pub(super) radius_mm: Option<Values>,
 }
 
-/// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It bounds the radii of a joint's pulley.
+/// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It
+/// bounds the radii of a joint's pulley.
 const LARGEST_CONTRACTION: f64 = 0.42;
 /// Contraction at which a muscle of a common braid still pulls with half of its blocked force.
 const USUAL_CONTRACTION: f64 = 0.15;
@@ -156,7 +175,10 @@ impl DesignRequest {
         let (base, wanted, radius_mm) = self.demand()?;
         let wanted = self.share(&wanted)?;
         let extends = wanted.extends();
-        let max_pressure_mpa = finite("max_pressure_mpa", self.max_pressure_mpa.unwrap_or(SUPPLY_MPA))?;
+        let max_pressure_mpa = finite(
+            "max_pressure_mpa",
+            self.max_pressure_mpa.unwrap_or(SUPPLY_MPA),
+        )?;
         let model = Model::choose(&self.model)?;
         let sections = model.sections();
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
@@ -166,19 +188,31 @@ impl DesignRequest {
             None if extends => Some(("thick-wall", |_| true)),
             None => Some(("universal", near_the_box)),
         };
-        let named = |(name, good)| Ok::<_, Problem>((Model::named(name, &[], &MeshFields::default())?, good));
-        let policy = ModelPolicy { quick: quick.map(named).transpose()?, model };
+        let named = |(name, good)| {
+            Ok::<_, Problem>((Model::named(name, &[], &MeshFields::default())?, good))
+        };
+        let policy = ModelPolicy {
+            quick: quick.map(named).transpose()?,
+            model,
+        };
         let free = self.free_sizes(sections.is_some(), extends);
         let tubes = match free {
             None => self.tubes()?,
             Some(by) => {
-                let named = [("tubes", !self.tubes.is_empty()), ("parts", self.parts.is_some())];
+                let named = [
+                    ("tubes", !self.tubes.is_empty()),
+                    ("parts", self.parts.is_some()),
+                ];
                 Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
                 vec![]
             }
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
-        let braid = match (&self.strand_length_per_turn_mm[..], &sleeves[..], &self.angle_deg) {
+        let braid = match (
+            &self.strand_length_per_turn_mm[..],
+            &sleeves[..],
+            &self.angle_deg,
+        ) {
             ([], [], None) if extends && !base.is_extensile() => {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
@@ -187,7 +221,8 @@ impl DesignRequest {
             (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
             ([], _, None) => BraidChoice::Sleeves(sleeves),
             _ => {
-                let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the angle: give one of them";
+                let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the \
+                    angle: give one of them";
                 return Err(Problem::new(ProblemKind::Usage, message, ""));
             }
         };
@@ -200,7 +235,8 @@ impl DesignRequest {
             _ => strand_strength_n(&base),
         };
         if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
-            let message = "`min_burst_margin` needs the strands' strength, which this muscle does not state";
+            let message =
+                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
             let hint = "give [braid] strands and strand_strength in the muscle file";
             return Err(Problem::new(ProblemKind::Specification, message, hint));
         }
@@ -219,7 +255,11 @@ impl DesignRequest {
             outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
             braid,
-            rubbers: self.rubbers.iter().map(|name| rubber(name)).collect::<Result<_, _>>()?,
+            rubbers: self
+                .rubbers
+                .iter()
+                .map(|name| rubber(name))
+                .collect::<Result<_, _>>()?,
             limits: Limits {
                 bulged_diameter_mm: self.bulged_diameter_mm()?,
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
@@ -235,22 +275,31 @@ impl DesignRequest {
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
-        Ok(Search { spec, policy, radius_mm })
+        Ok(Search {
+            spec,
+            policy,
+            radius_mm,
+        })
     }
 
-    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that is longer.
+    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that
+    /// is longer.
     pub(super) fn longer(&self) -> Option<Self> {
         let free = self.length_mm.is_none() && self.muscle.is_none() && self.contraction.is_none();
         let is_short = self.stroke_mm? > USUAL_CONTRACTION * Muscle::prototype().length_mm();
-        (free && is_short).then(|| Self { contraction: Some(USUAL_CONTRACTION), ..self.clone() })
+        (free && is_short).then(|| Self {
+            contraction: Some(USUAL_CONTRACTION),
+            ..self.clone()
+        })
     }
 
     /// The share of muscles that meet the requirement, checked.
     fn guaranteed(&self) -> Result<Option<f64>> {
         match self.guaranteed {
             Some(share) if !(0.5..=0.999).contains(&share) => {
-                let message =
-                    format!("{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95");
+                let message = format!(
+                    "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
+                );
                 Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
             }
             share => Ok(share),
@@ -265,13 +314,19 @@ impl DesignRequest {
             ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
             ("`wall_mm`", self.wall_mm.is_some()),
             ("`angle_deg`", self.angle_deg.is_some()),
-            ("`strand_length_per_turn_mm`", !self.strand_length_per_turn_mm.is_empty()),
+            (
+                "`strand_length_per_turn_mm`",
+                !self.strand_length_per_turn_mm.is_empty(),
+            ),
             ("`stiffness`", self.stiffness.is_some()),
             // A formula for one braid and rubber has no answer for others.
             ("a formula for one braid", of_one_braid),
             ("a push", extends),
         ];
-        given.into_iter().find(|(_, given)| *given).map(|(by, _)| by)
+        given
+            .into_iter()
+            .find(|(_, given)| *given)
+            .map(|(by, _)| by)
     }
 
     /// The tubes that are searched.
@@ -290,15 +345,23 @@ impl DesignRequest {
         };
         if !self.tubes.is_empty() {
             let of_name = |name: &String| match tubes::of_size(name, &rubbers[0]) {
-                Some(_) => rubbers.iter().filter_map(|rubber| tubes::of_size(name, rubber)).collect(),
+                Some(_) => rubbers
+                    .iter()
+                    .filter_map(|rubber| tubes::of_size(name, rubber))
+                    .collect(),
                 None => Ok(vec![tubes::find(all, name)?]),
             };
-            let named: std::result::Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
+            let named: std::result::Result<Vec<Vec<TubePart>>, _> =
+                self.tubes.iter().map(of_name).collect();
             return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
         }
-        let wanted = rubbers.iter().map(|name| Ok(rubber(name)?.name)).collect::<Result<Vec<_>>>()?;
-        let sold =
-            all.iter().filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
+        let wanted = rubbers
+            .iter()
+            .map(|name| Ok(rubber(name)?.name))
+            .collect::<Result<Vec<_>>>()?;
+        let sold = all
+            .iter()
+            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
         let mut found: Vec<TubePart> = sold.cloned().collect();
         if of_user.is_none() {
             for name in &rubbers {
@@ -317,7 +380,11 @@ impl DesignRequest {
         }
         if self.braids.is_empty() {
             let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
-            return Ok(if own { vec![base.braid().clone()] } else { vec![] });
+            return Ok(if own {
+                vec![base.braid().clone()]
+            } else {
+                vec![]
+            });
         }
         let braid = |name: &String| {
             if let Cow::Owned(of_user) = &entries
@@ -344,7 +411,8 @@ impl DesignRequest {
         let points = !self.points.is_empty() || self.force_n.is_some();
         let stated = [points, self.load.load.is_some(), !self.torques.is_empty()];
         if stated.iter().filter(|a| **a).count() > 1 {
-            let message = "`force_n` or `points`, `load` and `torques` each state the requirement: give only one of them";
+            let message = "`force_n` or `points`, `load` and `torques` each state the requirement: \
+                give only one of them";
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }
         if !self.torques.is_empty() {
@@ -355,20 +423,28 @@ impl DesignRequest {
             ("radius_mm", self.radius_mm.is_some()),
             ("largest_angle_deg", self.largest_angle_deg.is_some()),
         ];
-        Problem::refuse_unused(&of_joint, "it belongs to a joint, and no `torques` are given")?;
+        Problem::refuse_unused(
+            &of_joint,
+            "it belongs to a joint, and no `torques` are given",
+        )?;
         if self.load.load.is_some() {
             // The load sets the pull; a stroke or a contraction how far it is lifted.
             let way = match (self.contraction, self.stroke_mm) {
                 (Some(e), _) => Lift::Contraction(ratio(e)?),
                 (None, Some(stroke)) => Lift::Stroke(stroke),
                 (None, None) => {
-                    return Err(Problem::missing("stroke_mm", "the lift of the load, such as 40 mm")
-                        .with_hint("or give `contraction`, such as 0.15 (15 %)"));
+                    return Err(Problem::missing(
+                        "stroke_mm",
+                        "the lift of the load, such as 40 mm",
+                    )
+                    .with_hint("or give `contraction`, such as 0.15 (15 %)"));
                 }
             };
             let (base, _) = self.with_stroke(vec![(1.0, self.contraction)])?;
             let load = self.load.resolve(base.length_mm())?;
-            let Some(load) = load else { return Err(Problem::missing("load", "a load, such as mass:20kg")) };
+            let Some(load) = load else {
+                return Err(Problem::missing("load", "a load, such as mass:20kg"));
+            };
             return Ok((base, Demand::Load { load, way }, None));
         }
         let (base, points) = self.with_stroke(self.wanted()?)?;
@@ -379,13 +455,23 @@ impl DesignRequest {
     fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
         if self.stroke_mm.is_some() || self.contraction.is_some() {
             let message = "the angles and the pulley set the contraction of a joint's muscles";
-            return Err(Problem::new(ProblemKind::Usage, message, "leave out `stroke_mm` and `contraction`"));
+            return Err(Problem::new(
+                ProblemKind::Usage,
+                message,
+                "leave out `stroke_mm` and `contraction`",
+            ));
         }
         let torques = self.torques.clone();
         let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
         numbers.try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest = torques.iter().map(|t| t.angle_deg.abs()).fold(0.0, f64::max);
-        let largest_angle_deg = finite("largest_angle_deg", self.largest_angle_deg.unwrap_or(largest))?;
+        let largest = torques
+            .iter()
+            .map(|t| t.angle_deg.abs())
+            .fold(0.0, f64::max);
+        let largest_angle_deg = finite(
+            "largest_angle_deg",
+            self.largest_angle_deg.unwrap_or(largest),
+        )?;
         let (base, _) = self.with_stroke(vec![])?;
         let radius = match &self.radius_mm {
             Some(choice) => choice.values("radius_mm")?,
@@ -394,37 +480,57 @@ impl DesignRequest {
                     Some(choice) => choice.values("length_mm")?.bounds().1,
                     None => base.length_mm(),
                 };
-                let turn = torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
+                let turn =
+                    torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
                 let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
                 Values::Interval(SMALLEST_RADIUS * most, most)
             }
         };
         let radius_mm = radius.bounds().1;
-        Ok((base, JointDemand { torques, largest_angle_deg, radius_mm }, radius))
+        Ok((
+            base,
+            JointDemand {
+                torques,
+                largest_angle_deg,
+                radius_mm,
+            },
+            radius,
+        ))
     }
 
     /// The operating points; without a contraction where a stroke is to set it.
     fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>> {
         if !self.points.is_empty() {
-            return self.points.iter().map(|w| Ok((w.force_n, Some(ratio(w.contraction)?)))).collect();
+            return self
+                .points
+                .iter()
+                .map(|w| Ok((w.force_n, Some(ratio(w.contraction)?))))
+                .collect();
         }
         let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
         match (self.contraction, self.stroke_mm) {
             (Some(e), _) => Ok(vec![(force_n, Some(ratio(e)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),
-            (None, None) => Err(Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
-                .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`")),
+            (None, None) => Err(
+                Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
+                    .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`"),
+            ),
         }
     }
 
-    /// The muscle around the search, and the points: a stroke in mm sets the length where contractions are given, and the
-    /// contraction where they are not.
-    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>)> {
-        let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
+    /// The muscle around the search, and the points: a stroke in mm sets the length where
+    /// contractions are given, and the contraction where they are not.
+    fn with_stroke(
+        &self,
+        wanted: Vec<(f64, Option<f64>)>,
+    ) -> Result<(Muscle, Vec<OperatingPoint>)> {
+        let wrong =
+            |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(*length),
             Some(_) if self.stroke_mm.is_some() => {
-                let message = "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
+                let message =
+                    "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
                 return Err(wrong(message.into(), "").in_field("length_mm"));
             }
             _ => None,
@@ -434,25 +540,38 @@ impl DesignRequest {
             stiffness: self.stiffness,
             ..NamedFields::default()
         });
-        length_mm.into_iter().for_each(|length| fields.measures.set(&LENGTH, length));
+        length_mm
+            .into_iter()
+            .for_each(|length| fields.measures.set(&LENGTH, length));
         let base = fields.resolve()?;
         let length = base.length_mm();
         let stroke = self.stroke_mm;
-        stroke.map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm)).transpose()?;
+        stroke
+            .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
+            .transpose()?;
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let way = force_n.signum();
-            let contraction = contraction.or(stroke.map(|s| way * s / length)).unwrap_or(0.0);
-            OperatingPoint { force_n: *force_n, contraction }
+            let contraction = contraction
+                .or(stroke.map(|s| way * s / length))
+                .unwrap_or(0.0);
+            OperatingPoint {
+                force_n: *force_n,
+                contraction,
+            }
         };
         let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
-        let largest = points.iter().map(|q| q.contraction.abs()).fold(0.0, f64::max);
+        let largest = points
+            .iter()
+            .map(|q| q.contraction.abs())
+            .fold(0.0, f64::max);
         if self.length_mm.is_some() {
             let have = largest * length;
             let message = format!(
-                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many data: with that length the largest contraction gives {have:.2}\u{a0}mm"
+                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
+                 data: with that length the largest contraction gives {have:.2}\u{a0}mm"
             );
             let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
             return Err(wrong(message, hint).in_field("stroke_mm"));
@@ -460,7 +579,10 @@ impl DesignRequest {
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));
         }
-        let tube = Tube { length_mm: stroke / largest, ..base.tube().clone() };
+        let tube = Tube {
+            length_mm: stroke / largest,
+            ..base.tube().clone()
+        };
         Ok((base.with_tube(tube)?, points))
     }
 }
@@ -470,17 +592,22 @@ impl Choice {
         Ok(match self {
             Self::One(value) => Values::List(vec![finite(field, *value)?]),
             Self::Several(list) if list.is_empty() => {
-                return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
+                return Err(
+                    Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field)
+                );
             }
-            Self::Several(list) => {
-                Values::List(list.iter().map(|&v| finite(field, v)).collect::<Result<_, _>>()?)
-            }
+            Self::Several(list) => Values::List(
+                list.iter()
+                    .map(|&v| finite(field, v))
+                    .collect::<Result<_, _>>()?,
+            ),
             Self::Between { low, high } if low <= high => {
                 Values::Interval(finite(field, *low)?, finite(field, *high)?)
             }
             Self::Between { low, high } => {
-                let message =
-                    format!("the interval from {low} to {high} is reversed: write the smaller value first");
+                let message = format!(
+                    "the interval from {low} to {high} is reversed: write the smaller value first"
+                );
                 return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
             }
         })

@@ -28,12 +28,19 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
             };
             // (1) and (4) are one formula: one legend entry for both.
             let label = curve.label.replace("(1)", "ideal").replace("(4)", "ideal");
-            drawn = drawn
-                .series(Series::new(label, line(&curve.curve, panel.test, u)).colour(number).style(style));
+            drawn = drawn.series(
+                Series::new(label, line(&curve.curve, panel.test, u))
+                    .colour(number)
+                    .style(style),
+            );
         }
         figure = figure.panel(drawn);
     }
-    figure.caption(caption(format!("Model {}. {about}. The paper: {}", study.model, mckibben::PAPER)))
+    figure.caption(caption(format!(
+        "Model {}. {about}. The paper: {}",
+        study.model,
+        mckibben::PAPER
+    )))
 }
 
 pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
@@ -82,7 +89,8 @@ pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
     let mut edges: Vec<(f64, f64, f64)> = curve.points.iter().filter_map(edge).collect();
     // Where the line goes on to its end without a pull, the ± of its last point does.
     let drawn = line(curve, test, u);
-    if let (Some(&(x, _, high)), Some(&(end, y))) = (edges.last(), drawn.iter().rfind(|p| p.1.is_finite()))
+    if let (Some(&(x, _, high)), Some(&(end, y))) =
+        (edges.last(), drawn.iter().rfind(|p| p.1.is_finite()))
         && let Some((_, at)) = drawn.iter().find(|p| p.0 == x && end > x)
     {
         edges.push((end, (y - (high - at)).max(y.min(0.0)), y + (high - at)));
@@ -106,14 +114,20 @@ const LINE: usize = 101;
 
 /// The line of a load over the contraction, and its equilibria: filled where they are stable.
 fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> (Series, Series) {
-    let along = list.iter().flat_map(|c| &c.points).filter_map(|p| p.contraction);
+    let along = list
+        .iter()
+        .flat_map(|c| &c.points)
+        .filter_map(|p| p.contraction);
     let equilibria = loaded.at.iter().flat_map(|at| &at.equilibria);
-    let end = along.chain(equilibria.clone().map(|e| e.answer.response.contraction)).fold(0.0, f64::max);
+    let end = along
+        .chain(equilibria.clone().map(|e| e.answer.response.contraction))
+        .fold(0.0, f64::max);
     let (low, high) = loaded.line.reach_mm();
     let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
     let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
-    let line: Vec<(f64, f64)> =
-        known.map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm)))).collect();
+    let line: Vec<(f64, f64)> = known
+        .map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))))
+        .collect();
     let points = equilibria.map(|e| {
         let r = &e.answer.response;
         (r.contraction, u.force.value(r.force_n))
@@ -123,24 +137,53 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
 }
 
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
-    let CurveAnswer { model, muscle, loaded, .. } = answer;
+    let CurveAnswer {
+        model,
+        muscle,
+        loaded,
+        ..
+    } = answer;
     let (x, y) = axes(test, u);
     let mut panel = Panel::new(x, y);
     // Of two branches of one colour the muscle lengthens on the dashed one.
     let each = if both { 2 } else { 1 };
     for (i, curve) in list.iter().enumerate() {
-        let text = if i % each == 0 { label(test, curve.fixed, u) } else { String::new() };
-        let style = if i % each == 0 { Style::Line } else { Style::Dashed };
-        let series = |name: &str| Series::new(name, line(curve, test, u)).style(style).colour(i / each);
-        panel =
-            panel.series(if list.len() <= 12 * each { series("").end_label(text) } else { series(&text) });
+        let text = if i % each == 0 {
+            label(test, curve.fixed, u)
+        } else {
+            String::new()
+        };
+        let style = if i % each == 0 {
+            Style::Line
+        } else {
+            Style::Dashed
+        };
+        let series = |name: &str| {
+            Series::new(name, line(curve, test, u))
+                .style(style)
+                .colour(i / each)
+        };
+        panel = panel.series(if list.len() <= 12 * each {
+            series("").end_label(text)
+        } else {
+            series(&text)
+        });
     }
-    let bands = list.iter().enumerate().filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)));
-    let bands: Vec<Series> = if list.len() <= MOST_BANDS { bands.collect() } else { vec![] };
+    let bands = list
+        .iter()
+        .enumerate()
+        .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)));
+    let bands: Vec<Series> = if list.len() <= MOST_BANDS {
+        bands.collect()
+    } else {
+        vec![]
+    };
     let said = if bands.is_empty() { "" } else { BAND };
     if let Some(loaded) = loaded {
         let (line, balances) = load_line(loaded, muscle.length_mm, list, u);
-        panel = panel.series(line.end_label(loaded.load.as_str())).series(balances);
+        panel = panel
+            .series(line.end_label(loaded.load.as_str()))
+            .series(balances);
     }
     panel.series.extend(bands);
     let title = match test {
@@ -148,12 +191,20 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
         Test::Isotonic => "Isotonic curves",
         Test::Isobaric => "Isobaric curves",
     };
-    let branches = if both { "; dashed: while it is lengthened" } else { "" };
+    let branches = if both {
+        "; dashed: while it is lengthened"
+    } else {
+        ""
+    };
     let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
-    Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
+    Figure::new(title)
+        .caption(caption(about))
+        .palette(Palette::Sequential)
+        .panel(panel)
 }
 
-/// One colour a candidate: solid at the highest pressure that supply and muscle allow, dashed at the pressure it needs.
+/// One colour a candidate: solid at the highest pressure that supply and muscle allow, dashed at
+/// the pressure it needs.
 pub fn design(
     models: &[(&Candidate, Box<dyn ForceModel>)],
     wanted: &[OperatingPoint],
@@ -165,8 +216,16 @@ pub fn design(
     let reach = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
-        let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
-        let end = candidate.free_contraction.unwrap_or(0.2).max(reach).min(model.info().range.contraction.1);
+        let name = format!(
+            "D0 {}, s {}",
+            u.length.to(m.outer_diameter_mm(), 4),
+            u.length.to(m.wall_mm(), 3)
+        );
+        let end = candidate
+            .free_contraction
+            .unwrap_or(0.2)
+            .max(reach)
+            .min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let (max_pressure_mpa, needed) = (candidate.highest_pressure_mpa, candidate.pressure_mpa);
         let workspace = &mut Workspace::new();
@@ -195,25 +254,37 @@ pub fn design(
     let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
     Figure::new("Candidates: pull over contraction")
-        .caption(caption(format!("Model {}; lengths in {}{said}", names.join(", then "), u.length.name)))
+        .caption(caption(format!(
+            "Model {}; lengths in {}{said}",
+            names.join(", then "),
+            u.length.name
+        )))
         .panel(panel)
 }
 
 /// Colours of a figure before the grey, which is that of measured points.
 const COLOURS: usize = 6;
 
-/// The colour number of a model, the same in every figure: those that are compared most first, then the others in the order of the list, then formulas of
-/// files in theirs.
+/// The colour number of a model, the same in every figure: those that are compared most first, then
+/// the others in the order of the list, then formulas of files in theirs.
 pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
     const FIRST: [&str; COLOURS] = ["fe", "universal", "thick-wall", "ideal", "fe3d", "paper"];
     let listed: Vec<&str> = Model::all().into_iter().map(|entry| entry.name).collect();
     let others = listed.iter().copied().filter(|name| !FIRST.contains(name));
-    let place = FIRST.into_iter().chain(others).position(|known| known == name).unwrap_or_else(|| {
-        if !formulas.iter().any(|known| known == name) {
-            formulas.push(name.to_owned());
-        }
-        listed.len() + formulas.iter().position(|known| known == name).unwrap_or_default()
-    });
+    let place = FIRST
+        .into_iter()
+        .chain(others)
+        .position(|known| known == name)
+        .unwrap_or_else(|| {
+            if !formulas.iter().any(|known| known == name) {
+                formulas.push(name.to_owned());
+            }
+            listed.len()
+                + formulas
+                    .iter()
+                    .position(|known| known == name)
+                    .unwrap_or_default()
+        });
     // Without the grey.
     place + place / COLOURS
 }
@@ -235,9 +306,11 @@ pub fn compare(
         let family = evaluation.curves(Test::Isobaric, pressures, contractions);
         for (i, curve) in family.iter().enumerate() {
             let label = if i == 0 { &*model.info().name } else { "" };
-            let style =
-                [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][(colour + colour / 4) % 4];
-            let mut series = Series::new(label, line(curve, Test::Isobaric, u)).colour(colour).style(style);
+            let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot]
+                [(colour + colour / 4) % 4];
+            let mut series = Series::new(label, line(curve, Test::Isobaric, u))
+                .colour(colour)
+                .style(style);
             if number == 0 {
                 series = series.end_label(u.pressure.show(curve.fixed));
             }
@@ -248,11 +321,15 @@ pub fn compare(
         }
     }
     if !measured.is_empty() {
-        let dots = measured.iter().map(|m| (m.contraction, u.force.value(m.force_n)));
+        let dots = measured
+            .iter()
+            .map(|m| (m.contraction, u.force.value(m.force_n)));
         panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
     let said = if bands.is_empty() { "" } else { BAND };
     let said = said.replace("band", "band of the first model");
     panel.series.extend(bands);
-    Figure::new("Isobaric curves of models").caption(caption(format!("{about}{said}"))).panel(panel)
+    Figure::new("Isobaric curves of models")
+        .caption(caption(format!("{about}{said}")))
+        .panel(panel)
 }

@@ -8,7 +8,8 @@ use mckibben_campaign::fit::paper_method::{CurveFit, LineFit, PaperMethod};
 use mckibben_campaign::{fit::FittedFormula, fit::errors::Compared};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
-/// The diameter and wall that figures of one muscle show, where the table has them: the prototype's.
+/// The diameter and wall that figures of one muscle show, where the table has them: the
+/// prototype's.
 const SHOWN: (f64, f64) = (30.0, 3.0);
 
 fn nearest(list: &[f64], wanted: f64) -> f64 {
@@ -26,18 +27,36 @@ fn pull() -> Axis {
 
 /// Points of a function between two ends.
 fn line(low: f64, high: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    (0..=40).map(|i| low + (high - low) * f64::from(i) / 40.0).map(|x| (x, of(x))).collect()
+    (0..=40)
+        .map(|i| low + (high - low) * f64::from(i) / 40.0)
+        .map(|x| (x, of(x)))
+        .collect()
 }
 
 fn ends(points: &[(f64, f64)]) -> (f64, f64) {
-    points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.0), b.max(p.0)))
+    points
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
+            (a.min(p.0), b.max(p.0))
+        })
 }
 
 /// Points and the curve fitted to them.
-fn pair(mut panel: Panel, label: &str, n: usize, points: Vec<(f64, f64)>, of: impl Fn(f64) -> f64) -> Panel {
+fn pair(
+    mut panel: Panel,
+    label: &str,
+    n: usize,
+    points: Vec<(f64, f64)>,
+    of: impl Fn(f64) -> f64,
+) -> Panel {
     let (low, high) = ends(&points);
     panel = panel.series(Series::scatter("", points).colour(n));
-    panel.series(Series::line("", line(low, high, of)).colour(n).style(Style::Line).end_label(label))
+    panel.series(
+        Series::line("", line(low, high, of))
+            .colour(n)
+            .style(Style::Line)
+            .end_label(label),
+    )
 }
 
 fn curve_panel<'a>(
@@ -54,9 +73,20 @@ fn curve_panel<'a>(
 
 /// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
 pub(crate) fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
-    let last = ("figure_12_formula_and_points", against_points(&f.formula, &f.compared));
-    let all = f.paper.iter().flat_map(|m| paper_figures(m, &f.formula)).chain([last]);
-    all.map(|(name, figure)| NamedFigure { name: name.into(), figure }).collect()
+    let last = (
+        "figure_12_formula_and_points",
+        against_points(&f.formula, &f.compared),
+    );
+    let all = f
+        .paper
+        .iter()
+        .flat_map(|m| paper_figures(m, &f.formula))
+        .chain([last]);
+    all.map(|(name, figure)| NamedFigure {
+        name: name.into(),
+        figure,
+    })
+    .collect()
 }
 
 /// Figures 5 to 11.
@@ -67,44 +97,87 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
     let (d, s) = (nearest(&diameters, SHOWN.0), nearest(&walls, SHOWN.1));
     let top = pressures.last().copied().unwrap_or(0.0);
     let about = |text: &str| {
-        caption(format!("{text}. Method: {}. The paper: {}", formula.provenance.method, mckibben::PAPER))
+        caption(format!(
+            "{text}. Method: {}. The paper: {}",
+            formula.provenance.method,
+            mckibben::PAPER
+        ))
     };
-    let figure =
-        |title: String, text: &str| Figure::new(title).caption(about(text)).palette(Palette::Sequential);
+    let figure = |title: String, text: &str| {
+        Figure::new(title)
+            .caption(about(text))
+            .palette(Palette::Sequential)
+    };
     let section = format!("D0 {} mm, s {} mm", number(d, 4), number(s, 3));
-    let of_section = m.curves.iter().filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, s));
-    let isobars = figure(format!("Isobaric curves, {section}"), "Points and quadratics (5)")
-        .panel(curve_panel(String::new(), of_section, |c| format!("{} MPa", number(c.pressure_mpa, 3))));
-    let of_s = m.curves.iter().filter(|c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top));
-    let of_d = m.curves.iter().filter(|c| same(c.wall_mm, s) && same(c.pressure_mpa, top));
+    let of_section = m
+        .curves
+        .iter()
+        .filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, s));
+    let isobars = figure(
+        format!("Isobaric curves, {section}"),
+        "Points and quadratics (5)",
+    )
+    .panel(curve_panel(String::new(), of_section, |c| {
+        format!("{} MPa", number(c.pressure_mpa, 3))
+    }));
+    let of_s = m
+        .curves
+        .iter()
+        .filter(|c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top));
+    let of_d = m
+        .curves
+        .iter()
+        .filter(|c| same(c.wall_mm, s) && same(c.pressure_mpa, top));
     let surfaces = figure(
         format!("Isobaric surfaces at {} MPa", number(top, 3)),
         "Each surface as its family of curves: points and quadratics (5)",
     )
     .columns(2)
-    .panel(curve_panel(format!("over ε and s, D0 {} mm", number(d, 4)), of_s, |c| {
-        format!("s {} mm", number(c.wall_mm, 3))
-    }))
-    .panel(curve_panel(format!("over ε and D0, s {} mm", number(s, 3)), of_d, |c| {
-        format!("D0 {} mm", number(c.outer_diameter_mm, 4))
-    }));
-    let lines: Vec<&LineFit> = m.lines.iter().filter(|l| same(l.outer_diameter_mm, d)).collect();
-    let mut over_p =
-        figure(format!("a, b and c over pressure, D0 {} mm", number(d, 4)), "Points and lines (8)")
-            .columns(3);
+    .panel(curve_panel(
+        format!("over ε and s, D0 {} mm", number(d, 4)),
+        of_s,
+        |c| format!("s {} mm", number(c.wall_mm, 3)),
+    ))
+    .panel(curve_panel(
+        format!("over ε and D0, s {} mm", number(s, 3)),
+        of_d,
+        |c| format!("D0 {} mm", number(c.outer_diameter_mm, 4)),
+    ));
+    let lines: Vec<&LineFit> = m
+        .lines
+        .iter()
+        .filter(|l| same(l.outer_diameter_mm, d))
+        .collect();
+    let mut over_p = figure(
+        format!("a, b and c over pressure, D0 {} mm", number(d, 4)),
+        "Points and lines (8)",
+    )
+    .columns(3);
     let mut over_s = figure(
         format!("Slopes m and intercepts q over s, D0 {} mm", number(d, 4)),
         "Points and parabolas (9)",
     )
     .columns(3);
     for (k, letter) in ["a", "b", "c"].into_iter().enumerate() {
-        let mut panel =
-            Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new(format!("{letter} [N]")));
+        let mut panel = Panel::new(
+            Axis::new("pressure P [MPa]").from_zero(),
+            Axis::new(format!("{letter} [N]")),
+        );
         for (n, l) in lines.iter().enumerate() {
-            let mine = m.curves.iter().filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, l.wall_mm));
-            let points =
-                mine.filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k]))).collect::<Vec<_>>();
-            panel = pair(panel, &format!("s {}", number(l.wall_mm, 3)), n, points, |p| l.lines[k].at(p));
+            let mine = m
+                .curves
+                .iter()
+                .filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, l.wall_mm));
+            let points = mine
+                .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
+                .collect::<Vec<_>>();
+            panel = pair(
+                panel,
+                &format!("s {}", number(l.wall_mm, 3)),
+                n,
+                points,
+                |p| l.lines[k].at(p),
+            );
         }
         over_p = over_p.panel(panel);
     }
@@ -112,8 +185,10 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
         for (k, letter) in ["a", "b", "c"].into_iter().enumerate() {
             let y = Axis::new(format!("{symbol}_{letter} [{unit}]"));
             let mut panel = Panel::new(Axis::new("wall s [mm]").from_zero(), y);
-            let points: Vec<(f64, f64)> =
-                lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
+            let points: Vec<(f64, f64)> = lines
+                .iter()
+                .map(|l| (l.wall_mm, l.lines[k].coefficients[j]))
+                .collect();
             if let Some(w) = m.walls.iter().find(|w| same(w.outer_diameter_mm, d)) {
                 panel = pair(panel, "", 0, points, |s| w.parabolas[k][j].at(s));
             }
@@ -126,17 +201,28 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
         ("figure_7_abc_over_pressure", over_p),
         ("figure_8_slopes_over_wall", over_s),
     ];
-    let names = ["figure_9_a_over_diameter", "figure_10_b_over_diameter", "figure_11_c_over_diameter"];
+    let names = [
+        "figure_9_a_over_diameter",
+        "figure_10_b_over_diameter",
+        "figure_11_c_over_diameter",
+    ];
     let blocks = [&m.coefficients.a, &m.coefficients.b, &m.coefficients.c];
     for (k, (name, letter)) in names.into_iter().zip(["a", "b", "c"]).enumerate() {
-        let text = if k < 2 { "Points and parabolas (11)" } else { "Points and straight lines (11)" };
+        let text = if k < 2 {
+            "Points and parabolas (11)"
+        } else {
+            "Points and straight lines (11)"
+        };
         let mut figure = figure(format!("{letter}1 to {letter}6 over D0"), text).columns(3);
         for (row, x) in blocks[k].iter().enumerate() {
             let y = Axis::new(format!("{letter}{}", row + 1));
-            let points: Vec<(f64, f64)> =
-                m.walls.iter().map(|w| (w.outer_diameter_mm, w.x(k)[row])).collect();
-            let panel =
-                Panel::new(Axis::new("outer diameter D0 [mm]"), y).title(format!("R² {:.4}", m.r2[k][row]));
+            let points: Vec<(f64, f64)> = m
+                .walls
+                .iter()
+                .map(|w| (w.outer_diameter_mm, w.x(k)[row]))
+                .collect();
+            let panel = Panel::new(Axis::new("outer diameter D0 [mm]"), y)
+                .title(format!("R² {:.4}", m.r2[k][row]));
             figure = figure.panel(pair(panel, "", 0, points, |d| (x[0] * d + x[1]) * d + x[2]));
         }
         out.push((name, figure));
@@ -147,22 +233,49 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
 /// Figure 12: the formula against the points, of the diameter held out where there is one.
 fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     let diameters = distinct(compared.iter().map(|c| c.point.outer_diameter_mm));
-    let held = formula.errors.held_out.as_ref().and_then(|h| h.outer_diameters_mm.first().copied());
+    let held = formula
+        .errors
+        .held_out
+        .as_ref()
+        .and_then(|h| h.outer_diameters_mm.first().copied());
     let d = held.unwrap_or_else(|| nearest(&diameters, SHOWN.0));
-    let of_d: Vec<&Compared> = compared.iter().filter(|c| same(c.point.outer_diameter_mm, d)).collect();
-    let text = if held.is_some() { "held out of the fit" } else { "fitted" };
+    let of_d: Vec<&Compared> = compared
+        .iter()
+        .filter(|c| same(c.point.outer_diameter_mm, d))
+        .collect();
+    let text = if held.is_some() {
+        "held out of the fit"
+    } else {
+        "fitted"
+    };
     let method = &formula.provenance.method;
-    let mut figure = Figure::new(format!("Formula {} and points, D0 {} mm", formula.name, number(d, 4)))
-        .caption(caption(format!("Lines: the formula; dots: the table, {text}. {method}")))
-        .palette(Palette::Sequential)
-        .columns(2);
+    let mut figure = Figure::new(format!(
+        "Formula {} and points, D0 {} mm",
+        formula.name,
+        number(d, 4)
+    ))
+    .caption(caption(format!(
+        "Lines: the formula; dots: the table, {text}. {method}"
+    )))
+    .palette(Palette::Sequential)
+    .columns(2);
     let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));
-    let shown: Vec<f64> =
-        pressures.iter().rev().step_by(pressures.len().div_ceil(5).max(1)).copied().collect();
-    for s in distinct(of_d.iter().map(|c| c.point.wall_mm)).into_iter().take(6) {
+    let shown: Vec<f64> = pressures
+        .iter()
+        .rev()
+        .step_by(pressures.len().div_ceil(5).max(1))
+        .copied()
+        .collect();
+    for s in distinct(of_d.iter().map(|c| c.point.wall_mm))
+        .into_iter()
+        .take(6)
+    {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
-            let mine = of_d.iter().map(|c| c.point).filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p));
+            let mine = of_d
+                .iter()
+                .map(|c| c.point)
+                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p));
             let points: Vec<(f64, f64)> = mine.map(|q| (q.contraction, q.force_n)).collect();
             if !points.is_empty() {
                 let label = format!("{} MPa", number(p, 3));

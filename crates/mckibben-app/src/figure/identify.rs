@@ -8,7 +8,9 @@ use mckibben::model::Workspace;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben_fit::identify::{Identification, PointFit};
 use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
-use mckibben_fit::{identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit};
+use mckibben_fit::{
+    identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit,
+};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
@@ -19,7 +21,9 @@ fn thinned(list: &[f64]) -> Vec<f64> {
     if list.len() <= CURVES {
         return list.to_vec();
     }
-    (0..CURVES).map(|i| list[i * (list.len() - 1) / (CURVES - 1)]).collect()
+    (0..CURVES)
+        .map(|i| list[i * (list.len() - 1) / (CURVES - 1)])
+        .collect()
 }
 
 fn same(a: f64, b: f64) -> bool {
@@ -41,32 +45,55 @@ impl Levels {
         let contractions = distinct(at().map(|p| p.contraction));
         let isobaric = pressures.len() <= contractions.len();
         let all = if isobaric { pressures } else { contractions };
-        Self { isobaric, fixed: thinned(&all), all: all.len() }
+        Self {
+            isobaric,
+            fixed: thinned(&all),
+            all: all.len(),
+        }
     }
 
     /// What a caption says of those that are not drawn.
     fn shown(&self) -> String {
-        let what = if self.isobaric { "pressures" } else { "contractions" };
-        if self.fixed.len() == self.all { String::new() } else { some_of(self.fixed.len(), self.all, what) }
+        let what = if self.isobaric {
+            "pressures"
+        } else {
+            "contractions"
+        };
+        if self.fixed.len() == self.all {
+            String::new()
+        } else {
+            some_of(self.fixed.len(), self.all, what)
+        }
     }
 
     fn key(&self, f: &PointFit) -> f64 {
-        if self.isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }
+        if self.isobaric {
+            f.point.at.pressure_mpa
+        } else {
+            f.point.at.contraction
+        }
     }
 
     /// The level that is nearest to a point.
     fn nearest(&self, f: &PointFit) -> usize {
         let off = |n: usize| (self.fixed[n] - self.key(f)).abs();
-        (0..self.fixed.len()).min_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
+        (0..self.fixed.len())
+            .min_by(|&a, &b| off(a).total_cmp(&off(b)))
+            .unwrap_or(0)
     }
 
     fn label(&self, n: usize, u: &Units) -> String {
         let value = self.fixed[n];
-        if self.isobaric { u.pressure.show(value) } else { format!("ε {}", percent(value)) }
+        if self.isobaric {
+            u.pressure.show(value)
+        } else {
+            format!("ε {}", percent(value))
+        }
     }
 }
 
-/// The model over the points of the first muscle, and the residuals of all over contraction and pressure.
+/// The model over the points of the first muscle, and the residuals of all over contraction and
+/// pressure.
 pub(crate) fn identified(
     identified: &Identification,
     build: &Build<'_>,
@@ -78,18 +105,33 @@ pub(crate) fn identified(
     let sections = sections(identified);
     let levels = Levels::new(identified);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
-        figure = figure.panel(fit(identified, build, section, &levels, u, sections.len() > 1));
+        figure = figure.panel(fit(
+            identified,
+            build,
+            section,
+            &levels,
+            u,
+            sections.len() > 1,
+        ));
     }
-    let said = if figure.panels.iter().any(has_band) { BAND } else { "" };
+    let said = if figure.panels.iter().any(has_band) {
+        BAND
+    } else {
+        ""
+    };
     let shown = levels.shown();
     let rms = u.force.to(identified.rms_n, 3);
-    figure = figure
-        .caption(caption(format!("Dots: data; lines: {about}{said}{shown}. rms {rms} {}", u.force.name)));
+    figure = figure.caption(caption(format!(
+        "Dots: data; lines: {about}{said}{shown}. rms {rms} {}",
+        u.force.name
+    )));
     let residuals = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
             let mine = identified.points.iter().filter(|f| levels.nearest(f) == n);
-            let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), u.force.value(f.residual_n))).collect();
+            let points: Vec<(f64, f64)> = mine
+                .map(|f| (scale * x(f), u.force.value(f.residual_n)))
+                .collect();
             if !points.is_empty() {
                 panel = panel.series(Series::scatter(levels.label(n, u), points).colour(n));
             }
@@ -97,7 +139,11 @@ pub(crate) fn identified(
         panel
     };
     figure
-        .panel(residuals(|f| f.point.at.contraction, Axis::new("contraction ratio ε [–]").from_zero(), 1.0))
+        .panel(residuals(
+            |f| f.point.at.contraction,
+            Axis::new("contraction ratio ε [–]").from_zero(),
+            1.0,
+        ))
         .panel(residuals(
             |f| f.point.at.pressure_mpa,
             Axis::new(u.pressure.heading("pressure P")).from_zero(),
@@ -131,10 +177,17 @@ fn fit(
     u: &Units,
     named: bool,
 ) -> Panel {
-    let mine: Vec<&PointFit> = identified.points.iter().filter(|f| f.point.section == *section).collect();
+    let mine: Vec<&PointFit> = identified
+        .points
+        .iter()
+        .filter(|f| f.point.section == *section)
+        .collect();
     let isobaric = levels.isobaric;
-    let x_axis =
-        if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
+    let x_axis = if isobaric {
+        "contraction ratio ε [–]".into()
+    } else {
+        u.pressure.heading("pressure P")
+    };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
@@ -142,7 +195,10 @@ fn fit(
         panel = panel.title(format!("D0 {diameter}, s {wall}"));
     }
     // The ± of the fit belongs to the muscle of the file.
-    let bench = identified.bench.as_ref().filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
+    let bench = identified
+        .bench
+        .as_ref()
+        .filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
     let (mut bands, offset) = (vec![], identified.candidate.contraction_offset);
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
@@ -152,14 +208,26 @@ fn fit(
         let dots = on.iter().map(|f| {
             let at = &f.point.at;
             (
-                if isobaric { at.contraction } else { u.pressure.value(at.pressure_mpa) },
+                if isobaric {
+                    at.contraction
+                } else {
+                    u.pressure.value(at.pressure_mpa)
+                },
                 u.force.value(at.force_n),
             )
         });
         panel = panel.series(Series::scatter(label.clone(), dots).colour(n));
         let Some(model) = &model else { continue };
-        let ends = on.iter().map(|f| if isobaric { f.point.at.contraction } else { f.point.at.pressure_mpa });
-        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let ends = on.iter().map(|f| {
+            if isobaric {
+                f.point.at.contraction
+            } else {
+                f.point.at.pressure_mpa
+            }
+        });
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (a.min(x), b.max(x))
+        });
         let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
@@ -171,15 +239,26 @@ fn fit(
                 let x = low + (high - low) * f64::from(i) / 40.0;
                 let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
                 // A muscle does not push.
-                let force = evaluation.force_n(pressure, contraction + offset).ok().filter(|f| *f >= 0.0)?;
+                let force = evaluation
+                    .force_n(pressure, contraction + offset)
+                    .ok()
+                    .filter(|f| *f >= 0.0)?;
                 let x = if isobaric { x } else { u.pressure.value(x) };
                 let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
-                edges.extend(
-                    half.map(|half| (x, u.force.value((force - half).max(0.0)), u.force.value(force + half))),
-                );
+                edges.extend(half.map(|half| {
+                    (
+                        x,
+                        u.force.value((force - half).max(0.0)),
+                        u.force.value(force + half),
+                    )
+                }));
                 Some((x, u.force.value(force)))
             });
-            let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
+            let style = if branch == Direction::Elongation {
+                Style::Dashed
+            } else {
+                Style::Line
+            };
             panel = panel.series(Series::new("", points).style(style).colour(n));
             bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(n)));
         }
@@ -204,20 +283,29 @@ pub(crate) fn measured(
 ) -> Figure {
     let name = model.0;
     let about = format!(
-        "Dots: measured, means of the branches; lines: {name} with the constants of the first fit of each muscle, over ε at constant pressure"
+        "Dots: measured, means of the branches; lines: {name} with the constants of the first fit \
+         of each muscle, over ε at constant pressure"
     );
     let mut figure = Figure::new(format!("Measured muscles and {name}"))
         .caption(caption(&about))
         .palette(Palette::Sequential);
     for (number, case) in cases.iter().enumerate() {
-        let Some(first) = results.iter().find(|r| r.case == number) else { continue };
+        let Some(first) = results.iter().find(|r| r.case == number) else {
+            continue;
+        };
         figure = panels(figure, case, &first.muscle, model.1, u);
     }
     figure.columns(2)
 }
 
 /// A panel for each length of a muscle.
-fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<'_>, u: &Units) -> Figure {
+fn panels(
+    mut figure: Figure,
+    case: &MuscleCase,
+    muscle: &Muscle,
+    build: &Build<'_>,
+    u: &Units,
+) -> Figure {
     let means = mean_of_data(&case.points);
     let mut sections: Vec<Section> = vec![];
     for p in &means {
@@ -228,7 +316,9 @@ fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<
     for section in &sections {
         let points: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
         let title = match section.length_mm {
-            Some(length) if sections.len() > 1 => format!("{}: {}", case.facts.name, u.length.show(length)),
+            Some(length) if sections.len() > 1 => {
+                format!("{}: {}", case.facts.name, u.length.show(length))
+            }
             _ => case.facts.title.clone(),
         };
         figure = figure.panel(panel(title, &points, muscle, build, u));
@@ -236,7 +326,13 @@ fn panels(mut figure: Figure, case: &MuscleCase, muscle: &Muscle, build: &Build<
     figure
 }
 
-fn panel(title: String, points: &[&DataPoint], fitted: &Muscle, build: &Build<'_>, u: &Units) -> Panel {
+fn panel(
+    title: String,
+    points: &[&DataPoint],
+    fitted: &Muscle,
+    build: &Build<'_>,
+    u: &Units,
+) -> Panel {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
@@ -244,10 +340,15 @@ fn panel(title: String, points: &[&DataPoint], fitted: &Muscle, build: &Build<'_
     let (all, last) = (pressures.len(), pressures.len().saturating_sub(1));
     let shown: Vec<f64> = match pressures.len() {
         n if n <= MEASURED_CURVES => pressures,
-        _ => (1..=MEASURED_CURVES).map(|i| pressures[i * last / MEASURED_CURVES]).collect(),
+        _ => (1..=MEASURED_CURVES)
+            .map(|i| pressures[i * last / MEASURED_CURVES])
+            .collect(),
     };
-    let some =
-        if shown.len() < all { format!(" ({} of {all} pressures)", shown.len()) } else { String::new() };
+    let some = if shown.len() < all {
+        format!(" ({} of {all} pressures)", shown.len())
+    } else {
+        String::new()
+    };
     panel = panel.title(title + &some);
     let muscle = points.first().and_then(|p| p.section.apply(fitted).ok());
     let model = muscle.and_then(|m| build(&m).ok());

@@ -24,7 +24,10 @@ const BAND: &str = "; band: ± (95 %)";
 
 /// Whether a panel has a band.
 fn has_band(panel: &Panel) -> bool {
-    panel.series.iter().any(|series| series.style == Style::Band)
+    panel
+        .series
+        .iter()
+        .any(|series| series.style == Style::Band)
 }
 
 /// What a caption says where some of many are drawn.

@@ -10,15 +10,26 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
     let runs: Vec<&MotionRun> = answer.runs().collect();
     let joint = answer.motion.motion.series.kind == Coordinate::Angle;
     let time = || Axis::new("time t [s]").from_zero();
-    let position = if joint { "angle φ [°]" } else { "contraction ratio ε [–]" };
+    let position = if joint {
+        "angle φ [°]"
+    } else {
+        "contraction ratio ε [–]"
+    };
     let mut places = Panel::new(time(), Axis::new(position));
-    let mut pressures = Panel::new(time(), Axis::new(u.pressure.heading("pressure P")).from_zero());
+    let mut pressures = Panel::new(
+        time(),
+        Axis::new(u.pressure.heading("pressure P")).from_zero(),
+    );
     let mut bands = vec![];
     for (i, run) in runs.iter().enumerate() {
         bands.extend(end_band(run).map(|band| band.colour(i)));
         let s = &run.motion.series;
         let over = |list: &[f64], scale: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-            s.time_s.iter().zip(list).map(|(t, v)| (*t, scale(*v))).collect()
+            s.time_s
+                .iter()
+                .zip(list)
+                .map(|(t, v)| (*t, scale(*v)))
+                .collect()
         };
         let label = run.value.clone().unwrap_or_default();
         let plain = |v: f64| v;
@@ -30,15 +41,30 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
         places = places.series(Series::line("", place).colour(i).end_label(label));
         for (k, muscle) in s.muscles.iter().enumerate() {
             let list = &muscle.pressure_mpa;
-            let name = if joint && runs.len() == 1 { format!("P{}", k + 1) } else { String::new() };
+            let name = if joint && runs.len() == 1 {
+                format!("P{}", k + 1)
+            } else {
+                String::new()
+            };
             let style = if k == 0 { Style::Line } else { Style::Dashed };
-            pressures = pressures
-                .series(Series::new("", over(list, &pressure)).style(style).colour(i).end_label(name));
+            pressures = pressures.series(
+                Series::new("", over(list, &pressure))
+                    .style(style)
+                    .colour(i)
+                    .end_label(name),
+            );
         }
     }
-    let said = if bands.is_empty() { String::new() } else { BAND.replace("band", "band at the end") };
+    let said = if bands.is_empty() {
+        String::new()
+    } else {
+        BAND.replace("band", "band at the end")
+    };
     places.series.extend(bands);
-    let about = answer.muscles.first().map_or_else(String::new, |m| m.line(u));
+    let about = answer
+        .muscles
+        .first()
+        .map_or_else(String::new, |m| m.line(u));
     let of = sweep.map_or_else(String::new, |key| format!(" over {key}"));
     Figure::new(format!("Motion{of}"))
         .caption(caption(format!("Model {}{said}. {about}", answer.model)))
@@ -55,19 +81,32 @@ fn end_band(run: &MotionRun) -> Option<Series> {
     let (motion, end) = (&run.motion, &run.end);
     let time = &motion.series.time_s;
     let last = time.last().copied()?;
-    let settled = motion.steps.last().and_then(|step| Some(step.time_s + step.settling_time_s?));
+    let settled = motion
+        .steps
+        .last()
+        .and_then(|step| Some(step.time_s + step.settling_time_s?));
     let from = settled.unwrap_or(last).min(LAST * last);
     let in_the_end = |list: &[f64]| list.last().copied();
-    let (value, half) = match (end.end_angle_uncertainty_deg, end.end_contraction_uncertainty) {
+    let (value, half) = match (
+        end.end_angle_uncertainty_deg,
+        end.end_contraction_uncertainty,
+    ) {
         (Some(half), _) => {
             let [angle, _] = motion.series.degrees()?;
             (motion.equilibrium_angle_deg.or(in_the_end(&angle))?, half)
         }
         (None, Some(half)) => {
-            let last = motion.series.muscles.first().and_then(|m| in_the_end(&m.contraction));
+            let last = motion
+                .series
+                .muscles
+                .first()
+                .and_then(|m| in_the_end(&m.contraction));
             (motion.equilibrium_contraction.or(last)?, half)
         }
         (None, None) => return None,
     };
-    Some(Series::band(&[(from, value - half, value + half), (last, value - half, value + half)]))
+    Some(Series::band(&[
+        (from, value - half, value + half),
+        (last, value - half, value + half),
+    ]))
 }

@@ -20,18 +20,37 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     fixed.dedup();
     let mut longest = 0;
     for (i, &value) in fixed.iter().enumerate() {
-        let line: Vec<(f64, f64)> =
-            points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, u)).collect();
-        longest = longest.max(line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).count());
-        curve = curve.series(Series::line("", line).colour(i).neutral().end_label(label(test, value, u)));
+        let line: Vec<(f64, f64)> = points
+            .iter()
+            .filter(|q| key(test, q) == value)
+            .map(|q| coordinates(test, q, u))
+            .collect();
+        longest = longest.max(
+            line.iter()
+                .filter(|(x, y)| x.is_finite() && y.is_finite())
+                .count(),
+        );
+        curve = curve.series(
+            Series::line("", line)
+                .colour(i)
+                .neutral()
+                .end_label(label(test, value, u)),
+        );
     }
-    let solved: Vec<(&Simulated, &Solution)> =
-        points.iter().filter_map(|q| Some((q, q.solution.as_ref().ok()?))).collect();
+    let solved: Vec<(&Simulated, &Solution)> = points
+        .iter()
+        .filter_map(|q| Some((q, q.solution.as_ref().ok()?)))
+        .collect();
     let step = solved.len().div_ceil(SHAPES).max(1);
     // The last always belongs to them.
-    let shown: Vec<(&Simulated, &Solution)> = solved.iter().rev().step_by(step).rev().copied().collect();
+    let shown: Vec<(&Simulated, &Solution)> =
+        solved.iter().rev().step_by(step).rev().copied().collect();
     let name = |s: &Solution| {
-        format!("{}, {}", u.pressure.show(s.response.pressure_mpa), percent(s.response.contraction))
+        format!(
+            "{}, {}",
+            u.pressure.show(s.response.pressure_mpa),
+            percent(s.response.contraction)
+        )
     };
     let at = |(z, r): (f64, f64)| (u.length.value(z), u.length.value(r));
     let mut shape = Panel::new(
@@ -43,35 +62,58 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
         Axis::new(u.length.heading("z at rest")).from_zero(),
         Axis::new(per_width.heading("tension of a family")).from_zero(),
     );
-    let mut angle =
-        Panel::new(Axis::new(u.length.heading("z at rest")).from_zero(), Axis::new("strand angle θ [°]"));
+    let mut angle = Panel::new(
+        Axis::new(u.length.heading("z at rest")).from_zero(),
+        Axis::new("strand angle θ [°]"),
+    );
     for (i, (q, s)) in shown.iter().enumerate() {
         curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
-        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| at((x.outer_z_mm, x.outer_r_mm))).collect();
-        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| at((x.inner_z_mm, x.inner_r_mm))).collect();
-        shape =
-            shape.series(Series::line(name(s), outer).colour(i)).series(Series::line("", inner).colour(i));
+        let outer: Vec<(f64, f64)> = s
+            .profile
+            .iter()
+            .map(|x| at((x.outer_z_mm, x.outer_r_mm)))
+            .collect();
+        let inner: Vec<(f64, f64)> = s
+            .profile
+            .iter()
+            .map(|x| at((x.inner_z_mm, x.inner_r_mm)))
+            .collect();
+        shape = shape
+            .series(Series::line(name(s), outer).colour(i))
+            .series(Series::line("", inner).colour(i));
         let along = |of: &dyn Fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
-            s.strands.iter().map(|x| (u.length.value(x.rest_mm), of(x))).collect()
+            s.strands
+                .iter()
+                .map(|x| (u.length.value(x.rest_mm), of(x)))
+                .collect()
         };
-        tension =
-            tension.series(Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i));
+        tension = tension.series(
+            Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i),
+        );
         angle = angle.series(Series::line(name(s), along(&|x| x.angle_deg)).colour(i));
     }
     // A curve of one point is none.
     if longest > 1 {
         figure = figure.panel(curve.title("curve"));
     }
-    figure = figure.panel(shape.title("outer and inner surface")).panel(tension.title("strand tension"));
+    figure = figure
+        .panel(shape.title("outer and inner surface"))
+        .panel(tension.title("strand tension"));
     let (drawn, all) = (shown.len(), solved.len());
-    let some = if drawn < all { some_of(drawn, all, "shapes") } else { String::new() };
+    let some = if drawn < all {
+        some_of(drawn, all, "shapes")
+    } else {
+        String::new()
+    };
     let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
     figure.panel(angle.title("strand angle")).caption(caption)
 }
 
 fn capital(word: &str) -> String {
     let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+    letters
+        .next()
+        .map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
 }
 
 /// What is fixed along the curve of a point.
@@ -85,10 +127,15 @@ fn key(test: Test, q: &Simulated) -> f64 {
 
 fn coordinates(test: Test, q: &Simulated, u: &Units) -> (f64, f64) {
     let r = q.solution.as_ref().ok().map(|s| s.response);
-    let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| u.force.value(r.force_n));
+    let pull = r
+        .filter(|_| !q.slack)
+        .map_or(f64::NAN, |r| u.force.value(r.force_n));
     match test {
         Test::Isometric => (u.pressure.value(q.requested.pressure_mpa), pull),
-        Test::Isotonic => (u.pressure.value(q.requested.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
+        Test::Isotonic => (
+            u.pressure.value(q.requested.pressure_mpa),
+            r.map_or(f64::NAN, |r| r.contraction),
+        ),
         Test::Isobaric => (q.requested.contraction.unwrap_or(f64::NAN), pull),
     }
 }

@@ -9,16 +9,23 @@ const LAWS: usize = 6;
 /// Stretch to which a test without points is drawn.
 const WITHOUT_POINTS: f64 = 2.0;
 
-/// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed, those held stable dotted.
+/// One panel a test, also for tests without points: there the laws part. Laws that are unstable in
+/// a muscle are dashed, those held stable dotted.
 pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
-    let some =
-        if laws.len() < fit.laws.len() { some_of(laws.len(), fit.laws.len(), "laws") } else { String::new() };
+    let some = if laws.len() < fit.laws.len() {
+        some_of(laws.len(), fit.laws.len(), "laws")
+    } else {
+        String::new()
+    };
     let about = format!(
-        "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; dotted: constrained to be stable"
+        "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; \
+         dotted: constrained to be stable"
     );
-    let mut figure =
-        Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
+    let mut figure = Figure::new("Laws fitted to tension tests")
+        .caption(caption(about))
+        .columns(3)
+        .size_mm(240.0, 110.0);
     for mode in Mode::OF_ONE_STRETCH {
         figure = figure.panel(panel(mode, fit, &laws));
     }
@@ -31,7 +38,12 @@ pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
 /// The laws, the recommended one first, then by AICc; a free fit and its stable neighbour are two.
 fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
     let first = fit.recommended.and_then(|i| fit.laws.get(i));
-    let others = fit.laws.iter().enumerate().filter(|(i, _)| fit.recommended != Some(*i)).map(|o| o.1);
+    let others = fit
+        .laws
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| fit.recommended != Some(*i))
+        .map(|o| o.1);
     let mut others: Vec<&FittedLaw> = others.collect();
     others.sort_by(|a, b| a.quality.aicc.total_cmp(&b.quality.aicc));
     first.into_iter().chain(others).take(LAWS).collect()
@@ -39,7 +51,11 @@ fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
 
 /// Laws against points of sheets, whose two stretches no axis holds.
 fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
-    let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == Mode::General).collect();
+    let points: Vec<&TensionPoint> = fit
+        .points
+        .iter()
+        .filter(|p| p.mode == Mode::General)
+        .collect();
     let measured = || points.iter().map(|p| p.nominal_stress_mpa);
     let (low, high) = (measured().reduce(f64::min)?, measured().reduce(f64::max)?);
     let room = 0.05 * (high - low).max(1e-9);
@@ -50,7 +66,9 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
     let mut panel = Panel::new(x, y).title(Mode::General.name().to_owned());
     panel = panel.series(Series::new(String::new(), line).colour(LAWS));
     for (n, law) in laws.iter().enumerate() {
-        let pairs = points.iter().map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
+        let pairs = points
+            .iter()
+            .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
         let inside: Vec<(f64, f64)> = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1).collect();
         panel = panel.series(Series::scatter(String::new(), inside).colour(n));
     }
@@ -61,11 +79,19 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == mode).collect();
     let low = points.iter().map(|p| p.stretch).fold(1.0, f64::min);
     let far = points.iter().map(|p| p.stretch).fold(1.0, f64::max);
-    let end = if points.is_empty() { WITHOUT_POINTS.min(fit.fitted_to_stretch) } else { far };
+    let end = if points.is_empty() {
+        WITHOUT_POINTS.min(fit.fitted_to_stretch)
+    } else {
+        far
+    };
     let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x).unwrap_or(0.0);
-    // The height follows from points, else from the laws that are stable: an unstable one may run anywhere.
+    // The height follows from points, else from the laws that are stable: an unstable one may run
+    // anywhere.
     let measured = points.iter().map(|p| p.nominal_stress_mpa);
-    let stable = laws.iter().filter(|l| points.is_empty() && l.quality.stable).map(|l| stress(l, end));
+    let stable = laws
+        .iter()
+        .filter(|l| points.is_empty() && l.quality.stable)
+        .map(|l| stress(l, end));
     let heights: Vec<f64> = measured.chain(stable).filter(|y| y.is_finite()).collect();
     let top = heights.iter().copied().fold(0.0, f64::max);
     let bottom = heights.iter().copied().fold(0.0, f64::min);
@@ -74,23 +100,41 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     if top > bottom {
         y = y.range(1.05 * bottom, 1.08 * top);
     }
-    let title = if points.is_empty() { format!("{mode} (no points)") } else { mode.name().to_owned() };
+    let title = if points.is_empty() {
+        format!("{mode} (no points)")
+    } else {
+        mode.name().to_owned()
+    };
     let mut panel = Panel::new(x, y).title(title);
-    let labelled = |text: String| if mode == Mode::Uniaxial { text } else { String::new() };
+    let labelled = |text: String| {
+        if mode == Mode::Uniaxial {
+            text
+        } else {
+            String::new()
+        }
+    };
     if !points.is_empty() {
-        let list: Vec<(f64, f64)> = points.iter().map(|p| (p.stretch, p.nominal_stress_mpa)).collect();
+        let list: Vec<(f64, f64)> = points
+            .iter()
+            .map(|p| (p.stretch, p.nominal_stress_mpa))
+            .collect();
         panel = panel.series(Series::scatter(labelled("measured".into()), list).colour(LAWS));
     }
     for (n, law) in laws.iter().enumerate() {
         let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
         let line: Vec<(f64, f64)> = (0..=120).map(|i| (at(i), stress(law, at(i)))).collect();
-        // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the neo-Hookean.
+        // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the
+        // neo-Hookean.
         let style = match (law.quality.stable, law.constrained) {
             (false, _) => Style::Dashed,
             (true, true) => Style::Dotted,
             (true, false) => Style::Line,
         };
-        let held = if law.constrained { ", constrained to be stable" } else { "" };
+        let held = if law.constrained {
+            ", constrained to be stable"
+        } else {
+            ""
+        };
         let label = labelled(format!("{}{held}", law.form.name()));
         panel = panel.series(Series::new(label, line).colour(n).style(style));
     }

@@ -24,7 +24,11 @@ pub(super) fn table(keys: &[Key], about: &str) -> Value {
             former => json!({ "description": former["description"], "anyOf": [former, schema] }),
         };
     }
-    let needed: Vec<&str> = keys.iter().filter(|key| key.is_needed).map(|key| key.name).collect();
+    let needed: Vec<&str> = keys
+        .iter()
+        .filter(|key| key.is_needed)
+        .map(|key| key.name)
+        .collect();
     let mut table = json!({
         "type": "object", "description": about, "properties": properties, "additionalProperties": false,
     });
@@ -52,11 +56,21 @@ fn of_measure(measure: &'static Measure, key: &Key) -> Value {
         return of_kind(&key.kind, measure.about);
     }
     if *measure == END_FACTOR {
-        return of_key(&Key { measure: None, ..key.clone() });
+        return of_key(&Key {
+            measure: None,
+            ..key.clone()
+        });
     }
     let sentence = measure.sentence();
     let is_plain = key.kind == "number";
-    let mut schema = of_kind(&key.kind, if is_plain { &sentence } else { sentence.trim_end_matches('.') });
+    let mut schema = of_kind(
+        &key.kind,
+        if is_plain {
+            &sentence
+        } else {
+            sentence.trim_end_matches('.')
+        },
+    );
     if let Some(unit) = measure.unit {
         schema["x-unit"] = unit.into();
     }
@@ -64,7 +78,11 @@ fn of_measure(measure: &'static Measure, key: &Key) -> Value {
         schema["x-symbol"] = measure.symbol.into();
     }
     for (end, value) in measure.bounds.ends() {
-        schema[if end == "above" { "exclusiveMinimum" } else { end }] = value.into();
+        schema[if end == "above" {
+            "exclusiveMinimum"
+        } else {
+            end
+        }] = value.into();
     }
     if let Some(usual) = measure.usual() {
         schema["default"] = usual.into();
@@ -93,8 +111,11 @@ fn of_kind(kind: &str, about: &str) -> Value {
         "boolean" => of_type("boolean"),
         "whole" => json!({ "type": "integer", "minimum": 0, "description": about }),
         "within" => {
-            let [low, high] =
-                [0, 1].map(|i| rest.split(' ').nth(i).and_then(|end| end.parse::<Value>().ok()));
+            let [low, high] = [0, 1].map(|i| {
+                rest.split(' ')
+                    .nth(i)
+                    .and_then(|end| end.parse::<Value>().ok())
+            });
             json!({ "type": "number", "minimum": low, "maximum": high, "description": about })
         }
         "word" => one_of(about, rest.split(' ')),
@@ -119,14 +140,17 @@ fn of_kind(kind: &str, about: &str) -> Value {
         }
         "list" => {
             let mut items = of_kind(rest, about);
-            items.as_object_mut().and_then(|items| items.remove("description"));
+            items
+                .as_object_mut()
+                .and_then(|items| items.remove("description"));
             json!({ "type": "array", "items": items, "description": about })
         }
         "pair" => {
             json!({ "type": "array", "items": any, "minItems": 2, "maxItems": 2, "description": about })
         }
         "values" => json!({
-            "description": format!("{about}: a list (\"30,40 mm\"), or a range (\"0..0.25:0.01 MPa\")"),
+            "description": format!("{about}: a list (\"30,40 mm\"), or a range (\"0..0.25:0.01 \
+                MPa\")"),
             "anyOf": [any, { "type": "array", "items": any, "minItems": 1 }],
         }),
         "over-time" => {
@@ -136,10 +160,15 @@ fn of_kind(kind: &str, about: &str) -> Value {
         "conditioned" => of_kind("pressure", about),
         ">0" | ">=0" => {
             let mut quantity = of_kind(rest, about);
-            quantity[if word == ">0" { "exclusiveMinimum" } else { "minimum" }] = json!(0);
+            quantity[if word == ">0" {
+                "exclusiveMinimum"
+            } else {
+                "minimum"
+            }] = json!(0);
             quantity
         }
-        name => dimension(name).map_or_else(|| of_type("string"), |dimension| quantity(dimension, about)),
+        name => dimension(name)
+            .map_or_else(|| of_type("string"), |dimension| quantity(dimension, about)),
     }
 }
 

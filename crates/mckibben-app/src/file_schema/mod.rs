@@ -1,6 +1,8 @@
-//! JSON Schemas of the files that people write: muscle, joint, drive and plan. Editors complete and check TOML with them.
+//! JSON Schemas of the files that people write: muscle, joint, drive and plan. Editors complete and
+//! check TOML with them.
 //!
-//! They follow from the list of keys by which the readers check a file ([`keys()`](mckibben::muscle::file::keys)).
+//! They follow from the list of keys by which the readers check a file
+//! ([`keys()`](mckibben::muscle::file::keys)).
 
 mod keys;
 
@@ -12,14 +14,26 @@ use serde_json::Value;
 type Kind = (&'static str, &'static str, &'static str);
 
 const KINDS: [Kind; 4] = [
-    ("muscle", "A muscle: tube, braid, terminals, friction", "muscle-file people"),
-    ("joint", "A joint with one muscle and a spring, or with two muscles", "joint-file people"),
+    (
+        "muscle",
+        "A muscle: tube, braid, terminals, friction",
+        "muscle-file people",
+    ),
+    (
+        "joint",
+        "A joint with one muscle and a spring, or with two muscles",
+        "joint-file people",
+    ),
     (
         "drive",
         "A muscle or a joint with valve, air, load and command, for its motion",
         "drive-file drive-of-muscle people",
     ),
-    ("plan", "A campaign: a muscle, what varies, and the points of each", "muscle-file plan-file people"),
+    (
+        "plan",
+        "A campaign: a muscle, what varies, and the points of each",
+        "muscle-file plan-file people",
+    ),
 ];
 
 /// Names of the kinds of files that have a schema.
@@ -27,7 +41,8 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.0)
 }
 
-/// The JSON Schema (draft 7, which TOML editors read) of a kind of file: `muscle`, `joint`, `drive` or `plan`.
+/// The JSON Schema (draft 7, which TOML editors read) of a kind of file: `muscle`, `joint`, `drive`
+/// or `plan`.
 ///
 /// ```
 /// let schema = mckibben_app::file_schema("muscle")?;
@@ -37,9 +52,12 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
     let Some((name, about, sections)) = KINDS.iter().find(|known| known.0 == kind) else {
         let names: Vec<&str> = file_kinds().collect();
-        let hint =
-            nearest(kind, file_kinds()).map_or_else(String::new, |name| format!("did you mean {name}?"));
-        let message = format!("there is no file of kind \"{kind}\"; the kinds are {}", names.join(", "));
+        let hint = nearest(kind, file_kinds())
+            .map_or_else(String::new, |name| format!("did you mean {name}?"));
+        let message = format!(
+            "there is no file of kind \"{kind}\"; the kinds are {}",
+            names.join(", ")
+        );
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     };
     let mut schema = keys::table(&mckibben::muscle::file::keys(sections), about);

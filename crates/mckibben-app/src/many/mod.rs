@@ -1,16 +1,18 @@
-//! A model bound to its muscle and evaluated at many points, for front ends that hold arrays of numbers.
+//! A model bound to its muscle and evaluated at many points, for front ends that hold arrays of
+//! numbers.
 //!
-//! A request in JSON is one question; here the same question is put to lists of numbers, without text on the way: F(P, ε), or its
-//! inverses P(F, ε) and ε(F, P), with the derivatives that the model has ([`slopes`]). What a point answers is what
-//! [`force`](crate::force), [`pressure`](crate::pressure) and [`contraction`](crate::contraction) answer for it: the range is
-//! checked, a muscle that would have to push is slack.
+//! A request in JSON is one question; here the same question is put to lists of numbers, without
+//! text on the way: F(P, ε), or its inverses P(F, ε) and ε(F, P), with the derivatives that the
+//! model has ([`slopes`]). What a point answers is what [`force`](crate::force),
+//! [`pressure`](crate::pressure) and [`contraction`](crate::contraction) answer for it: the range
+//! is checked, a muscle that would have to push is slack.
 
 mod point;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
-    check_branch, finite, put_first, ratio, said_of,
+    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
+    burst_of, check_branch, finite, put_first, ratio, said_of,
 };
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ForceModel, Reference, Workspace};
@@ -39,7 +41,8 @@ pub struct Many {
     pub slopes: bool,
     /// Also the derivatives by these constants and measures of the muscle, all others held.
     pub parameters: Vec<Target>,
-    /// The numbers of a point without an answer are NaN; else the first one ends the work with its reason.
+    /// The numbers of a point without an answer are NaN; else the first one ends the work with its
+    /// reason.
     pub nan: bool,
 }
 
@@ -60,7 +63,10 @@ pub struct ArrayError {
 
 impl From<Problem> for ArrayError {
     fn from(problem: Problem) -> Self {
-        Self { index: None, problem }
+        Self {
+            index: None,
+            problem,
+        }
     }
 }
 
@@ -78,7 +84,10 @@ pub struct BoundModel {
 
 impl std::fmt::Debug for BoundModel {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("BoundModel").field("choice", &self.choice).field("options", &self.options).finish()
+        f.debug_struct("BoundModel")
+            .field("choice", &self.choice)
+            .field("options", &self.options)
+            .finish()
     }
 }
 
@@ -92,7 +101,11 @@ impl BoundModel {
             options.friction_share = 0.0;
             check_branch(options, muscle)?;
         }
-        Ok(Self { model, options, choice })
+        Ok(Self {
+            model,
+            options,
+            choice,
+        })
     }
 
     pub fn muscle(&self) -> &Muscle {
@@ -109,8 +122,13 @@ impl BoundModel {
         Ok((&burst_of(&self.choice, &*self.model)?).into())
     }
 
-    /// All that is known of points of P in MPa and ε but P′, each as [`force`](crate::force) answers it, on the threads of the process.
-    pub fn answers(&self, points: &[(f64, f64)], progress: &dyn Progress) -> Result<Vec<Result<Answer>>> {
+    /// All that is known of points of P in MPa and ε but P′, each as [`force`](crate::force)
+    /// answers it, on the threads of the process.
+    pub fn answers(
+        &self,
+        points: &[(f64, f64)],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Result<Answer>>> {
         let burst = burst_of(&self.choice, &*self.model)?;
         let done = AtomicUsize::new(0);
         let answer = |&(p, e): &(f64, f64)| {
@@ -141,8 +159,9 @@ impl BoundModel {
         parameter(self.muscle(), name)
     }
 
-    /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the process; returns how many have no
-    /// answer. The numbers do not depend on the number of threads.
+    /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the
+    /// process; returns how many have no answer. The numbers do not depend on the number of
+    /// threads.
     pub fn fill(
         &self,
         pairs: [&[f64]; 2],
@@ -152,23 +171,38 @@ impl BoundModel {
     ) -> Result<usize, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other {
-            let message =
-                format!("the two lists must have the same length; they have {count} and {other} numbers");
+            let message = format!(
+                "the two lists must have the same length; they have {count} and {other} numbers"
+            );
             return Err(Problem::new(ProblemKind::Usage, message, "").into());
         }
         if count.checked_mul(width) != Some(out.len()) {
             let message = format!("{} places for {count} points of {width} numbers", out.len());
             return Err(Problem::new(ProblemKind::Usage, message, "").into());
         }
-        let share = if self.is_elements() { BLOCK_OF_ELEMENTS } else { BLOCK };
-        let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
+        let share = if self.is_elements() {
+            BLOCK_OF_ELEMENTS
+        } else {
+            BLOCK
+        };
+        let (done, failed, first) = (
+            AtomicUsize::new(0),
+            AtomicUsize::new(0),
+            AtomicUsize::new(usize::MAX),
+        );
         let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
         let refuse = |index: usize, problem: Problem| {
             if first.fetch_min(index, Ordering::Relaxed) > index
                 && let Ok(mut reason) = reason.lock()
-                && reason.as_ref().and_then(|r| r.index).is_none_or(|i| i > index)
+                && reason
+                    .as_ref()
+                    .and_then(|r| r.index)
+                    .is_none_or(|i| i > index)
             {
-                *reason = Some(ArrayError { index: Some(index), problem });
+                *reason = Some(ArrayError {
+                    index: Some(index),
+                    problem,
+                });
             }
         };
         let work = |place: usize, part: &mut [f64]| {

@@ -6,8 +6,9 @@
 //!   P(F, ε; θ):   ∂P/∂F = 1/F_P,   ∂P/∂ε = −F_ε/F_P,   ∂P/∂θ = −F_θ/F_P
 //!   ε(F, P; θ):   ∂ε/∂F = 1/F_ε,   ∂ε/∂P = −F_P/F_ε,   ∂ε/∂θ = −F_θ/F_ε
 //!
-//! F in N, P in MPa, ε = ΔL/L0, θ a constant or measure of the muscle in its unit (MPa, N/mm, mm, degrees). F_θ holds all other
-//! constants and measures: by the diameter, say, the strands' k in N/mm stays what it is, also where the braid's k follows the diameter.
+//! F in N, P in MPa, ε = ΔL/L0, θ a constant or measure of the muscle in its unit (MPa, N/mm, mm,
+//! degrees). F_θ holds all other constants and measures: by the diameter, say, the strands' k in
+//! N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
@@ -20,7 +21,8 @@ use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
 const ROUNDING: f64 = 1e-9;
-/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of the derivative.
+/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of
+/// the derivative.
 const STEP: f64 = 1e-3;
 
 impl BoundModel {
@@ -31,13 +33,17 @@ impl BoundModel {
         many: &Many,
         out: &mut [f64],
     ) -> Result<usize, (usize, Problem)> {
-        if many.wanted == PointQuantity::Force && many.width() == 1 && self.at_once(first, second, out) {
+        if many.wanted == PointQuantity::Force
+            && many.width() == 1
+            && self.at_once(first, second, out)
+        {
             return Ok(0);
         }
         let (mut failed, mut free) = (0, None);
         let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in points.enumerate() {
-            // A point has the same digits alone and among others: nothing is kept of the one before.
+            // A point has the same digits alone and among others: nothing is kept of the one
+            // before.
             match self.one((a, b), many, &mut Workspace::new(), &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
@@ -53,7 +59,8 @@ impl BoundModel {
         Ok(failed)
     }
 
-    /// All pulls of a block by the model alone; false where a point needs to be looked at by itself.
+    /// All pulls of a block by the model alone; false where a point needs to be looked at by
+    /// itself.
     fn at_once(&self, p: &[f64], e: &[f64], out: &mut [f64]) -> bool {
         let may_break = strand_strength_n(self.muscle()).is_some();
         if may_break || self.is_elements() || !self.options.direction.is_mean() {
@@ -62,20 +69,32 @@ impl BoundModel {
         let range = &self.model.info().range;
         // No muscle shortens by its whole length: the same bounds as those of a single question.
         let (pressures, contractions) = if self.options.extrapolate {
-            ((f64::NEG_INFINITY, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
+            (
+                (f64::NEG_INFINITY, f64::INFINITY),
+                (-1.0 + 1e-9, 1.0 - 1e-9),
+            )
         } else {
-            (range.pressure_mpa, (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)))
+            (
+                range.pressure_mpa,
+                (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)),
+            )
         };
-        let is_checked = self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
+        let is_checked =
+            self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
         let holds = |(low, high): (f64, f64), v: f64| (low - 1e-12..=high + 1e-12).contains(&v);
         let (rounding_mm2, pushes) = (ROUNDING * self.outer_area_mm2(), self.options.two_sided);
         let mut points = p.iter().zip(e).zip(out);
         is_checked
             && points.all(|((&p, &e), place)| {
                 let is_inside = holds(pressures, p) && holds(contractions, e) && p.is_finite();
-                let pull =
-                    if is_inside { self.model.force_n(&mut Workspace::new(), p, e).ok() } else { None };
-                let Some(pull) = pull.filter(|pull| pull.is_finite()) else { return false };
+                let pull = if is_inside {
+                    self.model.force_n(&mut Workspace::new(), p, e).ok()
+                } else {
+                    None
+                };
+                let Some(pull) = pull.filter(|pull| pull.is_finite()) else {
+                    return false;
+                };
                 let hangs = pull.abs() <= rounding_mm2 * p || pull < 0.0 && !pushes;
                 *place = if hangs { 0.0 } else { pull };
                 true
@@ -90,8 +109,8 @@ impl BoundModel {
         PI * self.muscle().tube().outer_radius_mm().powi(2)
     }
 
-    /// One point with its derivatives. `free` holds a pressure, and a contraction from which on the muscle is slack there:
-    /// finite elements that push take long.
+    /// One point with its derivatives. `free` holds a pressure, and a contraction from which on the
+    /// muscle is slack there: finite elements that push take long.
     fn one(
         &self,
         (a, b): (f64, f64),
@@ -116,7 +135,9 @@ impl BoundModel {
                 (e, p, e)
             }
         };
-        let Some((first, rest)) = places.split_first_mut() else { return Ok(()) };
+        let Some((first, rest)) = places.split_first_mut() else {
+            return Ok(());
+        };
         *first = value;
         if rest.is_empty() {
             return Ok(());
@@ -136,7 +157,13 @@ impl BoundModel {
     }
 
     /// F, or 0 where the muscle is slack.
-    fn force(&self, workspace: &mut Workspace, p: f64, e: f64, free: &mut Option<(f64, f64)>) -> Result<f64> {
+    fn force(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+        free: &mut Option<(f64, f64)>,
+    ) -> Result<f64> {
         self.evaluation(workspace).check_range(p, e)?;
         let hangs = free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
@@ -145,7 +172,12 @@ impl BoundModel {
         let force = match self.evaluation(workspace).borne_force_n(p, e) {
             Ok(force) if !force.is_finite() => {
                 let model = self.name().to_owned();
-                return Err(ModelError::NotFinite { model, pressure_mpa: p, contraction: e }.into());
+                return Err(ModelError::NotFinite {
+                    model,
+                    pressure_mpa: p,
+                    contraction: e,
+                }
+                .into());
             }
             Ok(force) if force.abs() <= ROUNDING * p * self.outer_area_mm2() => 0.0,
             Ok(force) if force < 0.0 && !self.options.two_sided => {
@@ -153,7 +185,8 @@ impl BoundModel {
                 0.0
             }
             Ok(force) => force,
-            // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
+            // A muscle that was shortened by more than it shortens by itself may have no
+            // equilibrium: it hangs slack.
             Err(error) => {
                 let point = self.evaluation(workspace).point(p, e).map_err(|_| error)?;
                 *free = point.free_contraction.map(|e| (p, e));
@@ -166,7 +199,10 @@ impl BoundModel {
 
     /// A derivative that is no number.
     pub(super) fn no_slope(&self, by: &str, p: f64, e: f64) -> Problem {
-        let message = format!("{} has no derivative by {by} at P = {p}\u{a0}MPa, ε = {e}", self.name());
+        let message = format!(
+            "{} has no derivative by {by} at P = {p}\u{a0}MPa, ε = {e}",
+            self.name()
+        );
         Problem::new(ProblemKind::NoAnswer, message, "leave out `jac`")
     }
 
@@ -189,8 +225,13 @@ impl BoundModel {
         };
         by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        let finite = by_pair.iter().chain(by_parameters.iter()).all(|v| v.is_finite());
-        finite.then_some(()).ok_or_else(|| self.no_slope("a requested quantity", p, e))
+        let finite = by_pair
+            .iter()
+            .chain(by_parameters.iter())
+            .all(|v| v.is_finite());
+        finite
+            .then_some(())
+            .ok_or_else(|| self.no_slope("a requested quantity", p, e))
     }
 
     /// ∂F/∂P and ∂F/∂ε.
@@ -216,13 +257,18 @@ impl BoundModel {
         let muscle = self.muscle();
         let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
         if let Some(known) = self.model.force_by(workspace, p, e, &names)? {
-            places.iter_mut().zip(known).for_each(|(place, v)| *place = v);
+            places
+                .iter_mut()
+                .zip(known)
+                .for_each(|(place, v)| *place = v);
             return Ok(());
         }
         // All others are held, k of the strands among them.
         let held = stated(muscle)?;
         for ((target, name), place) in parameters.iter().zip(&names).zip(places) {
-            let value = target.value(&held).ok_or_else(|| self.no_slope(name, p, e))?;
+            let value = target
+                .value(&held)
+                .ok_or_else(|| self.no_slope(name, p, e))?;
             let scale = match target {
                 Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
                 _ => 1.0,
@@ -235,22 +281,31 @@ impl BoundModel {
 
     /// The pull with another value of a parameter.
     fn force_with(&self, held: &Muscle, target: Target, value: f64, p: f64, e: f64) -> Result<f64> {
-        let model = self.choice.build(&Candidate::new(held, &[(target, value)])?.muscle)?;
+        let model = self
+            .choice
+            .build(&Candidate::new(held, &[(target, value)])?.muscle)?;
         Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
     }
 }
 
-/// A muscle with other values of constants and measures, all others held as the derivatives of [`BoundModel`] hold them.
+/// A muscle with other values of constants and measures, all others held as the derivatives of
+/// [`BoundModel`] hold them.
 pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle> {
     let held = stated(muscle)?;
-    let list =
-        values.iter().map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
+    let list = values
+        .iter()
+        .map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
     Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle)
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures.
 fn stated(muscle: &Muscle) -> Result<Muscle> {
-    let Some(k) = muscle.family_stiffness_n_per_mm() else { return Ok(muscle.clone()) };
+    let Some(k) = muscle.family_stiffness_n_per_mm() else {
+        return Ok(muscle.clone());
+    };
     let stiffness = BraidStiffness::NewtonPerMm(k);
-    Ok(muscle.with_braid(Braid { stiffness, ..muscle.braid().clone() })?)
+    Ok(muscle.with_braid(Braid {
+        stiffness,
+        ..muscle.braid().clone()
+    })?)
 }

@@ -1,11 +1,14 @@
 //! Constants of a drive from a recorded motion.
 //!
-//! Least squares of what the log has over time (pressure of the first muscle, contraction, angle) in the first half of its time,
+//! Least squares of what the log has over time (pressure of the first muscle, contraction, angle)
+//! in the first half of its time,
 //!
 //!   r = (y(t; θ) − y)/s,   s the rms of a quantity's residuals in the fit before, at first its scatter
 //!
-//! with y(t; θ) the motion of the drive. Residuals of neighbouring rows are alike where the model errs: with ρ their correlation the ± is larger by √((1 + ρ)/(1 − ρ)), as of
-//! a first-order autoregression. A constant that the log does not determine keeps the value of the file, and the others are fitted again. The second half is predicted.
+//! with y(t; θ) the motion of the drive. Residuals of neighbouring rows are alike where the model
+//! errs: with ρ their correlation the ± is larger by √((1 + ρ)/(1 − ρ)), as of a first-order
+//! autoregression. A constant that the log does not determine keeps the value of the file, and the
+//! others are fitted again. The second half is predicted.
 
 use super::{MotionRequest, Moved};
 use crate::{Problem, ProblemKind, Result, TextFile, with_error_bar};
@@ -40,7 +43,8 @@ pub struct LogErrors {
     pub held_out_rms: f64,
 }
 
-/// What is free unless somebody says otherwise, and a start where the file has none: L/(s bar), mm³, N s/m, N/MPa^β.
+/// What is free unless somebody says otherwise, and a start where the file has none: L/(s bar),
+/// mm³, N s/m, N/MPa^β.
 const USUAL: [(&str, f64); 4] = [
     ("valve.sonic_conductance", 0.5),
     ("air.dead_volume", 1e4),
@@ -79,13 +83,27 @@ impl Moved {
         log: &TextFile,
         progress: &dyn Progress,
     ) -> Result<IdentifiedDrive> {
-        let position = if self.joint.is_some() { OverTime::Angle } else { OverTime::Contraction };
+        let position = if self.joint.is_some() {
+            OverTime::Angle
+        } else {
+            OverTime::Contraction
+        };
         let log = read_log(&log.text, &[OverTime::Pressure, position], self.length_mm())
             .map_err(|error| Problem::of_table(&log.name, &error))?;
-        let times = || log.iter().flat_map(|(_, points)| points).map(|point| point.0);
+        let times = || {
+            log.iter()
+                .flat_map(|(_, points)| points)
+                .map(|point| point.0)
+        };
         let end_s = times().fold(0.0, f64::max);
         let half_s = 0.5 * (times().fold(end_s, f64::min) + end_s);
-        let fit = Fit { moved: self, request, text, log, progress };
+        let fit = Fit {
+            moved: self,
+            request,
+            text,
+            log,
+            progress,
+        };
         let mut free = fit.free()?;
         let mut parameters = vec![];
         while !free.is_empty() {
@@ -101,47 +119,89 @@ impl Moved {
         }
         let mut known = parameters.iter().filter(|p| p.identifiable);
         let drive_file = known.try_fold(text.to_owned(), |text, p| {
-            with_value(&text, &p.name, format!("{} {}", with_error_bar(p).0, p.unit).trim_end())
+            with_value(
+                &text,
+                &p.name,
+                format!("{} {}", with_error_bar(p).0, p.unit).trim_end(),
+            )
         })?;
         let error = |(what, list): (OverTime, Series)| {
-            let half = |first| rms(list.iter().filter(|r| (r.0 <= half_s) == first).map(|r| r.1));
-            LogErrors { of: format!("{what:?}").to_lowercase(), rms: half(true), held_out_rms: half(false) }
+            let half = |first| {
+                rms(list
+                    .iter()
+                    .filter(|r| (r.0 <= half_s) == first)
+                    .map(|r| r.1))
+            };
+            LogErrors {
+                of: format!("{what:?}").to_lowercase(),
+                rms: half(true),
+                held_out_rms: half(false),
+            }
         };
-        let errors = fit.residuals(&drive_file, end_s)?.into_iter().map(error).collect();
-        Ok(IdentifiedDrive { parameters, errors, drive_file })
+        let errors = fit
+            .residuals(&drive_file, end_s)?
+            .into_iter()
+            .map(error)
+            .collect();
+        Ok(IdentifiedDrive {
+            parameters,
+            errors,
+            drive_file,
+        })
     }
 }
 
 impl Fit<'_> {
     /// What is free: as it was named, or the usual constants that the drive has.
     fn free(&self) -> Result<Vec<Free>> {
-        let wrong =
-            |message: String, hint| Problem::new(ProblemKind::Parameter, message, hint).in_field("free");
+        let wrong = |message: String, hint| {
+            Problem::new(ProblemKind::Parameter, message, hint).in_field("free")
+        };
         let one = |text: &str| -> Result<Free> {
-            let (name, value) =
-                text.split_once('=').map_or((text, None), |(name, value)| (name, Some(value)));
+            let (name, value) = text
+                .split_once('=')
+                .map_or((text, None), |(name, value)| (name, Some(value)));
             let name = name.trim().to_owned();
             let (dimension, written) = number_at(self.text, &name)?;
-            let value = value.map(|value| parse_quantity(value, dimension)).transpose();
+            let value = value
+                .map(|value| parse_quantity(value, dimension))
+                .transpose();
             let value = value.map_err(|error| wrong(error.to_string(), ""))?;
-            let usual = USUAL.iter().find(|usual| usual.0 == name).map(|usual| usual.1);
+            let usual = USUAL
+                .iter()
+                .find(|usual| usual.0 == name)
+                .map(|usual| usual.1);
             let start = value.or(written).filter(|value| *value > 0.0).or(usual);
-            let start = start.ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
-            Ok(Free { name, dimension, start })
+            let start =
+                start.ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
+            Ok(Free {
+                name,
+                dimension,
+                start,
+            })
         };
         if !self.request.free.is_empty() {
             return self.request.free.iter().map(|text| one(text)).collect();
         }
         let mut free = vec![];
         for (name, _) in USUAL {
-            let friction = || self.moved.models.iter().any(|m| m.muscle().friction().is_some());
+            let friction = || {
+                self.moved
+                    .models
+                    .iter()
+                    .any(|m| m.muscle().friction().is_some())
+            };
             let written = number_at(self.text, name)?.1.is_some();
             if written || name == "friction.coefficient" && friction() {
                 free.push(one(name)?);
             }
         }
         let message = "the drive file states no constant that is usually free";
-        if free.is_empty() { Err(wrong(message.into(), "name some in `free`")) } else { Ok(free) }
+        if free.is_empty() {
+            Err(wrong(message.into(), "name some in `free`"))
+        } else {
+            Ok(free)
+        }
     }
 
     /// Times and model less log of each quantity, up to a time.
@@ -150,7 +210,10 @@ impl Fit<'_> {
         file.until_s = until_s;
         file.output_step_s = file.output_step_s.min(until_s / POINTS);
         let series = self.moved.with(&file, |drive| {
-            let drive = Drive { tolerance: TOLERANCE, ..drive };
+            let drive = Drive {
+                tolerance: TOLERANCE,
+                ..drive
+            };
             Ok(run(&drive, self.progress)?.series)
         })?;
         let one = |(what, points): &(OverTime, Series)| {
@@ -163,7 +226,10 @@ impl Fit<'_> {
             let times = series.time_s.iter().copied();
             let model = Command::Ramps(times.zip(values.unwrap_or_default()).collect());
             let until = points.iter().filter(|p| p.0 <= until_s);
-            (*what, until.map(|p| (p.0, model.value(p.0) - p.1)).collect())
+            (
+                *what,
+                until.map(|p| (p.0, model.value(p.0) - p.1)).collect(),
+            )
         };
         Ok(self.log.iter().map(one).collect())
     }
@@ -176,7 +242,9 @@ impl Fit<'_> {
                 with_value(&text, &free.name, &value.to_string())
             });
             let lists = self.residuals(&text?, half_s)?.into_iter();
-            Ok(lists.map(|(_, list)| list.into_iter().map(|r| r.1).collect()).collect())
+            Ok(lists
+                .map(|(_, list)| list.into_iter().map(|r| r.1).collect())
+                .collect())
         };
         let scatter = |(_, points): &(OverTime, Series)| {
             let first = || points.iter().filter(|p| p.0 <= half_s).map(|p| p.1);
@@ -189,14 +257,23 @@ impl Fit<'_> {
         // What is wrong with the drive itself is an error here.
         let weights = vec![1.0; at(&x)?.iter().map(Vec::len).sum()];
         let scaled = |lists: Vec<Vec<f64>>, scales: &[f64]| -> Vec<Vec<f64>> {
-            let one = |(list, scale): (Vec<f64>, &f64)| list.into_iter().map(|r| r / scale).collect();
+            let one =
+                |(list, scale): (Vec<f64>, &f64)| list.into_iter().map(|r| r / scale).collect();
             lists.into_iter().zip(scales).map(one).collect()
         };
         let mut found = None;
         for _ in 0..2 {
-            let unknowns = free.iter().zip(&x).map(|(free, x)| Unknown::above(*x, 0.0, free.start));
+            let unknowns = free
+                .iter()
+                .zip(&x)
+                .map(|(free, x)| Unknown::above(*x, 0.0, free.start));
             let residuals = |x: &[f64]| Some(scaled(at(x).ok()?, &scales).concat());
-            let estimated = estimate(&residuals, &Vec::from_iter(unknowns), &weights, Loss::Squares);
+            let estimated = estimate(
+                &residuals,
+                &Vec::from_iter(unknowns),
+                &weights,
+                Loss::Squares,
+            );
             self.progress.check()?;
             let estimated = estimated.map_err(|error| {
                 let hint = "give better starts (`free` NAME=START), or free less";
@@ -207,9 +284,14 @@ impl Fit<'_> {
             scales = at(&x)?.iter().zip(&least).map(of).collect();
             found = Some(estimated);
         }
-        let Some(found) = found else { return Ok(vec![]) };
+        let Some(found) = found else {
+            return Ok(vec![]);
+        };
         let lists = scaled(at(&x)?, &scales);
-        let products = lists.iter().flat_map(|list| list.windows(2)).map(|pair| pair[0] * pair[1]);
+        let products = lists
+            .iter()
+            .flat_map(|list| list.windows(2))
+            .map(|pair| pair[0] * pair[1]);
         let squares = lists.iter().flatten().map(|r| r * r).sum::<f64>();
         let alike = (products.sum::<f64>() / squares).clamp(0.0, 0.9999);
         let wider = ((1.0 + alike) / (1.0 - alike)).sqrt();
@@ -236,6 +318,7 @@ impl Fit<'_> {
 }
 
 fn rms(values: impl Iterator<Item = f64>) -> f64 {
-    let (squares, count) = values.fold((0.0, 0.0_f64), |(sum, count), v| (sum + v * v, count + 1.0));
+    let (squares, count) =
+        values.fold((0.0, 0.0_f64), |(sum, count), v| (sum + v * v, count + 1.0));
     (squares / count.max(1.0)).sqrt()
 }

@@ -11,8 +11,8 @@ pub use simulated::SimulatedDrive;
 use crate::Result;
 use crate::words::{number, percent};
 use crate::{
-    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile, breakdown,
-    burst_of, figure, finite, put_first, said_of, units::Units,
+    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
+    breakdown, burst_of, figure, finite, put_first, said_of, units::Units,
 };
 use mckibben::joint::{JointModel, Turning};
 use mckibben::{
@@ -27,8 +27,9 @@ use mckibben::{
     warning::Warning,
 };
 use mckibben_motion::{
-    Actuated, Command, Coordinate, Drive, DriveFile, Linear, Mechanism, Motion, MotionError, Moves, Names,
-    SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size, with_value,
+    Actuated, Command, Coordinate, Drive, DriveFile, Linear, Mechanism, Motion, MotionError, Moves,
+    Names, SingleMuscle, Subject, Tables, Target, drive_names, parse_drive, run_as_far, size,
+    with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -64,13 +65,24 @@ impl MotionRequest {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
                 let models = vec![choice.bound(&MuscleFields::from_file(file).resolve()?)?];
-                Ok(Moved { choice, joint: None, models })
+                Ok(Moved {
+                    choice,
+                    joint: None,
+                    models,
+                })
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;
-                let models =
-                    joint.muscles().iter().map(|m| choice.bound(&m.muscle)).collect::<Result<_, _>>()?;
-                Ok(Moved { choice, joint: Some(joint), models })
+                let models = joint
+                    .muscles()
+                    .iter()
+                    .map(|m| choice.bound(&m.muscle))
+                    .collect::<Result<_, _>>()?;
+                Ok(Moved {
+                    choice,
+                    joint: Some(joint),
+                    models,
+                })
             }
         }
     }
@@ -85,8 +97,18 @@ impl MotionRequest {
     }
 
     fn parsed(&self, text: &str, rest_length_mm: f64) -> Result<DriveFile> {
-        let texts = self.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect();
-        let drive = parse_drive(text, &Tables { texts, rest_length_mm });
+        let texts = self
+            .tables
+            .iter()
+            .map(|t| (t.name.clone(), t.text.clone()))
+            .collect();
+        let drive = parse_drive(
+            text,
+            &Tables {
+                texts,
+                rest_length_mm,
+            },
+        );
         drive.map_err(|error| self.in_drive(error))
     }
 
@@ -97,14 +119,20 @@ impl MotionRequest {
 
     /// The drive of a text, or those of the sweep with their values.
     fn drives(&self, text: &str, rest_length_mm: f64) -> Result<Vec<(Option<String>, DriveFile)>> {
-        let Some(sweep) = &self.sweep else { return Ok(vec![(None, self.parsed(text, rest_length_mm)?)]) };
+        let Some(sweep) = &self.sweep else {
+            return Ok(vec![(None, self.parsed(text, rest_length_mm)?)]);
+        };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
-            let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());
+            let message = format!(
+                "a sweep has 1 to {MOST_RUNS} values, not {}",
+                sweep.values.len()
+            );
             return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
         }
         let values = sweep.values.iter();
         let one = |value: &String| {
-            let changed = with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
+            let changed =
+                with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
             Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
         };
         values.map(one).collect()
@@ -128,34 +156,66 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut said = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) = moved.with(drive, |drive| go(&drive, request.rise_time_s, progress))?;
+        let (motion, conductance) =
+            moved.with(drive, |drive| go(&drive, request.rise_time_s, progress))?;
         sized = sized.or(conductance);
         let wanted = match &drive.target {
             Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
             _ => vec![],
         };
         for (i, highest) in highest_mpa.iter_mut().enumerate() {
-            let reached = motion.series.muscles.get(i).map_or(&[][..], |m| &m.pressure_mpa);
-            *highest = reached.iter().chain(wanted.get(i)).copied().fold(*highest, f64::max);
+            let reached = motion
+                .series
+                .muscles
+                .get(i)
+                .map_or(&[][..], |m| &m.pressure_mpa);
+            *highest = reached
+                .iter()
+                .chain(wanted.get(i))
+                .copied()
+                .fold(*highest, f64::max);
         }
-        let with = value.as_ref().map_or_else(String::new, |v| format!("with {v}: "));
+        let with = value
+            .as_ref()
+            .map_or_else(String::new, |v| format!("with {v}: "));
         said.extend(
-            moved.warnings(&motion, drive).into_iter().map(|text| Warning::from(with.clone() + &text)),
+            moved
+                .warnings(&motion, drive)
+                .into_iter()
+                .map(|text| Warning::from(with.clone() + &text)),
         );
-        let mut run = MotionRun { value: value.clone(), motion, end: EndUncertainty::default() };
+        let mut run = MotionRun {
+            value: value.clone(),
+            motion,
+            end: EndUncertainty::default(),
+        };
         moved.end_uncertainty(&mut run, drive);
         runs.push(run);
     }
-    said.extend(moved.models.iter().flat_map(|m| m.muscle().warnings()).map(Warning::from));
+    said.extend(
+        moved
+            .models
+            .iter()
+            .flat_map(|m| m.muscle().warnings())
+            .map(Warning::from),
+    );
     let mut warnings = Warning::gravest(&said);
     let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
-    let burst = bursts.iter().zip(&highest_mpa).flat_map(|(burst, highest)| said_of(burst, *highest, 0.0));
+    let burst = bursts
+        .iter()
+        .zip(&highest_mpa)
+        .flat_map(|(burst, highest)| said_of(burst, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
-    let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
+    let Some(motion) = runs.next() else {
+        return Err(Problem::missing("drive", "a drive file"));
+    };
     let mut answer = MotionAnswer {
-        model: moved.models.first().map_or_else(String::new, |m| m.info().name.to_string()),
+        model: moved
+            .models
+            .first()
+            .map_or_else(String::new, |m| m.info().name.to_string()),
         muscles: moved.models.iter().map(|m| m.muscle().into()).collect(),
         motion,
         others: runs.collect(),
@@ -166,7 +226,10 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         figure: None,
     };
     let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
-    answer.figure = request.figure.as_ref().map(|unit| figure::motion(&answer, sweep, unit));
+    answer.figure = request
+        .figure
+        .as_ref()
+        .map(|unit| figure::motion(&answer, sweep, unit));
     Ok(answer)
 }
 
@@ -183,12 +246,20 @@ impl Moved {
             (None, Some(model)) => {
                 let load = file.load.clone().ok_or_else(|| {
                     let hint =
-                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with fixed ends";
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with \
+                         fixed ends";
                     Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
                 })?;
                 let free = SingleMuscle::new(&**model, load);
-                let stops_mm = (file.stops_mm.0.max(free.stops_mm.0), file.stops_mm.1.min(free.stops_mm.1));
-                Some(SingleMuscle { damping_n_s_per_m: file.damping_n_s_per_m, stops_mm, ..free })
+                let stops_mm = (
+                    file.stops_mm.0.max(free.stops_mm.0),
+                    file.stops_mm.1.min(free.stops_mm.1),
+                );
+                Some(SingleMuscle {
+                    damping_n_s_per_m: file.damping_n_s_per_m,
+                    stops_mm,
+                    ..free
+                })
             }
             _ => None,
         })
@@ -211,8 +282,16 @@ impl Moved {
         work(Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            initial_coordinate: single.as_ref().zip(file.held.or(file.start)).map(|(s, e)| e * s.length_mm),
-            ..Drive::new(mechanism, muscles.collect(), self.target(file), file.until_s)
+            initial_coordinate: single
+                .as_ref()
+                .zip(file.held.or(file.start))
+                .map(|(s, e)| e * s.length_mm),
+            ..Drive::new(
+                mechanism,
+                muscles.collect(),
+                self.target(file),
+                file.until_s,
+            )
         })
     }
 
@@ -228,8 +307,15 @@ impl Moved {
     }
 
     fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
-        let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
-        ended.into_iter().chain(suction(motion)).chain(self.not_at_rest(motion, file)).collect()
+        let ended = motion
+            .ended
+            .as_ref()
+            .map(|error| format!("it ended early: {error}"));
+        ended
+            .into_iter()
+            .chain(suction(motion))
+            .chain(self.not_at_rest(motion, file))
+            .collect()
     }
 
     /// That the load does not rest at the end, and where it would.
@@ -241,8 +327,15 @@ impl Moved {
             Coordinate::Angle => degrees(q.to_degrees()),
         };
         let (low, high) = at_end.between;
-        let between = format!("at the end it moves between {} and {}", shown(low), shown(high));
-        let still = motion.equilibrium_contraction.map(percent).or(motion.equilibrium_angle_deg.map(degrees));
+        let between = format!(
+            "at the end it moves between {} and {}",
+            shown(low),
+            shown(high)
+        );
+        let still = motion
+            .equilibrium_contraction
+            .map(percent)
+            .or(motion.equilibrium_angle_deg.map(degrees));
         let end = match still {
             Some(still) => format!("{between}, and its equilibrium is {still}"),
             None => between,
@@ -253,14 +346,15 @@ impl Moved {
         };
         match at_end.moves {
             Moves::Rests => None,
-            Moves::Creeps => {
-                Some(format!("still moving: {end}; set a later end time to reach the rest position"))
-            }
-            Moves::Swings if damped => {
-                Some(format!("still oscillating: {end}; set a later end time, or more damping"))
-            }
+            Moves::Creeps => Some(format!(
+                "still moving: {end}; set a later end time to reach the rest position"
+            )),
+            Moves::Swings if damped => Some(format!(
+                "still oscillating: {end}; set a later end time, or more damping"
+            )),
             Moves::Swings => Some(format!(
-                "still oscillating: {end}. No damping is given, so it is 0: only the air dissipates energy, and friction and relaxation if they are stated"
+                "still oscillating: {end}. No damping is given, so it is 0: only the air \
+                 dissipates energy, and friction and relaxation if they are stated"
             )),
         }
     }
@@ -274,7 +368,13 @@ impl Moved {
         let pressures: Option<Vec<f64>> = match &file.target {
             Target::Pressure(list) => Some(list.iter().map(|c| c.value(file.until_s)).collect()),
             _ if run.motion.at_rest() != Some(true) => None,
-            _ => run.motion.series.muscles.iter().map(|m| m.pressure_mpa.last().copied()).collect(),
+            _ => run
+                .motion
+                .series
+                .muscles
+                .iter()
+                .map(|m| m.pressure_mpa.last().copied())
+                .collect(),
         };
         let end = match (&self.joint, pressures) {
             (_, None) => None,
@@ -287,18 +387,33 @@ impl Moved {
 
     fn end_of_joint(&self, run: &MotionRun, pressures_mpa: &[f64]) -> Option<EndUncertainty> {
         let joint = self.joint.as_ref()?;
-        let last = run.motion.series.degrees().and_then(|[angle, _]| angle.last().copied());
+        let last = run
+            .motion
+            .series
+            .degrees()
+            .and_then(|[angle, _]| angle.last().copied());
         let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
         let (low, high) = joint.range_deg();
         let models = self.models.iter().map(|m| &**m).collect();
         let model = JointModel::new(joint, models, true).ok()?;
         let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
-        let point = model.at(workspaces, pressures_mpa, angle_deg.clamp(low, high), Turning::Mean).ok()?;
+        let point = model
+            .at(
+                workspaces,
+                pressures_mpa,
+                angle_deg.clamp(low, high),
+                Turning::Mean,
+            )
+            .ok()?;
         let inside = angle_deg > low && angle_deg < high;
         let half = model.angle_uncertainty_deg(&point).filter(|_| inside)?;
         let parts = point.uncertainty_parts_nm;
-        Some(EndUncertainty { end_angle_uncertainty_deg: Some(half), parts, ..EndUncertainty::default() })
+        Some(EndUncertainty {
+            end_angle_uncertainty_deg: Some(half),
+            parts,
+            ..EndUncertainty::default()
+        })
     }
 
     fn end_of_muscle(
@@ -308,7 +423,14 @@ impl Moved {
         pressures_mpa: &[f64],
     ) -> Option<EndUncertainty> {
         let (model, load) = (self.models.first()?, file.load.as_ref()?);
-        let last = run.motion.series.muscles.first()?.contraction.last().copied();
+        let last = run
+            .motion
+            .series
+            .muscles
+            .first()?
+            .contraction
+            .last()
+            .copied();
         let contraction = run.motion.equilibrium_contraction.or(last)?;
         let length_mm = model.muscle().length_mm();
         let (low, high) = (file.stops_mm.0 / length_mm, file.stops_mm.1 / length_mm);
@@ -316,13 +438,16 @@ impl Moved {
             return None;
         }
         let workspace = &mut Workspace::new();
-        let options = Options { extrapolate: true, ..Options::default() };
+        let options = Options {
+            extrapolate: true,
+            ..Options::default()
+        };
         let mut model = Evaluation::new(&**model, workspace, options);
         let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
         let nearest = balances.into_iter().map(|b| b.answer);
-        let nearest =
-            nearest.min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
+        let nearest = nearest
+            .min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {
             end_contraction_uncertainty: Some(nearest.contraction_uncertainty?),
             parts: nearest.uncertainty_parts_n,
@@ -332,11 +457,21 @@ impl Moved {
 }
 
 /// The motion of a drive, and the conductance that was sought.
-fn go(drive: &Drive<'_>, rise_time_s: Option<f64>, progress: &dyn Progress) -> Result<(Motion, Option<f64>)> {
+fn go(
+    drive: &Drive<'_>,
+    rise_time_s: Option<f64>,
+    progress: &dyn Progress,
+) -> Result<(Motion, Option<f64>)> {
     let bandwidth_hz = match &drive.target {
         Target::Pressure(list) if !list.is_empty() => {
-            let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
-            let held = Drive { target: Target::Pressure(most), ..drive.clone() };
+            let most = list
+                .iter()
+                .map(|c| Command::Constant(c.bounds().1))
+                .collect();
+            let held = Drive {
+                target: Target::Pressure(most),
+                ..drive.clone()
+            };
             Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
         }
         _ => None,
@@ -349,7 +484,10 @@ fn go(drive: &Drive<'_>, rise_time_s: Option<f64>, progress: &dyn Progress) -> R
         }
     };
     motion.bandwidth_hz = bandwidth_hz;
-    motion.never_lifted.take().map_or(Ok((motion, conductance)), |error| Err(error.into()))
+    motion
+        .never_lifted
+        .take()
+        .map_or(Ok((motion, conductance)), |error| Err(error.into()))
 }
 
 /// β where a drive states C of a muscle without friction (Tondu 2012 \[tondu2012\], 20°).
@@ -357,10 +495,16 @@ const EXPONENT: f64 = 0.57;
 
 /// The friction of a muscle, with what the drive states of it.
 fn friction(file: &DriveFile, own: Option<&Friction>) -> Option<Friction> {
-    let stated = file.friction_coefficient.map(|c| Friction::power_law(c, EXPONENT));
+    let stated = file
+        .friction_coefficient
+        .map(|c| Friction::power_law(c, EXPONENT));
     let friction = *own.or(stated.as_ref())?;
     let coefficient = file.friction_coefficient.unwrap_or(friction.coefficient);
-    Some(Friction { coefficient, presliding_mm: file.presliding_mm.or(friction.presliding_mm), ..friction })
+    Some(Friction {
+        coefficient,
+        presliding_mm: file.presliding_mm.or(friction.presliding_mm),
+        ..friction
+    })
 }
 
 impl From<MotionError> for Problem {
@@ -400,7 +544,8 @@ pub struct MotionRun {
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct EndUncertainty {
-    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command still changes.
+    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a
+    /// stop, of a controlled position, and where the command still changes.
     pub end_contraction_uncertainty: Option<f64>,
     /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
     pub end_angle_uncertainty_deg: Option<f64>,
@@ -415,8 +560,15 @@ impl MotionRun {
     /// The parts of the ± at its end in words, in units.
     pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
         let torque = self.end.end_angle_uncertainty_deg.is_some();
-        let (of, scale) = if torque { ("torque", Scale::newton_metres()) } else { ("pull", u.force.clone()) };
-        Some(format!("of the {of} {}", breakdown(self.end.parts.as_ref()?, &scale)))
+        let (of, scale) = if torque {
+            ("torque", Scale::newton_metres())
+        } else {
+            ("pull", u.force.clone())
+        };
+        Some(format!(
+            "of the {of} {}",
+            breakdown(self.end.parts.as_ref()?, &scale)
+        ))
     }
 }
 
@@ -457,7 +609,9 @@ impl MotionAnswer {
 
     /// Where a motion ended before its end: the reason.
     pub fn problem(&self) -> Option<Problem> {
-        self.runs().find_map(|run| run.motion.ended.clone()).map(Problem::from)
+        self.runs()
+            .find_map(|run| run.motion.ended.clone())
+            .map(Problem::from)
     }
 }
 
@@ -470,7 +624,8 @@ fn suction(motion: &Motion) -> Option<String> {
     let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
     (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
         format!(
-            "the pressure falls to {}\u{a0}MPa: below atmospheric pressure a tube collapses, which is not modelled; withdraw the liquid more slowly, or less of it",
+            "the pressure falls to {}\u{a0}MPa: below atmospheric pressure a tube collapses, which \
+             is not modelled; withdraw the liquid more slowly, or less of it",
             number(lowest, 3)
         )
     })

@@ -1,8 +1,8 @@
 //! Requests of a drive.
 
 use crate::{
-    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite, given,
-    no_ratio,
+    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite,
+    given, no_ratio,
 };
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_motion::{MotionError, Valve, with_value};
@@ -27,11 +27,15 @@ pub struct MotionRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+    /// A key of the drive file and values that take its place, one run each:
+    /// `valve.sonic_conductance`.
     pub sweep: Option<MotionSweep>,
-    /// A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its time.
+    /// A recorded motion of the drive: times, with pressures, contractions or shortenings, or
+    /// angles. Constants are identified from the first half of its time.
     pub log: Option<TextFile>,
-    /// What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`, `load.damping` and `friction.coefficient` that the files state.
+    /// What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of
+    /// `valve.sonic_conductance`, `air.dead_volume`, `load.damping` and `friction.coefficient` that
+    /// the files state.
     pub free: Vec<String>,
     /// Find the smallest valve with this rise time (10–90 %), s.
     pub rise_time_s: Option<f64>,
@@ -39,7 +43,8 @@ pub struct MotionRequest {
     pub figure: Option<Units>,
 }
 
-/// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle, until the muscle lifts it.
+/// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle,
+/// until the muscle lifts it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StepFields {
@@ -49,7 +54,8 @@ pub struct StepFields {
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
-    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a contraction.
+    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a
+    /// contraction.
     pub load: Option<String>,
     /// Damping of the load, N s/m.
     pub damping_n_s_per_m: f64,
@@ -60,7 +66,11 @@ pub struct StepFields {
 impl StepFields {
     /// The text of the drive file that it says, of a muscle of this length.
     pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
-        let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
+        let pressure = given(
+            "pressure_mpa",
+            self.pressure_mpa,
+            "a pressure, such as 0.3 MPa",
+        )?;
         let until_s = finite("until_s", self.until_s.unwrap_or(2.0))?;
         let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
         let damping_n_s_per_m = finite("damping_n_s_per_m", self.damping_n_s_per_m)?;
@@ -69,18 +79,33 @@ impl StepFields {
                 "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
             Problem::missing("valve", expected)
         })?;
-        let load =
-            self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
+        let load = self
+            .load
+            .as_deref()
+            .ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
         let _: Valve = valve.parse().map_err(|error: MotionError| {
             Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
         })?;
-        let is_conductance = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        let key = if is_conductance { "valve.sonic_conductance" } else { "valve.name" };
+        let is_conductance = valve
+            .trim()
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.');
+        let key = if is_conductance {
+            "valve.sonic_conductance"
+        } else {
+            "valve.name"
+        };
         let mut values = vec![(key, valve.trim().to_owned())];
-        match load.trim().strip_prefix("held").map(|rest| rest.trim_start_matches(':').trim()) {
+        match load
+            .trim()
+            .strip_prefix("held")
+            .map(|rest| rest.trim_start_matches(':').trim())
+        {
             Some(contraction) => values.push(("load.held", held(contraction)?.to_string())),
             None => {
-                let fields = LoadFields { load: Some(load.to_owned()), load_tables: tables.to_vec() };
+                let fields = LoadFields {
+                    load: Some(load.to_owned()),
+                    load_tables: tables.to_vec(),
+                };
                 fields.resolve(rest_length_mm)?;
                 values.push(("load.line", load.to_owned()));
                 values.push(("load.damping", damping_n_s_per_m.to_string()));
@@ -88,9 +113,12 @@ impl StepFields {
             }
         }
         let head = format!(
-            "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
+            "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
+             [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
         );
-        let text = values.into_iter().try_fold(head, |text, (key, value)| with_value(&text, key, &value));
+        let text = values
+            .into_iter()
+            .try_fold(head, |text, (key, value)| with_value(&text, key, &value));
         Ok(text?)
     }
 }
@@ -100,9 +128,14 @@ fn held(text: &str) -> Result<f64> {
     if text.is_empty() {
         return Ok(0.0);
     }
-    let contraction = parse_quantity(text, Dimension::Ratio)
-        .map_err(|error| Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load"))?;
-    if contraction.abs() < 1.0 { Ok(contraction) } else { Err(no_ratio("load", contraction)) }
+    let contraction = parse_quantity(text, Dimension::Ratio).map_err(|error| {
+        Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load")
+    })?;
+    if contraction.abs() < 1.0 {
+        Ok(contraction)
+    } else {
+        Err(no_ratio("load", contraction))
+    }
 }
 
 /// Values of a key of the drive file.

@@ -21,7 +21,8 @@ struct Setup {
 }
 
 impl Setup {
-    /// Does something with the drive, under commands (those of the file where there are none) and a force or torque from outside.
+    /// Does something with the drive, under commands (those of the file where there are none) and a
+    /// force or torque from outside.
     fn with<T>(
         &self,
         commands: Option<&[f64]>,
@@ -36,9 +37,8 @@ impl Setup {
                 None => of_file,
                 Some(values) => {
                     let held = match of_file {
-                        Target::Position { .. } if is_angle => {
-                            of_file.constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>())
-                        }
+                        Target::Position { .. } if is_angle => of_file
+                            .constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>()),
                         _ => of_file.constant(values),
                     };
                     held.ok_or_else(|| {
@@ -48,7 +48,11 @@ impl Setup {
                     })?
                 }
             };
-            work(&Drive { outside_force, target, ..drive })
+            work(&Drive {
+                outside_force,
+                target,
+                ..drive
+            })
         })
     }
 }
@@ -65,22 +69,31 @@ impl SimulatedDrive {
         file.target = moved.target(&file);
         let setup = Arc::new(Setup { moved, file });
         let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
-        Ok(Self { setup, simulation, commands: None })
+        Ok(Self {
+            setup,
+            simulation,
+            commands: None,
+        })
     }
 
     /// Back to the start.
     pub fn reset(&mut self, progress: &dyn Progress) -> Result<()> {
-        self.simulation = self.setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        self.simulation = self
+            .setup
+            .with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         self.commands = None;
         Ok(())
     }
 
-    /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1, volume in mm³, contraction ratio, or angle in degrees) and
-    /// from outside a force in N that stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves all as
-    /// it was.
+    /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1,
+    /// volume in mm³, contraction ratio, or angle in degrees) and from outside a force in N that
+    /// stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves
+    /// all as it was.
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
         let simulation = &mut self.simulation;
-        self.setup.with(Some(commands), outside, |drive| Ok(simulation.step(drive, progress)?))?;
+        self.setup.with(Some(commands), outside, |drive| {
+            Ok(simulation.step(drive, progress)?)
+        })?;
         self.commands = Some(commands.to_vec());
         Ok(())
     }
@@ -98,13 +111,18 @@ impl SimulatedDrive {
         numbers
     }
 
-    /// Goes to where a simulation of the same drive was, by its numbers: to the tolerance of the integration, a copy is there to the last bit.
+    /// Goes to where a simulation of the same drive was, by its numbers: to the tolerance of the
+    /// integration, a copy is there to the last bit.
     pub fn restore(&mut self, numbers: &[f64], progress: &dyn Progress) -> Result<()> {
-        let (count, rest) = numbers.split_first().map_or((0, numbers), |(n, rest)| (*n as usize, rest));
+        let (count, rest) = numbers
+            .split_first()
+            .map_or((0, numbers), |(n, rest)| (*n as usize, rest));
         let (commands, rest) = rest.split_at_checked(count).unwrap_or_default();
         let commands = Some(commands).filter(|commands| !commands.is_empty());
         let simulation = &mut self.simulation;
-        self.setup.with(commands, 0.0, |drive| Ok(simulation.restore(drive, rest, progress)?))?;
+        self.setup.with(commands, 0.0, |drive| {
+            Ok(simulation.restore(drive, rest, progress)?)
+        })?;
         self.commands = commands.map(<[f64]>::to_vec);
         Ok(())
     }
@@ -114,7 +132,8 @@ impl SimulatedDrive {
         self.simulation.motion()
     }
 
-    /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands there are.
+    /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands
+    /// there are.
     pub fn commands(&self) -> (&'static str, usize) {
         match &self.setup.file.target {
             Target::Pressure(list) => ("pressure", list.len()),
@@ -133,6 +152,10 @@ impl SimulatedDrive {
     #[must_use]
     pub fn duplicate(&self) -> Self {
         let (setup, simulation) = (Arc::clone(&self.setup), self.simulation.duplicate());
-        Self { setup, simulation, commands: self.commands.clone() }
+        Self {
+            setup,
+            simulation,
+            commands: self.commands.clone(),
+        }
     }
 }

@@ -104,7 +104,11 @@ impl From<&Simulated> for SimulatedRow {
             Ok(s) => s,
             Err(error) => {
                 let (status, cause) = (q.status, error.to_string());
-                return Self::Failed(FailedPoint { requested: q.requested, status, cause });
+                return Self::Failed(FailedPoint {
+                    requested: q.requested,
+                    status,
+                    cause,
+                });
             }
         };
         let response = Response {

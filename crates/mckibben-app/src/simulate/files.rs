@@ -14,7 +14,11 @@ pub(super) struct ShapeFiles {
 
 impl ShapeFiles {
     pub(super) fn new(muscle: &MuscleSummary) -> Self {
-        Self { series: VtuSeries::new(&muscle.line(&Units::default())), files: vec![], bytes: 0 }
+        Self {
+            series: VtuSeries::new(&muscle.line(&Units::default())),
+            files: vec![],
+            bytes: 0,
+        }
     }
 
     pub(super) fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
@@ -30,7 +34,9 @@ impl ShapeFiles {
 
     /// All of them, first the list of the others.
     pub(super) fn all(self) -> Vec<BuiltFile> {
-        std::iter::once(built(self.series.list())).chain(self.files).collect()
+        std::iter::once(built(self.series.list()))
+            .chain(self.files)
+            .collect()
     }
 }
 

@@ -6,9 +6,9 @@ mod files;
 pub use answer::*;
 
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
-    Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach, said_of,
-    steps, warnings,
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
+    RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure, forces,
+    list, put_first, reach, said_of, steps, warnings,
 };
 use files::ShapeFiles;
 use mckibben::analysis::Evaluation;
@@ -53,8 +53,8 @@ pub struct SimulateRequest {
     pub mesh: MeshFields,
     /// Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
-    /// pressure.
+    /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free
+    /// contraction at the highest pressure.
     pub contractions: Option<Vec<f64>>,
     /// Contractions are shares of the free contraction at the highest pressure.
     #[serde(default)]
@@ -70,7 +70,8 @@ pub struct SimulateRequest {
     /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
     #[serde(default)]
     pub vtu: bool,
-    /// In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
+    /// In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the
+    /// whole muscle.
     #[serde(default)]
     pub eighth: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
@@ -105,16 +106,22 @@ impl Meshed {
     }
 
     /// The deformed muscle at an equilibrium between ends.
-    fn shape(&self, workspace: &mut Workspace, ends: &Ends, r: &Response, extent: Extent) -> Result<Shape> {
+    fn shape(
+        &self,
+        workspace: &mut Workspace,
+        ends: &Ends,
+        r: &Response,
+        extent: Extent,
+    ) -> Result<Shape> {
         let p = r.pressure_mpa;
         let between = ends.between(r.contraction, ends.end_displacement_mm(p, r.force_n));
         let shape = match self {
-            Self::Axisymmetric(model) => {
-                model.section_at(workspace, p, between).map(|s| Shape::of_section(&s))
-            }
-            Self::ThreeDimensional(model) => {
-                model.field_at(workspace, p, between).map(|field| Shape::of_field(&field, extent))
-            }
+            Self::Axisymmetric(model) => model
+                .section_at(workspace, p, between)
+                .map(|s| Shape::of_section(&s)),
+            Self::ThreeDimensional(model) => model
+                .field_at(workspace, p, between)
+                .map(|field| Shape::of_field(&field, extent)),
         };
         shape.map_err(Problem::from)
     }
@@ -125,7 +132,11 @@ const MOST_POINTS: usize = 100_000;
 
 /// One finite-element test.
 pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<SimulateAnswer> {
-    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
+    check_test(
+        request.test,
+        request.contractions.is_some(),
+        request.forces_n.is_some(),
+    )?;
     if request.test == Test::Isotonic {
         let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
         Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
@@ -134,19 +145,31 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {
         let name = model.name();
-        let message =
-            format!("a test needs a finite-element model, and \"{name}\" is not one; give fe or fe3d");
-        return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
+        let message = format!(
+            "a test needs a finite-element model, and \"{name}\" is not one; give fe or fe3d"
+        );
+        return Err(Problem::new(
+            ProblemKind::Model,
+            message,
+            "`curve` draws the curves of every model",
+        ));
     };
     model.admit(&muscle)?;
     let (ends, inner) = (muscle.ends(), muscle.between_ends());
-    let meshed =
-        Meshed::new(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+    let meshed = Meshed::new(elements, &inner)
+        .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
     let questions = request.questions(&*simulation, workspace)?;
-    let deck = request.deck.then(|| written_deck(&meshed, &ends, request.test, &questions)).transpose()?;
+    let deck = request
+        .deck
+        .then(|| written_deck(&meshed, &ends, request.test, &questions))
+        .transpose()?;
     let summary = MuscleSummary::from(&muscle);
-    let extent = if request.eighth { Extent::Eighth } else { Extent::Whole };
+    let extent = if request.eighth {
+        Extent::Eighth
+    } else {
+        Extent::Whole
+    };
     let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
     let mut simulated = Vec::with_capacity(questions.len());
     for (i, &requested) in questions.iter().enumerate() {
@@ -154,12 +177,21 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         progress.check()?;
         let pressure_mpa = requested.pressure_mpa;
         let given = match (requested.contraction, requested.force_n) {
-            (None, Some(force_n)) => Given::PressureAndPull { pressure_mpa, force_n },
+            (None, Some(force_n)) => Given::PressureAndPull {
+                pressure_mpa,
+                force_n,
+            },
             (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
         };
         let solution = simulation.solve(workspace, given);
         cancel::check()?;
-        let point = judged(&*simulation, workspace, requested, solution, request.two_sided);
+        let point = judged(
+            &*simulation,
+            workspace,
+            requested,
+            solution,
+            request.two_sided,
+        );
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
             let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
             files.add(shape, &solution.response)?;
@@ -170,7 +202,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let problem = all_failed(&simulated);
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
-    let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
+    let pulling = simulated
+        .iter()
+        .filter(|s| !s.slack)
+        .filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
@@ -192,16 +227,30 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
 
 impl SimulateRequest {
     /// The requested points, curve by curve.
-    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<RequestedPoint>> {
-        let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
+    fn questions(
+        &self,
+        model: &dyn Simulation,
+        workspace: &mut Workspace,
+    ) -> Result<Vec<RequestedPoint>> {
+        let pressures = list("pressures_mpa", &self.pressures_mpa, || {
+            steps(5, 0.05, 0.25)
+        })?;
         let mut contractions = contractions(&self.contractions, || {
             if self.test == Test::Isobaric && !self.of_largest {
-                reach(&mut Evaluation::new(model, workspace, Options::default()), &pressures, 0.02, true)
+                reach(
+                    &mut Evaluation::new(model, workspace, Options::default()),
+                    &pressures,
+                    0.02,
+                    true,
+                )
             } else {
                 steps(3, 0.0, 0.2)
             }
         })?;
-        let options = Options { two_sided: true, ..Options::default() };
+        let options = Options {
+            two_sided: true,
+            ..Options::default()
+        };
         let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
@@ -209,23 +258,42 @@ impl SimulateRequest {
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
         let held: Vec<(Option<f64>, Option<f64>)> = match self.test {
-            Test::Isotonic => forces.into_iter().map(|force_n| (None, Some(force_n))).collect(),
-            _ => contractions.into_iter().map(|contraction| (Some(contraction), None)).collect(),
+            Test::Isotonic => forces
+                .into_iter()
+                .map(|force_n| (None, Some(force_n)))
+                .collect(),
+            _ => contractions
+                .into_iter()
+                .map(|contraction| (Some(contraction), None))
+                .collect(),
         };
         check_count(&[pressures.len(), held.len()], MOST_POINTS)?;
         if let Some(low) = pressures.iter().copied().find(|p| *p < 0.0) {
             let message = format!("{low}\u{a0}MPa is below zero");
-            return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa"));
+            return Err(
+                Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa")
+            );
         }
-        let at = |pressure_mpa, (contraction, force_n)| RequestedPoint { pressure_mpa, contraction, force_n };
+        let at = |pressure_mpa, (contraction, force_n)| RequestedPoint {
+            pressure_mpa,
+            contraction,
+            force_n,
+        };
         Ok(match self.test {
-            Test::Isobaric => pressures.iter().flat_map(|&p| held.iter().map(move |&h| at(p, h))).collect(),
-            _ => held.iter().flat_map(|&h| pressures.iter().map(move |&p| at(p, h))).collect(),
+            Test::Isobaric => pressures
+                .iter()
+                .flat_map(|&p| held.iter().map(move |&h| at(p, h)))
+                .collect(),
+            _ => held
+                .iter()
+                .flat_map(|&h| pressures.iter().map(move |&p| at(p, h)))
+                .collect(),
         })
     }
 }
 
-/// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its free contraction.
+/// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
+/// free contraction.
 fn judged(
     model: &dyn Simulation,
     workspace: &mut Workspace,
@@ -234,15 +302,20 @@ fn judged(
     two_sided: bool,
 ) -> Simulated {
     let pressure_mpa = requested.pressure_mpa;
-    let shortened =
-        requested.contraction.filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
+    let shortened = requested
+        .contraction
+        .filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
     let pushes = solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
-    let past_free = shortened.filter(|_| pushes || solution.is_err()).and_then(|e| {
-        // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
-        let free = free_contraction(model, workspace, pressure_mpa).ok();
-        free.filter(|free| pushes || e >= *free)
-    });
-    let hanging = past_free.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
+    let past_free = shortened
+        .filter(|_| pushes || solution.is_err())
+        .and_then(|e| {
+            // Where pushing has no equilibrium a muscle shortened past its free contraction hangs
+            // slack all the same.
+            let free = free_contraction(model, workspace, pressure_mpa).ok();
+            free.filter(|free| pushes || e >= *free)
+        });
+    let hanging =
+        past_free.and_then(|free| model.solve(workspace, Given::at(pressure_mpa, free)).ok());
     let hangs = hanging.is_some();
     let solution = hanging.map_or(solution, Ok).map(|mut s| {
         if hangs || overloaded(model.muscle(), &s.response).is_some() {
@@ -250,10 +323,18 @@ fn judged(
         }
         s
     });
-    let status =
-        solution.as_ref().map_or_else(|e| Status::from(&ModelError::from(e.clone())), |_| Status::Ok);
+    let status = solution.as_ref().map_or_else(
+        |e| Status::from(&ModelError::from(e.clone())),
+        |_| Status::Ok,
+    );
     let slack = hangs || pushes && shortened.is_some();
-    Simulated { requested, solution, slack, free_contraction: past_free, status }
+    Simulated {
+        requested,
+        solution,
+        slack,
+        free_contraction: past_free,
+        status,
+    }
 }
 
 /// Where every point fails: the first reason.
@@ -262,14 +343,23 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
         return None;
     }
     let first = points.iter().find_map(|q| q.solution.as_ref().err())?;
-    Some(Problem::new(ProblemKind::NotConverged, first.to_string(), ""))
+    Some(Problem::new(
+        ProblemKind::NotConverged,
+        first.to_string(),
+        "",
+    ))
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
-fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[RequestedPoint]) -> Result<String> {
+fn written_deck(
+    meshed: &Meshed,
+    ends: &Ends,
+    test: Test,
+    questions: &[RequestedPoint],
+) -> Result<String> {
     let wrong = |message: String| {
-        let hint =
-            "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";
+        let hint = "an example: an isometric test of fe3d at one contraction, with pressures from \
+            0.01 to 0.25 MPa";
         Problem::new(ProblemKind::Deck, message, hint)
     };
     let Meshed::ThreeDimensional(model) = meshed else {
@@ -277,7 +367,8 @@ fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[Requested
     };
     if ends.give() {
         return Err(wrong(
-            "an input deck cannot describe seating, slip or grip of the terminals: leave them out".into(),
+            "an input deck cannot describe seating, slip or grip of the terminals: leave them out"
+                .into(),
         ));
     }
     let contractions: Vec<f64> = questions.iter().filter_map(|q| q.contraction).collect();
@@ -285,7 +376,9 @@ fn written_deck(meshed: &Meshed, ends: &Ends, test: Test, questions: &[Requested
         return Err(wrong("an input deck needs an isometric test".into()));
     };
     if contractions.iter().any(|e| *e != contraction) {
-        return Err(wrong("an input deck needs a test at one contraction".into()));
+        return Err(wrong(
+            "an input deck needs a test at one contraction".into(),
+        ));
     }
     let pressures: Vec<f64> = questions.iter().map(|q| q.pressure_mpa).collect();
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))

@@ -8,28 +8,47 @@ use std::collections::BTreeSet;
 const UNIT: &str = "x-unit";
 const QUANTITY: &str = "x-quantity";
 
-/// Last words of names of plain numbers: what has a unit ends with it. A new word here is one more kind of plain number.
-const PLAIN: &str = "above aicc area at beta blocked braid by command contractions correlation correlations command default difference deviation divide efficiency error errors \
-    exponent factor fit fixed formula friction from guaranteed held high ideal interval isobar largest limit low margin maximum measured mesh minimum modulus multiply neutral opening ours \
-    overshoot overstress of points prony r ratio range reach reference relative rms rubber share sheet smallest speed squared start stiffer stretch \
+/// Last words of names of plain numbers: what has a unit ends with it. A new word here is one more
+/// kind of plain number.
+const PLAIN: &str = "above aicc area at beta blocked braid by command contractions correlation \
+    correlations command default difference deviation divide efficiency error errors \
+    exponent factor fit fixed formula friction from guaranteed held high ideal interval isobar \
+    largest limit low margin maximum measured mesh minimum modulus multiply neutral opening ours \
+    overshoot overstress of points prony r ratio range reach reference relative rms rubber share \
+    sheet smallest speed squared start stiffer stretch \
     tolerance to torques transfer turns value values weight weights width x y";
 
 fn is_number(field: &Value, defs: &Value, deeper: usize) -> bool {
-    let Some(deeper) = deeper.checked_sub(1) else { return false };
+    let Some(deeper) = deeper.checked_sub(1) else {
+        return false;
+    };
     let list = |key: &str| field[key].as_array().into_iter().flatten();
     let is = |kind: &Value| kind == "number";
     is(&field["type"])
         || list("type").any(is)
-        || list("anyOf").chain(list("oneOf")).chain(list("prefixItems")).any(|f| is_number(f, defs, deeper))
-        || field.get("items").is_some_and(|items| is_number(items, defs, deeper))
-        || field["$ref"].as_str().and_then(|path| path.rsplit('/').next()).is_some_and(|name| {
-            defs[name].get("properties").is_none() && is_number(&defs[name], defs, deeper)
-        })
+        || list("anyOf")
+            .chain(list("oneOf"))
+            .chain(list("prefixItems"))
+            .any(|f| is_number(f, defs, deeper))
+        || field
+            .get("items")
+            .is_some_and(|items| is_number(items, defs, deeper))
+        || field["$ref"]
+            .as_str()
+            .and_then(|path| path.rsplit('/').next())
+            .is_some_and(|name| {
+                defs[name].get("properties").is_none() && is_number(&defs[name], defs, deeper)
+            })
 }
 
 /// Every field with a number below a schema.
 fn each(schema: &Value, defs: &Value, visit: &mut dyn FnMut(&str, &Value)) {
-    for (name, field) in schema.get("properties").and_then(Value::as_object).into_iter().flatten() {
+    for (name, field) in schema
+        .get("properties")
+        .and_then(Value::as_object)
+        .into_iter()
+        .flatten()
+    {
         if is_number(field, defs, 6) {
             visit(name, field);
         }
@@ -61,16 +80,31 @@ fn every_number_of_every_schema_has_a_unit_that_is_known_or_is_a_plain_one() {
             });
         }
     }
-    assert!(unknown.is_empty(), "neither a unit nor a plain number: {unknown:#?}");
+    assert!(
+        unknown.is_empty(),
+        "neither a unit nor a plain number: {unknown:#?}"
+    );
     assert!(units.len() > 150, "{units:?}");
 }
 
 #[test]
 fn units_are_those_of_the_names_and_shares_those_that_are_stated() {
     let force = mckibben_app::schema("force").unwrap();
-    assert_eq!(force["request"]["properties"]["slip_mm_per_n"][UNIT], "mm/N");
-    assert_eq!(force["request"]["properties"]["slip_mm_per_n"][QUANTITY], "compliance");
-    assert_eq!(force["answer"]["properties"]["force_per_pressure_n_per_mpa"][UNIT], "N/MPa");
+    assert_eq!(
+        force["request"]["properties"]["slip_mm_per_n"][UNIT],
+        "mm/N"
+    );
+    assert_eq!(
+        force["request"]["properties"]["slip_mm_per_n"][QUANTITY],
+        "compliance"
+    );
+    assert_eq!(
+        force["answer"]["properties"]["force_per_pressure_n_per_mpa"][UNIT],
+        "N/MPa"
+    );
     let design = mckibben_app::schema("design").unwrap();
-    assert_eq!(design["request"]["properties"]["stiffness"][QUANTITY], "stiffness");
+    assert_eq!(
+        design["request"]["properties"]["stiffness"][QUANTITY],
+        "stiffness"
+    );
 }

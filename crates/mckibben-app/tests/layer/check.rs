@@ -12,7 +12,11 @@ fn checked(request: CheckRequest) -> CheckAnswer {
 #[test]
 fn a_measured_friction_takes_its_square_out_of_the_half_width() {
     let answer = checked(CheckRequest::default());
-    let friction = answer.findings.iter().find(|f| f.text.starts_with("friction unknown")).unwrap();
+    let friction = answer
+        .findings
+        .iter()
+        .find(|f| f.text.starts_with("friction unknown"))
+        .unwrap();
     let values = answer.characteristics.unwrap();
     let total = values.blocked_force_uncertainty_n.unwrap();
     // 12 % of the blocked force where a muscle does not state its friction (docs/models.md).

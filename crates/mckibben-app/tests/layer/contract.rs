@@ -1,5 +1,5 @@
-//! The words of requests and answers, kept in `docs/contract.txt`: a change of one is seen in a line, and is meant. `cargo xtask schemas`
-//! writes the file again.
+//! The words of requests and answers, kept in `docs/contract.txt`: a change of one is seen in a
+//! line, and is meant. `cargo xtask schemas` writes the file again.
 
 use super::root;
 use mckibben_app::{COMMANDS, bundle};
@@ -24,14 +24,21 @@ fn kind(schema: &Value) -> String {
     }
     let one = |name: &str| match name {
         "array" if schema.get("prefixItems").is_some() => {
-            format!("({})", list("prefixItems").map(kind).collect::<Vec<_>>().join(", "))
+            format!(
+                "({})",
+                list("prefixItems").map(kind).collect::<Vec<_>>().join(", ")
+            )
         }
         "array" => format!("[{}]", kind(&schema["items"])),
         "object" => {
             let fields = schema["properties"].as_object().into_iter().flatten();
-            let rest = schema["additionalProperties"].as_object().map(|of| kind(&of.clone().into()));
-            let fields: Vec<String> =
-                fields.map(|(name, of)| format!("{name}: {}", kind(of))).chain(rest).collect();
+            let rest = schema["additionalProperties"]
+                .as_object()
+                .map(|of| kind(&of.clone().into()));
+            let fields: Vec<String> = fields
+                .map(|(name, of)| format!("{name}: {}", kind(of)))
+                .chain(rest)
+                .collect();
             format!("{{{}}}", fields.join(", "))
         }
         name => name.to_owned(),
@@ -47,7 +54,12 @@ fn kind(schema: &Value) -> String {
 fn keywords(field: &Value) -> String {
     let said = |key: &str, before: &str| {
         let value = field.get(key).filter(|value| !value.is_null())?;
-        Some(format!(" {before}{}", value.as_str().map_or_else(|| value.to_string(), str::to_owned)))
+        Some(format!(
+            " {before}{}",
+            value
+                .as_str()
+                .map_or_else(|| value.to_string(), str::to_owned)
+        ))
     };
     let ratio = || (field["x-quantity"] == "ratio").then(|| " ratio".to_owned());
     let words = [
@@ -70,9 +82,15 @@ fn describe(path: &str, schema: &Value, lines: &mut BTreeSet<String>) {
         lines.insert(format!("{path}: {}{}", kind(schema), keywords(schema)));
     }
     for (name, field) in fields.into_iter().flatten() {
-        let always = schema["required"].as_array().is_some_and(|names| names.contains(&name.as_str().into()));
+        let always = schema["required"]
+            .as_array()
+            .is_some_and(|names| names.contains(&name.as_str().into()));
         let mark = if always { "" } else { "?" };
-        lines.insert(format!("{path}.{name}{mark}: {}{}", kind(field), keywords(field)));
+        lines.insert(format!(
+            "{path}.{name}{mark}: {}{}",
+            kind(field),
+            keywords(field)
+        ));
     }
 }
 
@@ -82,9 +100,11 @@ fn the_words_of_requests_and_answers_are_those_that_were_agreed() {
     let mut lines = BTreeSet::new();
     for (name, schema) in all.as_object().unwrap() {
         match name.as_str() {
-            "$defs" => {
-                schema.as_object().unwrap().iter().for_each(|(name, of)| describe(name, of, &mut lines))
-            }
+            "$defs" => schema
+                .as_object()
+                .unwrap()
+                .iter()
+                .for_each(|(name, of)| describe(name, of, &mut lines)),
             name => ["request", "answer"]
                 .into_iter()
                 .for_each(|part| describe(&format!("{name}.{part}"), &schema[part], &mut lines)),
@@ -101,7 +121,8 @@ fn the_words_of_requests_and_answers_are_those_that_were_agreed() {
     let fresh: Vec<_> = lines.difference(&kept).collect();
     assert!(
         gone.is_empty() && fresh.is_empty(),
-        "docs/contract.txt differs; where it is meant: cargo xtask schemas\nno longer there: {gone:#?}\nnew: {fresh:#?}"
+        "docs/contract.txt differs; where it is meant: cargo xtask schemas\nno longer there: \
+         {gone:#?}\nnew: {fresh:#?}"
     );
 }
 
@@ -111,8 +132,11 @@ fn definitions_of_one_name_are_one() {
     let defs = bundle()["$defs"].take();
     for command in COMMANDS.iter() {
         for part in command.schema().as_object_mut().unwrap().values_mut() {
-            for (name, of_command) in
-                part["$defs"].as_object().into_iter().flatten().filter(|d| d.0 != "Problem")
+            for (name, of_command) in part["$defs"]
+                .as_object()
+                .into_iter()
+                .flatten()
+                .filter(|d| d.0 != "Problem")
             {
                 assert_eq!(of_command, &defs[name], "{}: {name}", command.name);
             }
@@ -131,11 +155,17 @@ fn measures_have_what_a_form_needs() {
     });
     assert_eq!(fields["wall_mm"], wall);
     assert_eq!(
-        (&fields["seating_mm"]["x-minimum"], &fields["seating_mm"]["default"]),
+        (
+            &fields["seating_mm"]["x-minimum"],
+            &fields["seating_mm"]["default"]
+        ),
         (&json!(0.0), &json!(0.0))
     );
     assert_eq!(
-        (&fields["prestretch"]["x-minimum"], &fields["prestretch"]["x-maximum"]),
+        (
+            &fields["prestretch"]["x-minimum"],
+            &fields["prestretch"]["x-maximum"]
+        ),
         (&json!(0.5), &json!(2.0))
     );
     assert!(fields["prestretch"].get("x-unit").is_none());

@@ -9,11 +9,14 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// A second, and half of one for the scheduler: other tests run meanwhile, and the thread that looks at its flag waits for its turn.
+/// A second, and half of one for the scheduler: other tests run meanwhile, and the thread that
+/// looks at its flag waits for its turn.
 const LATE: Duration = Duration::from_millis(1500);
 
 fn text_file(name: &str) -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples")
+        .join(name);
     json!({ "name": name, "text": std::fs::read_to_string(path).unwrap() })
 }
 
@@ -26,25 +29,40 @@ fn table(name: &str, head: &str, rows: usize, row: impl Fn(f64) -> String) -> Va
 }
 
 fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
-    (0..count).map(|i| from + (to - from) * i as f64 / count as f64).collect()
+    (0..count)
+        .map(|i| from + (to - from) * i as f64 / count as f64)
+        .collect()
 }
 
 /// The name of tables of eight megabytes.
 const LONG: &str = "long.csv";
 
-/// A request of each command that takes much longer than these tests give it; none where every answer takes a moment.
+/// A request of each command that takes much longer than these tests give it; none where every
+/// answer takes a moment.
 fn dear(command: &str, folder: &Path) -> Vec<Value> {
     let (pressures, contractions) = (steps(0.05, 0.25, 100), steps(0.0, 0.15, 190));
     let points = |n| -> Vec<Value> {
-        steps(0.01, 0.1, n).iter().map(|e| json!({ "force_n": 300.0 - e, "contraction": e })).collect()
+        steps(0.01, 0.1, n)
+            .iter()
+            .map(|e| json!({ "force_n": 300.0 - e, "contraction": e }))
+            .collect()
     };
     let torques = |n| -> Vec<Value> {
-        steps(0.0, 40.0, n).iter().map(|a| json!({ "torque_nm": 5.0, "angle_deg": a })).collect()
+        steps(0.0, 40.0, n)
+            .iter()
+            .map(|a| json!({ "torque_nm": 5.0, "angle_deg": a }))
+            .collect()
     };
     let plan = json!({ "name": "plan.toml", "text": "[sampling]\nmethod = \"sobol\"\nsamples = 64\n\
-        [vary]\ntube.outer_diameter = \"20..60 mm\"\n[test]\ncontractions = \"0..15:1%\"\npressures = \"0.05..2.5:0.2bar\"\n" });
+        [vary]\ntube.outer_diameter = \"20..60 mm\"\n[test]\ncontractions \
+        = \"0..15:1%\"\npressures = \"0.05..2.5:0.2bar\"\n" });
     let bench = table("bench.csv", "pressure_bar,contraction,force_n", 5000, |t| {
-        format!("{},{},{}", 1.0 + 1.5 * t, 0.15 * (37.0 * t).fract(), 600.0 * t + 50.0)
+        format!(
+            "{},{},{}",
+            1.0 + 1.5 * t,
+            0.15 * (37.0 * t).fract(),
+            600.0 * t + 50.0
+        )
     });
     // Eight megabytes of different rows, as long as a request may be.
     let rows = 200_000;
@@ -52,7 +70,10 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         table(LONG, "pressure_mpa,contraction,force_n,branch", rows, |t| {
             let (p, e) = (0.05 + 0.2 * (0.618 * rows as f64 * t).fract(), 0.15 * t);
             let branch = ["contraction", "elongation"][(rows as f64 * t).round() as usize % 2];
-            format!("{p:.9},{e:.9},{:.4},{branch}", 700.0 * p * (9.0 * (1.0 - e).powi(2) - 5.0))
+            format!(
+                "{p:.9},{e:.9},{:.4},{branch}",
+                700.0 * p * (9.0 * (1.0 - e).powi(2) - 5.0)
+            )
         })
     };
     let slim = json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "pressure_mpa": 0.2, "contraction": 0.1, "force_n": 300 });
@@ -64,16 +85,27 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                     "model": "fe", "max_pressure_mpa": 0.5 }),
         ],
         "pressure" | "contraction" | "force" | "shape" => {
-            let kept: &[&str] =
-                if command == "shape" { &["length_mm", "mesh"] } else { &["model", "length_mm", "mesh"] };
+            let kept: &[&str] = if command == "shape" {
+                &["length_mm", "mesh"]
+            } else {
+                &["model", "length_mm", "mesh"]
+            };
             let taken: &[&str] = match command {
                 "pressure" => &["force_n", "contraction"],
                 "contraction" | "shape" => &["force_n", "pressure_mpa"],
                 _ => &["pressure_mpa", "contraction"],
             };
-            let is =
-                |(key, _): &(&String, &Value)| kept.contains(&key.as_str()) || taken.contains(&key.as_str());
-            vec![slim.as_object().unwrap().iter().filter(is).map(|(k, v)| (k.clone(), v.clone())).collect()]
+            let is = |(key, _): &(&String, &Value)| {
+                kept.contains(&key.as_str()) || taken.contains(&key.as_str())
+            };
+            vec![
+                slim.as_object()
+                    .unwrap()
+                    .iter()
+                    .filter(is)
+                    .map(|(k, v)| (k.clone(), v.clone()))
+                    .collect(),
+            ]
         }
         "fill" => vec![
             json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),
@@ -100,7 +132,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         ],
         "validate" => vec![json!({ "all": true })],
         "measured" => {
-            let case = "title = \"t\"\nsource = \"s\"\nterms = \"t\"\nknown = \"k\"\nunknown = \"u\"\n[[fit]]\nname = \"one\"\nfree = [\"mu\"]\n";
+            let case = "title = \"t\"\nsource = \"s\"\nterms = \"t\"\nknown = \"k\"\nunknown \
+                = \"u\"\n[[fit]]\nname = \"one\"\nfree = [\"mu\"]\n";
             let case = json!({ "name": LONG, "case": case, "muscle": text_file("bench.toml")["text"], "points": long()["text"] });
             vec![json!({}), json!({ "cases": [case], "model": "ideal" })]
         }
@@ -125,8 +158,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 let e = 0.2 * ((19_000.0 * t).round() % 31.0) / 31.0;
                 format!("{d},{s},285,28,{p},{e},{},ok", p * d * d * (1.0 - 4.0 * e))
             };
-            let head =
-                "outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,status";
+            let head = "outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,status";
             let long = table(LONG, head, 120_000, row);
             vec![
                 json!({ "table": table("points.csv", head, 19_000, row), "method": "global" }),
@@ -141,15 +173,29 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "rubber" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;
-                format!("{l},{}", 0.4 * (l - 1.0 / (l * l)) + 0.01 * (900.0 * t).sin() + 0.002 * l.powi(4))
+                format!(
+                    "{l},{}",
+                    0.4 * (l - 1.0 / (l * l)) + 0.01 * (900.0 * t).sin() + 0.002 * l.powi(4)
+                )
             };
             let over_time = |t: f64| {
-                format!("{},{},{}", 100.0 * t, 1.0 + (20.0 * t).sin().abs(), 0.4 * (20.0 * t).sin().abs())
+                format!(
+                    "{},{},{}",
+                    100.0 * t,
+                    1.0 + (20.0 * t).sin().abs(),
+                    0.4 * (20.0 * t).sin().abs()
+                )
             };
             let data = table("tension.csv", "stretch,stress_mpa", 19_000, row);
-            let history = table("history.csv", "time_s,stretch,stress_mpa", 19_000, over_time);
-            let long =
-                table(LONG, "stretch,stress_mpa", 200_000, |t| format!("{},   {:.12}", 1.0 + 4.0 * t, t));
+            let history = table(
+                "history.csv",
+                "time_s,stretch,stress_mpa",
+                19_000,
+                over_time,
+            );
+            let long = table(LONG, "stretch,stress_mpa", 200_000, |t| {
+                format!("{},   {:.12}", 1.0 + 4.0 * t, t)
+            });
             vec![
                 json!({ "data": [data] }),
                 json!({ "data": [long] }),
@@ -157,21 +203,31 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 json!({ "data": [history], "laws": ["yeoh"], "softening": true }),
             ]
         }
-        "export" => vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })],
+        "export" => {
+            vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })]
+        }
         "export-joint" => {
-            let joint = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'long.toml'\n[spring]\nangular_rate = '9 N m/rad'\n";
+            let joint = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = \
+                'long.toml'\n[spring]\nangular_rate = '9 N m/rad'\n";
             let muscle = json!({ "name": "long.toml", "text": "[tube]\nlength = '30 m'\n" });
             let joint = json!({ "name": "arm.toml", "text": joint });
             vec![json!({ "joint": joint, "muscles": [muscle], "target": "c", "mesh": "8x400" })]
         }
         "export-list" | "check" | "check-formula" | "campaign-show" | "campaign-merge"
-        | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => vec![],
+        | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => {
+            vec![]
+        }
         other => panic!("say what a dear request of {other} is, or that there is none"),
     }
 }
 
-/// The kind of what a command ended with, and when, on separate threads: other tests occupy those of the process for seconds.
-fn ended(command: &str, request: Value, cancel: &Cancel) -> (Result<Value, (ProblemKind, String)>, Duration) {
+/// The kind of what a command ended with, and when, on separate threads: other tests occupy those
+/// of the process for seconds.
+fn ended(
+    command: &str,
+    request: Value,
+    cancel: &Cancel,
+) -> (Result<Value, (ProblemKind, String)>, Duration) {
     let threads = Threads::new(Threads::shared().count()).unwrap();
     let from = Instant::now();
     let _entered = cancel.enter();
@@ -188,8 +244,14 @@ fn a_caller_that_leaves_ends_every_command_within_a_second() {
     for command in COMMANDS.iter().map(|c| c.name) {
         let requests = dear(command, folder).into_iter().flat_map(|request| {
             // A long table is read for a while, and then worked on.
-            let stays = if request.to_string().contains(LONG) { [300, 2000].as_slice() } else { &[300] };
-            stays.iter().map(move |stays| (request.clone(), Duration::from_millis(*stays)))
+            let stays = if request.to_string().contains(LONG) {
+                [300, 2000].as_slice()
+            } else {
+                &[300]
+            };
+            stays
+                .iter()
+                .map(move |stays| (request.clone(), Duration::from_millis(*stays)))
         });
         for (request, stays) in requests {
             let cancel = Cancel::default();
@@ -200,11 +262,16 @@ fn a_caller_that_leaves_ends_every_command_within_a_second() {
             });
             let (answer, took) = ended(command, request, &cancel);
             leaving.join().unwrap();
-            eprintln!("{command}: {:.2} s after its caller left", took.as_secs_f64() - stays.as_secs_f64());
+            eprintln!(
+                "{command}: {:.2} s after its caller left",
+                took.as_secs_f64() - stays.as_secs_f64()
+            );
             match answer {
                 // It was done before its caller left.
                 Ok(_) => assert!(took < stays && stays > Duration::from_secs(1), "{command}"),
-                Err((kind, message)) => assert_eq!(kind, ProblemKind::Cancelled, "{command}: {message}"),
+                Err((kind, message)) => {
+                    assert_eq!(kind, ProblemKind::Cancelled, "{command}: {message}")
+                }
             }
             late.extend((took > stays + LATE).then(|| format!("{command}: {took:?}")));
         }
@@ -218,7 +285,11 @@ fn what_is_cancelled_already_gives_no_answer() {
         let cancel = Cancel::default();
         cancel.cancel();
         let (answer, took) = ended(command, json!({}), &cancel);
-        assert_eq!(answer.map(|_| ()).expect_err(command).0, ProblemKind::Cancelled, "{command}");
+        assert_eq!(
+            answer.map(|_| ()).expect_err(command).0,
+            ProblemKind::Cancelled,
+            "{command}"
+        );
         assert!(took < LATE, "{command}: {took:?}");
     }
 }

@@ -36,19 +36,41 @@ fn what_a_field_wants_and_what_was_given_are_said() {
             "`end_factor` is a number without a unit, not the text \"1 mm\"",
             "end_factor",
         ),
-        ("force", json!({"pressure_mpa": 0.2, "model": 5}), "`model` is a text, not 5", "model"),
+        (
+            "force",
+            json!({"pressure_mpa": 0.2, "model": 5}),
+            "`model` is a text, not 5",
+            "model",
+        ),
         (
             "curve",
             json!({"pressures_mpa": [0.1, "x"]}),
             "`pressures_mpa` is a number in MPa, not the text \"x\"",
             "pressures_mpa",
         ),
-        ("curve", json!({"pressures_mpa": 0.1}), "`pressures_mpa` is a list, not 0.1", "pressures_mpa"),
-        ("design", json!({"top": 1.5}), "`top` is a whole number, not 1.5", "top"),
+        (
+            "curve",
+            json!({"pressures_mpa": 0.1}),
+            "`pressures_mpa` is a list, not 0.1",
+            "pressures_mpa",
+        ),
+        (
+            "design",
+            json!({"top": 1.5}),
+            "`top` is a whole number, not 1.5",
+            "top",
+        ),
     ] {
-        assert_eq!(said(command, &request), (words.to_owned(), Some(field.to_owned())), "{request}");
+        assert_eq!(
+            said(command, &request),
+            (words.to_owned(), Some(field.to_owned())),
+            "{request}"
+        );
     }
-    assert_eq!(said("force", &json!([])).0, "a request is an object of fields, not a list");
+    assert_eq!(
+        said("force", &json!([])).0,
+        "a request is an object of fields, not a list"
+    );
 }
 
 /// A number's place in any request refuses a text in these words, not in those of a parser.
@@ -69,12 +91,24 @@ fn every_number_of_every_request_refuses_a_text_by_its_name() {
                 continue;
             }
             let mut request = json!({ name.as_str(): "1 furlong" });
-            for needed in schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
-                request[needed] = if needed == "test" { json!("isobaric") } else { request[name].clone() };
+            for needed in schema["required"]
+                .as_array()
+                .into_iter()
+                .flatten()
+                .filter_map(Value::as_str)
+            {
+                request[needed] = if needed == "test" {
+                    json!("isobaric")
+                } else {
+                    request[name].clone()
+                };
             }
             let problem = command.read(request).unwrap_err();
             assert_eq!(problem.field.as_ref(), Some(name), "{}", command.name);
-            assert!(problem.message.ends_with("not the text \"1 furlong\""), "{problem}");
+            assert!(
+                problem.message.ends_with("not the text \"1 furlong\""),
+                "{problem}"
+            );
             seen += 1;
         }
     }
@@ -84,17 +118,25 @@ fn every_number_of_every_request_refuses_a_text_by_its_name() {
 #[test]
 fn null_is_what_was_left_out_and_long_texts_are_shortened() {
     let force = find("force").unwrap();
-    force.read(json!({"pressure_mpa": 0.2, "end_factor": null})).unwrap();
+    force
+        .read(json!({"pressure_mpa": 0.2, "end_factor": null}))
+        .unwrap();
     let (words, _) = said("force", &json!({"pressure_mpa": "é".repeat(100_000)}));
     assert!(words.len() < 200 && words.ends_with("é…\""), "{words}");
 }
 
 /// What a schema may be: itself, or each of those that it refers to.
 fn kinds<'s>(schema: &'s Value, defs: &'s Value, out: &mut Vec<&'s Value>) {
-    if let Some(name) = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
+    if let Some(name) = schema["$ref"]
+        .as_str()
+        .and_then(|path| path.rsplit('/').next())
+    {
         return kinds(&defs[name], defs, out);
     }
-    match ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array()) {
+    match ["anyOf", "oneOf"]
+        .iter()
+        .find_map(|key| schema[*key].as_array())
+    {
         Some(list) => list.iter().for_each(|one| kinds(one, defs, out)),
         None => out.push(schema),
     }
@@ -103,8 +145,13 @@ fn kinds<'s>(schema: &'s Value, defs: &'s Value, out: &mut Vec<&'s Value>) {
 #[test]
 fn lists_and_numbers_are_taken_where_the_schema_has_them() {
     let design = COMMANDS.iter().find(|c| c.name == "design").unwrap();
-    for angle in [json!(20.0), json!([20.0, 25.0]), json!({ "low": 20.0, "high": 30.0 })] {
-        let request = json!({ "points": [{ "force_n": 300.0, "contraction": 0.1 }], "angle_deg": angle });
+    for angle in [
+        json!(20.0),
+        json!([20.0, 25.0]),
+        json!({ "low": 20.0, "high": 30.0 }),
+    ] {
+        let request =
+            json!({ "points": [{ "force_n": 300.0, "contraction": 0.1 }], "angle_deg": angle });
         design.read(request).unwrap();
     }
 }

@@ -6,7 +6,9 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 fn text_file(name: &str) -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(name);
     let name = path.file_name().unwrap().to_string_lossy();
     json!({ "name": name, "text": std::fs::read_to_string(&path).unwrap() })
 }
@@ -27,7 +29,10 @@ fn figures() -> Vec<(String, Figure)> {
         json!({ "joint": text_file("examples/elbow.toml"), "muscles": [muscle, muscle], "model": "universal" })
     };
     let with = |mut request: Value, more: Value| {
-        request.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        request
+            .as_object_mut()
+            .unwrap()
+            .extend(more.as_object().unwrap().clone());
         request
     };
     let curve = |test: &str, model: &str| json!({ "test": test, "model": model, "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2, 0.3], "forces_n": [100, 300] });
@@ -40,7 +45,10 @@ fn figures() -> Vec<(String, Figure)> {
         ("curve", only(curve("isobaric", "ideal"), "forces_n")),
         ("curve", only(curve("isobaric", "fe"), "forces_n")),
         ("curve", only(curve("isometric", "universal"), "forces_n")),
-        ("curve", only(curve("isotonic", "universal"), "contractions")),
+        (
+            "curve",
+            only(curve("isotonic", "universal"), "contractions"),
+        ),
         (
             "curve",
             json!({ "test": "isobaric", "model": "universal", "pressures_mpa": nine, "contractions": [0.0, 0.1, 0.2] }),
@@ -54,9 +62,18 @@ fn figures() -> Vec<(String, Figure)> {
             "compare",
             json!({ "models": ["ideal", "paper", "universal"], "pressures_mpa": [0.1, 0.2], "contractions": [0.0, 0.1, 0.2] }),
         ),
-        ("compare", json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] })),
-        ("identify", json!({ "muscle": bench, "data": [points], "model": "thick-wall" })),
-        ("identify", json!({ "muscle": bench, "data": [of_nine], "model": "thick-wall" })),
+        (
+            "compare",
+            json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] }),
+        ),
+        (
+            "identify",
+            json!({ "muscle": bench, "data": [points], "model": "thick-wall" }),
+        ),
+        (
+            "identify",
+            json!({ "muscle": bench, "data": [of_nine], "model": "thick-wall" }),
+        ),
         (
             "joint",
             with(
@@ -64,12 +81,18 @@ fn figures() -> Vec<(String, Figure)> {
                 json!({ "pressures_mpa": [[0.2, 0.1], [0.1, 0.1]], "angles_deg": [-40, -20, 0, 20, 40] }),
             ),
         ),
-        ("joint", with(joint(), json!({ "map": 8, "max_pressure_mpa": 0.3 }))),
+        (
+            "joint",
+            with(joint(), json!({ "map": 8, "max_pressure_mpa": 0.3 })),
+        ),
         (
             "motion",
             json!({ "drive": text_file("examples/drive.toml"), "muscle": text_file("examples/prototype.toml"), "model": "universal" }),
         ),
-        ("simulate", json!({ "test": "isometric", "pressures_mpa": nine, "contractions": [0.05] })),
+        (
+            "simulate",
+            json!({ "test": "isometric", "pressures_mpa": nine, "contractions": [0.05] }),
+        ),
         (
             "simulate",
             json!({ "test": "isometric", "pressures_mpa": [0.1, 0.2], "contractions": [0.05, 0.1] }),
@@ -83,27 +106,42 @@ fn figures() -> Vec<(String, Figure)> {
             "rubber",
             json!({ "data": [text_file("data/treloar/tension.csv")], "laws": ["yeoh", "neo-hookean"] }),
         ),
-        ("rubber", json!({ "data": [text_file("data/treloar/tension.csv")] })),
+        (
+            "rubber",
+            json!({ "data": [text_file("data/treloar/tension.csv")] }),
+        ),
     ];
     requests
         .into_iter()
         .map(|(command, request)| {
-            let figure = if command == "rubber" { json!(true) } else { json!("MPa") };
+            let figure = if command == "rubber" {
+                json!(true)
+            } else {
+                json!("MPa")
+            };
             let answer = reply(command, with(request.clone(), json!({ "figure": figure })));
             let name = format!("{command} {:.200}", request.to_string());
-            let figure =
-                serde_json::from_value(answer["figure"].clone()).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let figure = serde_json::from_value(answer["figure"].clone())
+                .unwrap_or_else(|e| panic!("{name}: {e}"));
             (name, figure)
         })
         .collect()
 }
 
 fn seen(series: &Series) -> Vec<(f64, f64)> {
-    series.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect()
+    series
+        .points
+        .iter()
+        .copied()
+        .filter(|(x, y)| x.is_finite() && y.is_finite())
+        .collect()
 }
 
 fn last_x(series: &Series) -> f64 {
-    seen(series).iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max)
+    seen(series)
+        .iter()
+        .map(|p| p.0)
+        .fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// What is wrong with a panel of a figure.
@@ -119,18 +157,25 @@ fn faults(figure: &Figure, panel: &Panel) -> Vec<String> {
                 out.push(format!("nothing is drawn of \"{}\"", series.label));
             }
             let lines = same().filter(|(_, other)| other.style != Style::Points);
-            if lines.clone().any(|(j, other)| look(other, *j) != look(series, *i))
+            if lines
+                .clone()
+                .any(|(j, other)| look(other, *j) != look(series, *i))
                 && series.style != Style::Points
             {
                 out.push(format!("two lines are called \"{}\"", series.label));
             }
         }
-        // Every line of a colour with a meaning is named there or in another panel, or has the colour of one that is; the caption says what dots are.
+        // Every line of a colour with a meaning is named there or in another panel, or has the
+        // colour of one that is; the caption says what dots are.
         let named = |(j, other): (usize, &Series)| {
-            look(other, j).1 == look(series, *i).1 && !(other.label.is_empty() && other.end_label.is_empty())
+            look(other, j).1 == look(series, *i).1
+                && !(other.label.is_empty() && other.end_label.is_empty())
         };
         let is_line = ![Style::Band, Style::Points].contains(&series.style) && !series.neutral;
-        let is_named = figure.panels.iter().any(|p| p.series.iter().enumerate().any(named));
+        let is_named = figure
+            .panels
+            .iter()
+            .any(|p| p.series.iter().enumerate().any(named));
         if is_line && panel.series.len() > 1 && !is_named {
             out.push(format!("line {i} has no name"));
         }
@@ -140,9 +185,14 @@ fn faults(figure: &Figure, panel: &Panel) -> Vec<String> {
                 look(other, *j).1 == look(series, *i).1
                     && ![Style::Band, Style::Points, Style::Dotted].contains(&other.style)
             });
-            let end = lines.map(|(_, line)| last_x(line)).fold(f64::NEG_INFINITY, f64::max);
+            let end = lines
+                .map(|(_, line)| last_x(line))
+                .fold(f64::NEG_INFINITY, f64::max);
             if (end - last_x(series)).abs() > 1e-9 * end.abs() {
-                out.push(format!("band {i} ends at {} and its line at {end}", last_x(series)));
+                out.push(format!(
+                    "band {i} ends at {} and its line at {end}",
+                    last_x(series)
+                ));
             }
         }
     }
@@ -153,11 +203,21 @@ fn faults(figure: &Figure, panel: &Panel) -> Vec<String> {
 fn what_a_figure_announces_is_drawn_and_what_is_drawn_is_named() {
     let mut wrong = vec![];
     for (name, figure) in figures() {
-        let has_band = figure.panels.iter().flat_map(|p| &p.series).any(|s| s.style == Style::Band);
+        let has_band = figure
+            .panels
+            .iter()
+            .flat_map(|p| &p.series)
+            .any(|s| s.style == Style::Band);
         if has_band != figure.caption.contains("band") {
-            wrong.push(format!("{name}: band {has_band}, and the caption: {}", figure.caption));
+            wrong.push(format!(
+                "{name}: band {has_band}, and the caption: {}",
+                figure.caption
+            ));
         }
-        let faults = figure.panels.iter().flat_map(|panel| faults(&figure, panel));
+        let faults = figure
+            .panels
+            .iter()
+            .flat_map(|panel| faults(&figure, panel));
         wrong.extend(faults.map(|fault| format!("{name}: {fault}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -166,8 +226,18 @@ fn what_a_figure_announces_is_drawn_and_what_is_drawn_is_named() {
 /// Of nine pressures six are drawn, of nine shapes five: the caption says so.
 #[test]
 fn what_is_left_out_of_a_figure_is_said() {
-    let said: Vec<String> = figures().into_iter().map(|(_, figure)| figure.caption).collect();
-    for part in ["6 of 9 pressures are drawn", "5 of 9 shapes are drawn", " laws are drawn"] {
-        assert!(said.iter().any(|caption| caption.contains(part)), "{part}: {said:?}");
+    let said: Vec<String> = figures()
+        .into_iter()
+        .map(|(_, figure)| figure.caption)
+        .collect();
+    for part in [
+        "6 of 9 pressures are drawn",
+        "5 of 9 shapes are drawn",
+        " laws are drawn",
+    ] {
+        assert!(
+            said.iter().any(|caption| caption.contains(part)),
+            "{part}: {said:?}"
+        );
     }
 }

@@ -7,11 +7,22 @@ use mckibben_app::file_schema;
 fn a_law_needs_its_constants_and_every_law_is_named() {
     let material = &file_schema("muscle").unwrap()["properties"]["tube"]["properties"]["material"];
     let names = mckibben::rubber::Law::names();
-    assert_eq!(material["properties"]["law"]["enum"].as_array().unwrap().len(), names.len());
+    assert_eq!(
+        material["properties"]["law"]["enum"]
+            .as_array()
+            .unwrap()
+            .len(),
+        names.len()
+    );
     for (name, rule) in names.iter().zip(material["allOf"].as_array().unwrap()) {
         assert_eq!(rule["if"]["properties"]["law"]["const"], *name);
         for constant in rule["then"]["required"].as_array().unwrap() {
-            assert!(material["properties"].get(constant.as_str().unwrap()).is_some(), "{name}: {constant}");
+            assert!(
+                material["properties"]
+                    .get(constant.as_str().unwrap())
+                    .is_some(),
+                "{name}: {constant}"
+            );
         }
     }
 }

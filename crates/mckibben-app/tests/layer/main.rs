@@ -27,7 +27,8 @@ mod written;
 
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    DesignRequest, ForceRequest, Problem, ProblemKind, ValidateRequest, ask, design, force, validate,
+    DesignRequest, ForceRequest, Problem, ProblemKind, ValidateRequest, ask, design, force,
+    validate,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -42,7 +43,11 @@ fn refusal(command: &str, request: Value) -> Problem {
 
 #[test]
 fn a_request_in_json_is_the_request_in_rust() {
-    let request = ForceRequest { pressure_mpa: Some(0.2), contraction: Some(0.1), ..Default::default() };
+    let request = ForceRequest {
+        pressure_mpa: Some(0.2),
+        contraction: Some(0.1),
+        ..Default::default()
+    };
     let answer = force(&request).unwrap();
     let text = ask("force", &serde_json::to_string(&request).unwrap(), &Silent).unwrap();
     assert_eq!(text, serde_json::to_string(&answer).unwrap());
@@ -62,7 +67,10 @@ fn a_panic_is_a_problem_that_asks_for_a_report() {
     let problem = ask("design", wanted, &Faulty).unwrap_err();
     assert_eq!(serde_json::to_value(problem.kind).unwrap(), "internal");
     let said = &problem.message;
-    assert!(said.starts_with("internal error of mckibben") && said.contains(": two are too many"), "{said}");
+    assert!(
+        said.starts_with("internal error of mckibben") && said.contains(": two are too many"),
+        "{said}"
+    );
     assert!(problem.hint.contains("report"), "{}", problem.hint);
     // The next request is answered.
     assert!(ask("design", wanted, &Silent).is_ok());
@@ -80,18 +88,26 @@ fn words_of_the_contract_are_fields() {
     assert_eq!(point["model"], "thick-wall");
     assert_eq!(point["muscle"]["braid"], "600 N/mm");
     for word in ["inextensible", "paper"] {
-        let point = reply("force", json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }));
+        let point = reply(
+            "force",
+            json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }),
+        );
         assert_eq!(point["muscle"]["braid"], word);
     }
-    let curve =
-        reply("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
+    let curve = reply(
+        "curve",
+        json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }),
+    );
     assert_eq!(curve["points"].as_array().unwrap().len(), 2);
     let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
     let shown = reply(
         "check",
         json!({ "only_data": true, "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }),
     );
-    assert_eq!((&shown["outer_diameter_mm"], &shown["wall_mm"]), (&json!(50.0), &json!(2.0)));
+    assert_eq!(
+        (&shown["outer_diameter_mm"], &shown["wall_mm"]),
+        (&json!(50.0), &json!(2.0))
+    );
 }
 
 #[test]
@@ -101,7 +117,10 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let shown = reply("check", braid.clone());
     let sleeve = reply("parts-show", json!({ "name": name }))["sleeve"].take();
     let points = sleeve["points"].as_array().unwrap();
-    let point = points.iter().find(|point| point["outer_diameter_mm"] == 12.0).unwrap();
+    let point = points
+        .iter()
+        .find(|point| point["outer_diameter_mm"] == 12.0)
+        .unwrap();
     for key in ["angle_deg", "stiffness_n_per_mm"] {
         let (a, b) = (shown[key].as_f64().unwrap(), point[key].as_f64().unwrap());
         assert!((a / b - 1.0).abs() < 1e-12, "{key}: {a} {b}");
@@ -109,34 +128,58 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let mut thin = braid;
     thin["strand_diameter_mm"] = 0.25.into();
     let thin = reply("check", thin);
-    assert!(thin["braid"].as_str().unwrap().starts_with("flexo-overexpanded-0.38in, 232 strands, "));
+    assert!(
+        thin["braid"]
+            .as_str()
+            .unwrap()
+            .starts_with("flexo-overexpanded-0.38in, 232 strands, ")
+    );
     assert_eq!(sleeve["strands_stated"], false);
     // Another tube over a file's sleeve.
-    let file =
-        "[tube]\nouter_diameter = 12\nwall_thickness = 1\n[braid]\nname = \"nfl-19\"\nstiffness = 300\n";
+    let file = "[tube]\nouter_diameter = 12\nwall_thickness = 1\n[braid]\nname \
+        = \"nfl-19\"\nstiffness = 300\n";
     let text = file.replace("= 12", "= 20");
     let wider = reply(
         "check",
         json!({ "only_data": true, "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
     );
-    assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
+    assert!(
+        (wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01,
+        "{wider}"
+    );
     let problem = |request: Value| refusal("check", request);
     let said = problem(json!({ "muscle": { "name": "m.toml", "text": file } })).message;
-    assert!(said.contains("m.toml:5:8: braid.name") && said.contains("15\u{a0}mm to 35\u{a0}mm"), "{said}");
+    assert!(
+        said.contains("m.toml:5:8: braid.name") && said.contains("15\u{a0}mm to 35\u{a0}mm"),
+        "{said}"
+    );
     // What its seller does not state is an estimate, and marked as one.
-    let estimated = reply("check", json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }));
+    let estimated = reply(
+        "check",
+        json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }),
+    );
     assert_eq!(estimated["stiffness_factor"], 3.0);
-    let refused =
-        problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
+    let refused = problem(
+        json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }),
+    );
     assert!(refused.message.contains("31.68 deg"), "{}", refused.message);
     let refused = problem(json!({ "strand_diameter_mm": 0.2 }));
-    assert!(refused.message.contains("a braid described by its strands needs"), "{}", refused.message);
+    assert!(
+        refused
+            .message
+            .contains("a braid described by its strands needs"),
+        "{}",
+        refused.message
+    );
 }
 
 /// An identity: fields say what a muscle file says, and what stands over a file completes it.
 #[test]
 fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
-    let text = "[braid]\nstrands = 96\nstrand_area = \"0.05 mm2\"\nstrand_modulus = \"8.5 GPa\"\nstrand_strength = \"40 N\"\nthickness = \"0.4 mm\"\ndiameter = \"31 mm\"\ncrimp = \"1 %\"\ncrimp_stiffness = 0.2\n[terminals]\ninsertion = \"15 mm\"\n[friction]\ncoefficient = 40\nexponent = 0.7\nlever = \"2 mm\"\n";
+    let text = "[braid]\nstrands = 96\nstrand_area = \"0.05 mm2\"\nstrand_modulus = \"8.5 \
+        GPa\"\nstrand_strength = \"40 N\"\nthickness = \"0.4 mm\"\ndiameter = \"31 mm\"\ncrimp \
+        = \"1 %\"\ncrimp_stiffness = 0.2\n[terminals]\ninsertion = \"15 \
+        mm\"\n[friction]\ncoefficient = 40\nexponent = 0.7\nlever = \"2 mm\"\n";
     let fields = json!({
         "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 8500, "strand_strength_n": 40, "braid_thickness_mm": 0.4,
         "braid_diameter_mm": 31, "crimp": 0.01, "crimp_stiffness": 0.2, "insertion_mm": 15, "friction_coefficient": 40,
@@ -146,7 +189,12 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     let shown = |request: &Value| reply("check", request.clone());
     let (mine, theirs) = (shown(&fields), shown(&file(text)));
     assert_eq!(mine, theirs);
-    for (field, value) in fields.as_object().unwrap().iter().filter(|f| f.1.is_number()) {
+    for (field, value) in fields
+        .as_object()
+        .unwrap()
+        .iter()
+        .filter(|f| f.1.is_number())
+    {
         assert_eq!(mine[field].as_f64(), value.as_f64(), "{field}");
     }
     let over = |field: &str, value: f64| {
@@ -157,20 +205,53 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     // One of a pair suffices over a file that states the other.
     for (field, value, was, now) in [
         ("friction_exponent", 0.8, "exponent = 0.7", "exponent = 0.8"),
-        ("crimp_stiffness", 0.3, "crimp_stiffness = 0.2", "crimp_stiffness = 0.3"),
+        (
+            "crimp_stiffness",
+            0.3,
+            "crimp_stiffness = 0.2",
+            "crimp_stiffness = 0.3",
+        ),
         ("strands", 72.0, "strands = 96", "strands = 72"),
         ("strand_modulus_mpa", 3000.0, "\"8.5 GPa\"", "\"3 GPa\""),
     ] {
-        assert_eq!(over(field, value), shown(&file(&text.replace(was, now))), "{field}");
+        assert_eq!(
+            over(field, value),
+            shown(&file(&text.replace(was, now))),
+            "{field}"
+        );
     }
     let problem = |request: Value| refusal("check", request);
     for (request, field, said) in [
-        (json!({ "strand_modulus_mpa": 3000 }), Some("strands"), "`strands` is missing"),
-        (json!({ "strands": 96, "strand_area_mm2": 0.05 }), Some("strand_modulus_mpa"), "is missing"),
-        (json!({ "strand_strength_n": 40 }), Some("strands"), "`strands` is missing"),
-        (json!({ "friction_coefficient": 40 }), Some("friction_exponent"), "is missing; friction is C·P^β"),
-        (json!({ "crimp_stiffness": 0.2 }), Some("crimp"), "`crimp` is missing"),
-        (json!({ "strands": 37 }), None, "braid.strands is 37; it must be an even whole number"),
+        (
+            json!({ "strand_modulus_mpa": 3000 }),
+            Some("strands"),
+            "`strands` is missing",
+        ),
+        (
+            json!({ "strands": 96, "strand_area_mm2": 0.05 }),
+            Some("strand_modulus_mpa"),
+            "is missing",
+        ),
+        (
+            json!({ "strand_strength_n": 40 }),
+            Some("strands"),
+            "`strands` is missing",
+        ),
+        (
+            json!({ "friction_coefficient": 40 }),
+            Some("friction_exponent"),
+            "is missing; friction is C·P^β",
+        ),
+        (
+            json!({ "crimp_stiffness": 0.2 }),
+            Some("crimp"),
+            "`crimp` is missing",
+        ),
+        (
+            json!({ "strands": 37 }),
+            None,
+            "braid.strands is 37; it must be an even whole number",
+        ),
         (json!({ "strands": 36.5 }), None, "braid.strands is 36.5;"),
         (
             json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_diameter_mm": 0.2, "strand_modulus_mpa": 1 }),
@@ -184,36 +265,70 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
         ),
     ] {
         let problem = problem(request.clone());
-        assert!(problem.message.contains(said), "{request}: {}", problem.message);
+        assert!(
+            problem.message.contains(said),
+            "{request}: {}",
+            problem.message
+        );
         assert_eq!(problem.field.as_deref(), field, "{request}");
     }
 }
 
-/// The paper's braid beyond its diameters: said by every command that answers with warnings, once a point.
+/// The paper's braid beyond its diameters: said by every command that answers with warnings, once a
+/// point.
 #[test]
 fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
     let small = json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
     let said = |answer: &Value| {
-        let warnings = answer["warnings"].as_array().unwrap().iter().map(|w| w.as_str().unwrap());
-        warnings.filter(|w| w.contains("the braid `paper` is known for D0 30\u{a0}mm to 50\u{a0}mm")).count()
+        let warnings = answer["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|w| w.as_str().unwrap());
+        warnings
+            .filter(|w| w.contains("the braid `paper` is known for D0 30\u{a0}mm to 50\u{a0}mm"))
+            .count()
     };
     assert_eq!(said(&reply("force", small.clone())), 1);
     let mut named = small.clone();
     named["stiffness"] = json!("inextensible");
     assert_eq!(said(&reply("force", named)), 0);
-    assert_eq!(said(&reply("check", json!({ "only_data": true, "outer_diameter_mm": 60 }))), 1);
-    assert_eq!(said(&reply("check", json!({ "only_data": true, "outer_diameter_mm": 50 }))), 0);
+    assert_eq!(
+        said(&reply(
+            "check",
+            json!({ "only_data": true, "outer_diameter_mm": 60 })
+        )),
+        1
+    );
+    assert_eq!(
+        said(&reply(
+            "check",
+            json!({ "only_data": true, "outer_diameter_mm": 50 })
+        )),
+        0
+    );
     let curve = reply(
         "curve",
         json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),
     );
-    assert!(curve["points"].as_array().unwrap().iter().all(|p| said(p) == 1));
+    assert!(
+        curve["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|p| said(p) == 1)
+    );
 }
 
 #[test]
 fn problems_name_the_field_and_never_a_flag() {
     let cases = [
-        ("force", json!({}), ProblemKind::Usage, "`pressure_mpa` is missing"),
+        (
+            "force",
+            json!({}),
+            ProblemKind::Usage,
+            "`pressure_mpa` is missing",
+        ),
         (
             "force",
             json!({ "pressure_mpa": 0.2, "contraction": 15 }),
@@ -232,33 +347,72 @@ fn problems_name_the_field_and_never_a_flag() {
             ProblemKind::Usage,
             "`pressure_mpa` is a number in MPa, not the text \"2bar\"",
         ),
-        ("force", json!({ "pressure_mpa": 0.2, "model": "fee" }), ProblemKind::Model, "did you mean fe?"),
-        ("force", json!({ "pressure_mpa": 0.2, "mesh": "0x9" }), ProblemKind::Mesh, "through"),
-        ("force", json!({ "pressure_mpa": 0.2, "model": "belforte" }), ProblemKind::MissingInput, "strand"),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "model": "fee" }),
+            ProblemKind::Model,
+            "did you mean fe?",
+        ),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "mesh": "0x9" }),
+            ProblemKind::Mesh,
+            "through",
+        ),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "model": "belforte" }),
+            ProblemKind::MissingInput,
+            "strand",
+        ),
         (
             "force",
             json!({ "pressure_mpa": 0.2, "direction": "contraction", "muscle": "lib:quadsegrity" }),
             ProblemKind::MissingInput,
             "friction",
         ),
-        ("pressure", json!({ "force_n": -5 }), ProblemKind::Quantity, "a push"),
+        (
+            "pressure",
+            json!({ "force_n": -5 }),
+            ProblemKind::Quantity,
+            "a push",
+        ),
         ("curve", json!({}), ProblemKind::Usage, "test"),
-        ("curve", json!({ "test": "isobaric", "pressures_mpa": [] }), ProblemKind::Range, "empty"),
+        (
+            "curve",
+            json!({ "test": "isobaric", "pressures_mpa": [] }),
+            ProblemKind::Range,
+            "empty",
+        ),
         (
             "design",
             json!({ "force_n": 300 , "max_pressure_mpa": 0.2 }),
             ProblemKind::Usage,
             "`contraction` is missing",
         ),
-        ("desing", json!({}), ProblemKind::Usage, "did you mean design?"),
+        (
+            "desing",
+            json!({}),
+            ProblemKind::Usage,
+            "did you mean design?",
+        ),
     ];
     for (command, request, kind, part) in cases {
         let problem = refusal(command, request.clone());
         assert_eq!(problem.kind, kind, "{command} {request}: {problem}");
-        assert!(problem.message.contains(part), "{command} {request}: {problem}");
-        assert!(!format!("{} {}", problem.message, problem.hint).contains("--"), "{problem:?}");
+        assert!(
+            problem.message.contains(part),
+            "{command} {request}: {problem}"
+        );
+        assert!(
+            !format!("{} {}", problem.message, problem.hint).contains("--"),
+            "{problem:?}"
+        );
     }
-    assert_eq!(refusal("force", json!({ "pressure_mpa": 0.2, "modle": "fe" })).hint, "did you mean `model`?");
+    assert_eq!(
+        refusal("force", json!({ "pressure_mpa": 0.2, "modle": "fe" })).hint,
+        "did you mean `model`?"
+    );
 }
 
 /// Wants the work to end at once.
@@ -278,8 +432,16 @@ fn long_work_can_be_cancelled() {
         max_pressure_mpa: Some(0.25),
         ..Default::default()
     };
-    assert_eq!(design(&wanted, &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
-    assert_eq!(validate(&ValidateRequest::default(), &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
+    assert_eq!(
+        design(&wanted, &Impatient).unwrap_err().kind,
+        ProblemKind::Cancelled
+    );
+    assert_eq!(
+        validate(&ValidateRequest::default(), &Impatient)
+            .unwrap_err()
+            .kind,
+        ProblemKind::Cancelled
+    );
 }
 
 fn root() -> PathBuf {
@@ -300,16 +462,22 @@ fn sources(folder: &Path, out: &mut Vec<PathBuf>) {
 /// Sentences of the libraries hold in every front end: flags are words of the command line alone.
 #[test]
 fn no_sentence_of_a_library_speaks_of_flags() {
-    for library in ["io", "fem", "fit", "design", "motion", "campaign", "app", "report"]
-        .map(|name| format!("mckibben-{name}"))
-        .into_iter()
-        .chain(["mckibben".into()])
+    for library in [
+        "io", "fem", "fit", "design", "motion", "campaign", "app", "report",
+    ]
+    .map(|name| format!("mckibben-{name}"))
+    .into_iter()
+    .chain(["mckibben".into()])
     {
         let mut list = vec![];
         sources(&root().join("crates").join(library).join("src"), &mut list);
         for path in list {
             let text = std::fs::read_to_string(&path).unwrap();
-            for (i, line) in text.lines().enumerate().filter(|l| !l.1.trim_start().starts_with("//")) {
+            for (i, line) in text
+                .lines()
+                .enumerate()
+                .filter(|l| !l.1.trim_start().starts_with("//"))
+            {
                 let flag = line.match_indices("--").any(|(at, _)| {
                     line[..at].ends_with([' ', '`', '"', '('])
                         && line[at + 2..].starts_with(|c: char| c.is_ascii_lowercase())
@@ -323,10 +491,15 @@ fn no_sentence_of_a_library_speaks_of_flags() {
 /// A wrong key would be left out of a table without a word.
 #[test]
 fn keys_of_tables_are_those_of_answers() {
-    let (words, mut list) =
-        (mckibben_app::bundle().to_string(), vec![root().join("crates/mckibben-app/src/rows.rs")]);
+    let (words, mut list) = (
+        mckibben_app::bundle().to_string(),
+        vec![root().join("crates/mckibben-app/src/rows.rs")],
+    );
     for name in ["commands", "output"] {
-        sources(&root().join("crates/mckibben-cli/src").join(name), &mut list);
+        sources(
+            &root().join("crates/mckibben-cli/src").join(name),
+            &mut list,
+        );
     }
     let mut seen = 0;
     for path in list {
@@ -334,10 +507,17 @@ fn keys_of_tables_are_those_of_answers() {
         let is_key = |word: &str| {
             word.starts_with(|c: char| c.is_ascii_lowercase()) && !word.contains(['{', '(', ';'])
         };
-        for keys in text.split('"').filter(|keys| keys.contains('=') && keys.split_whitespace().all(is_key)) {
-            let names = keys.split_whitespace().filter_map(|key| key.split(['=', ':']).next());
+        for keys in text
+            .split('"')
+            .filter(|keys| keys.contains('=') && keys.split_whitespace().all(is_key))
+        {
+            let names = keys
+                .split_whitespace()
+                .filter_map(|key| key.split(['=', ':']).next());
             for name in names.flat_map(|name| name.split(['.', '+'])) {
-                let known = [&words, &text].iter().any(|place| place.contains(&format!("\"{name}\"")));
+                let known = [&words, &text]
+                    .iter()
+                    .any(|place| place.contains(&format!("\"{name}\"")));
                 assert!(known, "{}: {name}", path.display());
                 seen += 1;
             }

@@ -4,8 +4,8 @@ use mckibben::cancel::Cancel;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 use mckibben_app::{
-    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields, PointQuantity,
-    ProblemKind, QuestionFields, force, with_parameters,
+    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields,
+    PointQuantity, ProblemKind, QuestionFields, force, with_parameters,
 };
 use mckibben_fit::identify::Target;
 
@@ -14,15 +14,28 @@ fn fields() -> MuscleFields {
 }
 
 fn named(model: &str) -> ModelFields {
-    ModelFields { model: Some(model.into()), ..Default::default() }
+    ModelFields {
+        model: Some(model.into()),
+        ..Default::default()
+    }
 }
 
 fn bound(model: &str) -> BoundModel {
-    BoundModel::new(&fields().resolve().unwrap(), &named(model), AskFields::default()).unwrap()
+    BoundModel::new(
+        &fields().resolve().unwrap(),
+        &named(model),
+        AskFields::default(),
+    )
+    .unwrap()
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
-    Many { wanted: PointQuantity::Force, slopes, parameters, nan: false }
+    Many {
+        wanted: PointQuantity::Force,
+        slopes,
+        parameters,
+        nan: false,
+    }
 }
 
 fn filled(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
@@ -40,13 +53,20 @@ fn a_list_is_its_points() {
         let all = filled(&bound(model), &many(false, vec![]), &p, &e).unwrap();
         for (pull, &contraction) in all.iter().zip(&e) {
             let request = ForceRequest {
-                question: QuestionFields { muscle: fields(), model: named(model), ..Default::default() },
+                question: QuestionFields {
+                    muscle: fields(),
+                    model: named(model),
+                    ..Default::default()
+                },
                 pressure_mpa: Some(0.15),
                 contraction: Some(contraction),
                 ..Default::default()
             };
             let alone = force(&request).unwrap().point.response.force_n;
-            assert!((pull - alone).abs() < 1e-5, "{model} {contraction}: {pull} {alone}");
+            assert!(
+                (pull - alone).abs() < 1e-5,
+                "{model} {contraction}: {pull} {alone}"
+            );
         }
     }
 }
@@ -69,9 +89,19 @@ fn derivatives_are_those_of_differences() {
             "{model} {all:?} {by:?}"
         );
     }
-    for name in ["tube.material.c10", "braid.stiffness", "tube.outer_diameter"] {
+    for name in [
+        "tube.material.c10",
+        "braid.stiffness",
+        "tube.outer_diameter",
+    ] {
         let of = bound("fe");
-        let all = filled(&of, &many(false, vec![of.parameter(name).unwrap()]), &[0.2], &[0.1]).unwrap();
+        let all = filled(
+            &of,
+            &many(false, vec![of.parameter(name).unwrap()]),
+            &[0.2],
+            &[0.1],
+        )
+        .unwrap();
         let value = of.parameter(name).unwrap().value(&muscle).unwrap();
         let at = |value: f64| {
             let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
@@ -84,7 +114,8 @@ fn derivatives_are_those_of_differences() {
     assert!(bound("fe").parameter("tube.material.c99").is_err());
 }
 
-/// Of many points without an answer the first one is named, on any number of threads; or all are NaN and counted.
+/// Of many points without an answer the first one is named, on any number of threads; or all are
+/// NaN and counted.
 #[test]
 fn the_first_point_without_an_answer_ends_the_work() {
     let mut p = vec![0.1; 50_000];
@@ -94,13 +125,24 @@ fn the_first_point_without_an_answer_ends_the_work() {
     let e = vec![0.05; p.len()];
     let model = bound("paper");
     let refused = filled(&model, &many(false, vec![]), &p, &e).unwrap_err();
-    assert_eq!((refused.index, refused.problem.kind), (Some(20_001), ProblemKind::OutOfRange));
+    assert_eq!(
+        (refused.index, refused.problem.kind),
+        (Some(20_001), ProblemKind::OutOfRange)
+    );
     let mut out = vec![0.0; p.len()];
-    let all = Many { nan: true, ..many(false, vec![]) };
+    let all = Many {
+        nan: true,
+        ..many(false, vec![])
+    };
     assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(3));
     assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
-    let wrong = model.fill([&p, &e[1..]], &all, &mut out, &Silent).unwrap_err();
-    assert_eq!((wrong.index, wrong.problem.kind), (None, ProblemKind::Usage));
+    let wrong = model
+        .fill([&p, &e[1..]], &all, &mut out, &Silent)
+        .unwrap_err();
+    assert_eq!(
+        (wrong.index, wrong.problem.kind),
+        (None, ProblemKind::Usage)
+    );
     assert!(model.fill([&p, &e], &all, &mut out[1..], &Silent).is_err());
 }
 

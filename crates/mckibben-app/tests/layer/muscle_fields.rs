@@ -12,16 +12,36 @@ fn fields_are_written_and_read_again_with_all_measures_among_them() {
     for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
         fields.measures.set(measure, 1.0 + i as f64);
     }
-    let request = ForceRequest { question: fields.clone().into(), ..ForceRequest::default() };
+    let request = ForceRequest {
+        question: fields.clone().into(),
+        ..ForceRequest::default()
+    };
     let text = serde_json::to_string(&request).unwrap();
-    assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().question.muscle, fields);
+    assert_eq!(
+        serde_json::from_str::<ForceRequest>(&text)
+            .unwrap()
+            .question
+            .muscle,
+        fields
+    );
     let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
     let schema = mckibben_app::schema("force").unwrap()["request"]["properties"].take();
     let names: Vec<&String> = schema.as_object().unwrap().keys().collect();
     let of_muscle = |name: &String| name == "rubber" || Measure::of_field(name).is_some();
-    let order: Vec<_> =
-        written.keys().filter(|k| of_muscle(k)).map(|k| names.iter().position(|n| *n == k)).collect();
-    assert!(order.is_sorted() && order.len() == fields.measures.iter().count() + 1, "{text}");
-    let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
-    assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
+    let order: Vec<_> = written
+        .keys()
+        .filter(|k| of_muscle(k))
+        .map(|k| names.iter().position(|n| *n == k))
+        .collect();
+    assert!(
+        order.is_sorted() && order.len() == fields.measures.iter().count() + 1,
+        "{text}"
+    );
+    let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        wrong.contains("invalid type: string \"x\", expected f64"),
+        "{wrong}"
+    );
 }

@@ -23,10 +23,20 @@ fn the_list_of_unsafe_code_is_complete() {
     let present: BTreeSet<String> = files
         .into_iter()
         .filter(|path| holds_unsafe(&std::fs::read_to_string(path).unwrap()))
-        .map(|path| path.strip_prefix(&root).unwrap().to_string_lossy().replace('\\', "/"))
+        .map(|path| {
+            path.strip_prefix(&root)
+                .unwrap()
+                .to_string_lossy()
+                .replace('\\', "/")
+        })
         .collect();
     let text = std::fs::read_to_string(root.join("SECURITY.md")).unwrap();
-    let named: BTreeSet<String> =
-        text.split('`').skip(1).step_by(2).filter(|name| name.ends_with(".rs")).map(Into::into).collect();
+    let named: BTreeSet<String> = text
+        .split('`')
+        .skip(1)
+        .step_by(2)
+        .filter(|name| name.ends_with(".rs"))
+        .map(Into::into)
+        .collect();
     assert_eq!(named, present);
 }

@@ -1,12 +1,16 @@
-//! Every number of muscle, joint and drive files, far too large, far too small, zero and negative: an answer of finite numbers, or a
-//! problem with its reason.
+//! Every number of muscle, joint and drive files, far too large, far too small, zero and negative:
+//! an answer of finite numbers, or a problem with its reason.
 
 use mckibben::progress::Progress;
-use mckibben_app::{ForceRequest, JointRequest, MotionRequest, MuscleFields, Problem, ProblemKind, TextFile};
+use mckibben_app::{
+    ForceRequest, JointRequest, MotionRequest, MuscleFields, Problem, ProblemKind, TextFile,
+};
 use serde_json::Value;
 use std::time::{Duration, Instant};
 
-const SIZES: [&str; 8] = ["1e200", "1e-200", "1e308", "1e25", "1e-25", "0", "-1", "-1e25"];
+const SIZES: [&str; 8] = [
+    "1e200", "1e-200", "1e308", "1e25", "1e-25", "0", "-1", "-1e25",
+];
 
 const MUSCLE: &str = r#"
 [tube]
@@ -106,14 +110,20 @@ fn with(text: &str, (section, key): &(String, String), size: &str) -> String {
         }
         match line.split_once(" = ") {
             Some((k, old)) if at == *section && k == key => {
-                let unit: String =
-                    old.trim_matches('"').split_once(' ').map_or(String::new(), |u| format!(" {}", u.1));
+                let unit: String = old
+                    .trim_matches('"')
+                    .split_once(' ')
+                    .map_or(String::new(), |u| format!(" {}", u.1));
                 let value = if old.contains("..") {
                     format!("{size}..{size}{unit}")
                 } else {
                     format!("{size}{unit}")
                 };
-                if old.starts_with('"') { format!("{k} = \"{value}\"") } else { format!("{k} = {value}") }
+                if old.starts_with('"') {
+                    format!("{k} = \"{value}\"")
+                } else {
+                    format!("{k} = {value}")
+                }
             }
             _ => line.to_owned(),
         }
@@ -122,7 +132,10 @@ fn with(text: &str, (section, key): &(String, String), size: &str) -> String {
 }
 
 fn file(name: &str, text: &str) -> TextFile {
-    TextFile { name: name.into(), text: text.into() }
+    TextFile {
+        name: name.into(),
+        text: text.into(),
+    }
 }
 
 /// Gives up where a question takes longer than anybody waits.
@@ -146,10 +159,20 @@ fn judged<T: serde::Serialize>(work: &dyn Fn(&Patience) -> Result<T, Problem>, s
         Err(problem) => {
             let message = &problem.message;
             assert!(problem.kind != ProblemKind::Internal, "{said}: {message}");
-            assert!(problem.kind != ProblemKind::Cancelled, "takes for ever: {said}");
-            let digits = message.split(|c: char| !c.is_ascii_digit()).map(str::len).max().unwrap_or(0);
+            assert!(
+                problem.kind != ProblemKind::Cancelled,
+                "takes for ever: {said}"
+            );
+            let digits = message
+                .split(|c: char| !c.is_ascii_digit())
+                .map(str::len)
+                .max()
+                .unwrap_or(0);
             let unsaid = ["NaN", "Some(", "None"].iter().any(|w| message.contains(w));
-            assert!(digits < 20 && !unsaid && !message.contains(" inf"), "{said}: {message}");
+            assert!(
+                digits < 20 && !unsaid && !message.contains(" inf"),
+                "{said}: {message}"
+            );
         }
     }
 }
@@ -170,7 +193,10 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
             let request = |model: &str| ForceRequest {
                 question: mckibben_app::QuestionFields {
                     muscle: MuscleFields::from_file(file("m.toml", &text)),
-                    model: mckibben_app::ModelFields { model: Some(model.into()), ..Default::default() },
+                    model: mckibben_app::ModelFields {
+                        model: Some(model.into()),
+                        ..Default::default()
+                    },
                     ..Default::default()
                 },
                 pressure_mpa: Some(0.2),
@@ -178,7 +204,10 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
                 ..ForceRequest::default()
             };
             for model in ["thick-wall", "universal"] {
-                judged(&|_| mckibben_app::force(&request(model)), &format!("{model}: {key:?} {size}"));
+                judged(
+                    &|_| mckibben_app::force(&request(model)),
+                    &format!("{model}: {key:?} {size}"),
+                );
             }
         }
     }
@@ -193,12 +222,18 @@ fn every_number_of_a_joint_file_of_any_size_is_an_answer_or_a_problem() {
                     joint: Some(file("j.toml", &with(JOINT, &key, size))),
                     muscles: vec![file("m.toml", MUSCLE)],
                 },
-                model: mckibben_app::ModelFields { model: Some("thick-wall".into()), ..Default::default() },
+                model: mckibben_app::ModelFields {
+                    model: Some("thick-wall".into()),
+                    ..Default::default()
+                },
                 pressures_mpa: vec![vec![0.2, 0.1]],
                 angles_deg: Some(vec![0.0]),
                 ..JointRequest::default()
             };
-            judged(&|p| mckibben_app::joint(&request, p), &format!("{key:?} {size}"));
+            judged(
+                &|p| mckibben_app::joint(&request, p),
+                &format!("{key:?} {size}"),
+            );
         }
     }
 }
@@ -210,10 +245,16 @@ fn every_number_of_a_drive_file_of_any_size_is_an_answer_or_a_problem() {
             let request = MotionRequest {
                 drive: Some(file("d.toml", &with(DRIVE, &key, size))),
                 muscle: Some(file("m.toml", MUSCLE)),
-                model: mckibben_app::ModelFields { model: Some("thick-wall".into()), ..Default::default() },
+                model: mckibben_app::ModelFields {
+                    model: Some("thick-wall".into()),
+                    ..Default::default()
+                },
                 ..MotionRequest::default()
             };
-            judged(&|p| mckibben_app::motion(&request, p), &format!("{key:?} {size}"));
+            judged(
+                &|p| mckibben_app::motion(&request, p),
+                &format!("{key:?} {size}"),
+            );
         }
     }
 }

@@ -6,8 +6,10 @@ use mckibben::random::{Random, rounds};
 use mckibben_app::{ProblemKind, ask};
 use serde_json::{Value, json};
 
-const OWNED: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 mm\"\nrubber = \"latex\"\n\
-    [braid]\nangle = \"28 deg\"\nstrands = 144\nstrand_diameter = \"0.25 mm\"\nstrand_modulus = \"8.5 GPa\"\nstrand_strength = \"20 N\"\n\
+const OWNED: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 \
+    mm\"\nrubber = \"latex\"\n\
+    [braid]\nangle = \"28 deg\"\nstrands = 144\nstrand_diameter = \"0.25 mm\"\nstrand_modulus \
+    = \"8.5 GPa\"\nstrand_strength = \"20 N\"\n\
     strands_per_carrier = 3\n";
 
 fn owned() -> Value {
@@ -17,14 +19,22 @@ fn owned() -> Value {
 /// A muscle that hangs slack has one volume and diameter, in both commands, and no slopes.
 #[test]
 fn a_slack_muscle_of_simulate_is_that_of_force() {
-    let test =
-        json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.1], "contractions": [0.1, 0.2]});
+    let test = json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.1], "contractions": [0.1, 0.2]});
     let simulated = reply("simulate", test);
     for point in simulated["points"].as_array().unwrap() {
-        let question = json!({"muscle": owned(), "pressure_mpa": 0.1, "contraction": point["contraction"]});
+        let question =
+            json!({"muscle": owned(), "pressure_mpa": 0.1, "contraction": point["contraction"]});
         let force = reply("force", question);
-        assert_eq!((&point["slack"], &force["slack"]), (&json!(true), &json!(true)));
-        for key in ["force_n", "volume_mm3", "bulged_diameter_mm", "free_contraction"] {
+        assert_eq!(
+            (&point["slack"], &force["slack"]),
+            (&json!(true), &json!(true))
+        );
+        for key in [
+            "force_n",
+            "volume_mm3",
+            "bulged_diameter_mm",
+            "free_contraction",
+        ] {
             let (a, b) = (point[key].as_f64().unwrap(), force[key].as_f64().unwrap());
             assert!((a - b).abs() <= 1e-6 * b.abs(), "{key}: {a} {b}");
         }
@@ -32,8 +42,8 @@ fn a_slack_muscle_of_simulate_is_that_of_force() {
     }
 }
 
-/// One muscle, one pull: a point of `curve` and of `simulate` is that of `force`, of muscles that were drawn, that hang slack, that extend, without
-/// pressure and with.
+/// One muscle, one pull: a point of `curve` and of `simulate` is that of `force`, of muscles that
+/// were drawn, that hang slack, that extend, without pressure and with.
 #[test]
 fn one_muscle_has_one_pull_in_every_command() {
     let mut random = Random(50);
@@ -45,7 +55,8 @@ fn one_muscle_has_one_pull_in_every_command() {
             false => (random.between(18.0, 40.0), [0.0, 0.06, 0.25]),
         };
         let text = format!(
-            "[tube]\nouter_diameter = {outer}\nwall_thickness = {}\nlength = {}\nprestretch = {}\nrubber = \"latex\"\n\
+            "[tube]\nouter_diameter = {outer}\nwall_thickness = {}\nlength = {}\nprestretch = \
+             {}\nrubber = \"latex\"\n\
              [braid]\nangle = {angle}\nstiffness = {}\n",
             outer * random.between(0.05, 0.2),
             outer * random.between(5.0, 15.0),
@@ -69,7 +80,10 @@ fn one_muscle_has_one_pull_in_every_command() {
                 assert_eq!(point["slack"], force["slack"], "{command} {question}");
                 for key in ["force_n", "volume_mm3", "bulged_diameter_mm"] {
                     let (a, b) = (point[key].as_f64().unwrap(), force[key].as_f64().unwrap());
-                    assert!((a - b).abs() <= 1e-5 * b.abs().max(1.0), "{command} {key}: {a} {b} {question}");
+                    assert!(
+                        (a - b).abs() <= 1e-5 * b.abs().max(1.0),
+                        "{command} {key}: {a} {b} {question}"
+                    );
                 }
             }
         }
@@ -90,17 +104,29 @@ fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
         json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.3], "contractions": [-0.25, 0.0]}),
     );
     assert_eq!(simulated["points"][0]["force_n"], 0.0);
-    let grid =
-        json!({"muscle": owned(), "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0]});
+    let grid = json!({"muscle": owned(), "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0]});
     assert_eq!(reply("compare", grid)["models"][0]["max_n"], 0.0);
     // Nor is its pull the answer of an inverse, or the nearest one.
     for (command, question) in [
-        ("contraction", json!({"muscle": owned(), "force_n": 4000.0, "pressure_mpa": 0.3})),
-        ("contraction", json!({"muscle": owned(), "force_n": 9e4, "pressure_mpa": 0.3})),
-        ("pressure", json!({"muscle": owned(), "force_n": 9000.0, "contraction": -0.2})),
+        (
+            "contraction",
+            json!({"muscle": owned(), "force_n": 4000.0, "pressure_mpa": 0.3}),
+        ),
+        (
+            "contraction",
+            json!({"muscle": owned(), "force_n": 9e4, "pressure_mpa": 0.3}),
+        ),
+        (
+            "pressure",
+            json!({"muscle": owned(), "force_n": 9000.0, "contraction": -0.2}),
+        ),
     ] {
         let error = ask(command, &question.to_string(), &Silent).unwrap_err();
-        assert!(error.message.contains("break the strands"), "{command}: {}", error.message);
+        assert!(
+            error.message.contains("break the strands"),
+            "{command}: {}",
+            error.message
+        );
         assert!(error.nearest.is_none(), "{command}");
     }
 }
@@ -110,13 +136,17 @@ fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
 fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
     for plug_mm in [36.0, 45.0, 50.0] {
         let text = format!(
-            "[tube]\nouter_diameter = 30\nwall_thickness = 1.5\nlength = 200\n[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.3\n\
+            "[tube]\nouter_diameter = 30\nwall_thickness = 1.5\nlength = 200\n[tube.material]\nlaw \
+             = \"neo-hookean\"\nmu = 0.3\n\
              [braid]\nangle = 25\nstiffness = 600\n[terminals]\nplug_diameter = {plug_mm}\n"
         );
         let mut before = 0.0;
         for pressure_mpa in [0.0001, 0.001, 0.005, 0.01, 0.02, 0.05] {
             let muscle = json!({"name": "wide.toml", "text": text});
-            let force = reply("force", json!({"muscle": muscle, "pressure_mpa": pressure_mpa}));
+            let force = reply(
+                "force",
+                json!({"muscle": muscle, "pressure_mpa": pressure_mpa}),
+            );
             let pull = force["force_n"].as_f64().unwrap();
             assert!(pull >= before, "{plug_mm} mm, {pressure_mpa} MPa: {pull} N");
             before = pull;
@@ -125,7 +155,8 @@ fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
     }
 }
 
-/// A name alone is that of the library; one without a text that is no name of it must not be the default muscle.
+/// A name alone is that of the library; one without a text that is no name of it must not be the
+/// default muscle.
 #[test]
 fn a_muscle_has_a_text_or_is_of_the_library() {
     let of = |muscle: Value| json!({"muscle": muscle, "pressure_mpa": 0.3});
@@ -133,7 +164,14 @@ fn a_muscle_has_a_text_or_is_of_the_library() {
     let empty = json!({"name": "lib:dmsp-20-300", "text": ""});
     assert_eq!(alone["force_n"], reply("force", of(empty))["force_n"]);
     let unknown = of(json!({"name": "dmsp-20-300", "text": ""})).to_string();
-    assert_eq!(ask("force", &unknown, &Silent).unwrap_err().kind, ProblemKind::File);
-    let comments = of(json!({"name": "mine.toml", "text": "# my muscle\n\n  # of latex\n"})).to_string();
-    assert_eq!(ask("force", &comments, &Silent).unwrap_err().kind, ProblemKind::File);
+    assert_eq!(
+        ask("force", &unknown, &Silent).unwrap_err().kind,
+        ProblemKind::File
+    );
+    let comments =
+        of(json!({"name": "mine.toml", "text": "# my muscle\n\n  # of latex\n"})).to_string();
+    assert_eq!(
+        ask("force", &comments, &Silent).unwrap_err().kind,
+        ProblemKind::File
+    );
 }

@@ -12,7 +12,12 @@ fn units_show_their_definitions() {
     // 1 lbf/in is 0.175 126 8 N/mm (NIST SP 811).
     assert_eq!(u.stiffness().show(0.175_126_8), "1 lbf/in");
     assert_eq!(u.to_string(), "psi,lbf,in");
-    assert!("psi,stone".parse::<Units>().unwrap_err().contains("\"stone\""));
+    assert!(
+        "psi,stone"
+            .parse::<Units>()
+            .unwrap_err()
+            .contains("\"stone\"")
+    );
 }
 
 #[test]
@@ -25,7 +30,10 @@ fn a_typed_unit_is_the_shown_one() {
 
 #[test]
 fn of_each_kind_the_first_unit_that_was_typed_is_shown() {
-    assert_eq!(Units::typed(["2bar,1bar", "30psi", "1.2in"]).to_string(), "bar,in");
+    assert_eq!(
+        Units::typed(["2bar,1bar", "30psi", "1.2in"]).to_string(),
+        "bar,in"
+    );
     assert_eq!(Units::typed(["700lbf@15%,900N@5%"]).force.name, "lbf");
 }
 
@@ -33,10 +41,22 @@ fn of_each_kind_the_first_unit_that_was_typed_is_shown() {
 fn pressures_of_sentences_are_shown_in_the_unit_and_moduli_are_not() {
     let bar: Units = "bar".parse().unwrap();
     for (sentence, shown) in [
-        ("no pressures up to 0.25\u{a0}MPa give 3 N m", "no pressures up to 2.5 bar give 3 N m"),
-        ("nearest 12.5\u{a0}N at 0.095000\u{a0}MPa.", "nearest 12.5 N at 0.95 bar."),
-        ("falls when it rises (-1200\u{a0}N/MPa): soft", "falls when it rises (-120 N/bar): soft"),
-        ("P -1e-2\u{a0}MPa to 3\u{a0}MPa, of\u{a0}MPa", "P -0.1 bar to 30 bar, of MPa"),
+        (
+            "no pressures up to 0.25\u{a0}MPa give 3 N m",
+            "no pressures up to 2.5 bar give 3 N m",
+        ),
+        (
+            "nearest 12.5\u{a0}N at 0.095000\u{a0}MPa.",
+            "nearest 12.5 N at 0.95 bar.",
+        ),
+        (
+            "falls when it rises (-1200\u{a0}N/MPa): soft",
+            "falls when it rises (-120 N/bar): soft",
+        ),
+        (
+            "P -1e-2\u{a0}MPa to 3\u{a0}MPa, of\u{a0}MPa",
+            "P -0.1 bar to 30 bar, of MPa",
+        ),
         ("a modulus of 0.1 MPa", "a modulus of 0.1 MPa"),
     ] {
         assert_eq!(bar.sentence(sentence), shown);
@@ -46,7 +66,10 @@ fn pressures_of_sentences_are_shown_in_the_unit_and_moduli_are_not() {
     assert_eq!(psi.sentence("at 0.3\u{a0}MPa"), "at 43.5 psi");
     assert_eq!(psi.sentence("at 0.345\u{a0}MPa"), "at 50 psi");
     let inches: Units = "lbf,in".parse().unwrap();
-    assert_eq!(inches.sentence("12.70\u{a0}mm at 4.448222\u{a0}N"), "0.5 in at 1 lbf");
+    assert_eq!(
+        inches.sentence("12.70\u{a0}mm at 4.448222\u{a0}N"),
+        "0.5 in at 1 lbf"
+    );
     assert_eq!(Units::default().sentence("at 0.3\u{a0}MPa"), "at 0.3 MPa");
 }
 

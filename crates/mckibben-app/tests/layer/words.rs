@@ -11,7 +11,14 @@ fn digits_that_the_uncertainty_hides_are_not_shown() {
         (0.012_346, 0.000_4, "0.01235 ± 0.00040"),
         (-0.2, 118.0, "0 ± 120"),
     ] {
-        assert_eq!(format!("{} ± {}", within(value, uncertainty), half_width(uncertainty)), shown);
+        assert_eq!(
+            format!(
+                "{} ± {}",
+                within(value, uncertainty),
+                half_width(uncertainty)
+            ),
+            shown
+        );
     }
 }
 
@@ -22,5 +29,8 @@ fn columns_are_aligned_and_no_longer_than_needed() {
     assert_eq!(list(&[0.5, 1.0, 2.0]), ["0.5", "1.0", "2.0"]);
     assert_eq!(list(&[28.0, 30.0]), ["28", "30"]);
     assert_eq!(list(&[921.72, 10.107, -0.001]), ["921.7", "10.1", "0.0"]);
-    assert_eq!(aligned(&[None, Some(2.0), Some(f64::NAN)], 3), ["–", "2", "–"]);
+    assert_eq!(
+        aligned(&[None, Some(2.0), Some(f64::NAN)], 3),
+        ["–", "2", "–"]
+    );
 }

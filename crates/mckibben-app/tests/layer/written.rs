@@ -27,31 +27,43 @@ const FREE: [&str; 10] = [
     "contraction_offset",
 ];
 
-/// Every measured set with laws, strands and free constants by chance: what `identify` writes is read by the commands that ask a muscle. A set may
-/// give no constants; it never gives a file that is none.
+/// Every measured set with laws, strands and free constants by chance: what `identify` writes is
+/// read by the commands that ask a muscle. A set may give no constants; it never gives a file that
+/// is none.
 #[test]
 fn whatever_was_identified_is_a_muscle() {
     let mut state = 7_u64;
     let mut chance = |n: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) as usize % n
     };
     let (mut written, mut refused) = (0, vec![]);
     for i in 0..60 {
-        let (set, law, strands) = (SETS[i % SETS.len()], LAWS[chance(LAWS.len())], STRANDS[chance(2)]);
+        let (set, law, strands) = (
+            SETS[i % SETS.len()],
+            LAWS[chance(LAWS.len())],
+            STRANDS[chance(2)],
+        );
         let folder = root().join("crates/mckibben-fit/data/measured").join(set);
         let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
         let measured = mckibben::muscle::file::parse_muscle(&text("muscle.toml")).unwrap();
         let tube = measured.tube();
         let muscle = format!(
-            "[tube]\nouter_diameter = {}\nwall_thickness = {}\nlength = {}\n[tube.material]\n{law}\n[braid]\nangle = {}\nstiffness = {strands}\n",
+            "[tube]\nouter_diameter = {}\nwall_thickness = {}\nlength = \
+             {}\n[tube.material]\n{law}\n[braid]\nangle = {}\nstiffness = {strands}\n",
             tube.outer_diameter_mm,
             tube.wall_mm,
             tube.length_mm,
             measured.braid().angle_deg
         );
         // The constants of a law behind those that every muscle has.
-        let constants: Vec<&str> = law.lines().skip(1).filter_map(|line| line.split(" = ").next()).collect();
+        let constants: Vec<&str> = law
+            .lines()
+            .skip(1)
+            .filter_map(|line| line.split(" = ").next())
+            .collect();
         let all: Vec<&str> = FREE.iter().copied().chain(constants).collect();
         let mut free: Vec<&str> = (0..=chance(3)).map(|_| all[chance(all.len())]).collect();
         free.sort_unstable();
@@ -64,7 +76,10 @@ fn whatever_was_identified_is_a_muscle() {
         let answer: Value = match ask("identify", &request.to_string(), &Silent) {
             Ok(answer) => serde_json::from_str(&answer).unwrap(),
             Err(problem) => {
-                assert!(!problem.message.contains("make no muscle"), "{set} {law} {free:?}: {problem}");
+                assert!(
+                    !problem.message.contains("make no muscle"),
+                    "{set} {law} {free:?}: {problem}"
+                );
                 refused.push(format!("{set} {free:?}: {}", problem.message));
                 continue;
             }
@@ -81,7 +96,10 @@ fn whatever_was_identified_is_a_muscle() {
         }
         let shown = reply("check", json!({ "muscle": file, "only_data": true }));
         let said = shown["warnings"].to_string();
-        assert!(!said.contains("[identified]"), "{set} {law} {free:?}: {said}");
+        assert!(
+            !said.contains("[identified]"),
+            "{set} {law} {free:?}: {said}"
+        );
     }
     assert!(written > 40, "{written}: {refused:#?}");
 }
@@ -90,15 +108,32 @@ fn whatever_was_identified_is_a_muscle() {
 #[test]
 fn whatever_rubber_was_fitted_is_a_muscle() {
     let folder = root().join("crates/mckibben-fit/data/measured");
-    for name in ["rubber-treloar", "rubber-ecoflex-00-50", "rubber-dragon-skin-30", "rubber-rtv615"] {
+    for name in [
+        "rubber-treloar",
+        "rubber-ecoflex-00-50",
+        "rubber-dragon-skin-30",
+        "rubber-rtv615",
+    ] {
         let text = std::fs::read_to_string(folder.join(name).join("points.csv")).unwrap();
         let muscle = json!({ "name": "p.toml", "text": mckibben::muscle::file::to_toml(&mckibben::muscle::Muscle::prototype()) });
-        for law in ["neo-hookean", "gent", "arruda-boyce", "yeoh", "ogden", "extended-tube"] {
+        for law in [
+            "neo-hookean",
+            "gent",
+            "arruda-boyce",
+            "yeoh",
+            "ogden",
+            "extended-tube",
+        ] {
             let request = json!({ "data": [{ "name": "t.csv", "text": text }], "laws": [law], "stable": true, "muscle": muscle });
-            let Ok(answer) = ask("rubber", &request.to_string(), &Silent) else { continue };
+            let Ok(answer) = ask("rubber", &request.to_string(), &Silent) else {
+                continue;
+            };
             let answer: Value = serde_json::from_str(&answer).unwrap();
             if let Some(file) = answer["muscle_file"].as_str() {
-                reply("check", json!({ "muscle": { "name": "r.toml", "text": file }, "only_data": true }));
+                reply(
+                    "check",
+                    json!({ "muscle": { "name": "r.toml", "text": file }, "only_data": true }),
+                );
             }
         }
     }

@@ -21,7 +21,13 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
         contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
         burst: Some((1.2, FailureMode::Mesh)),
         allowed_mpa: Some(0.3),
-        free_contractions: vec![(0.08, 0.02), (0.13, 0.11), (0.18, 0.15), (0.21, 0.17), (0.25, 0.2)],
+        free_contractions: vec![
+            (0.08, 0.02),
+            (0.13, 0.11),
+            (0.18, 0.15),
+            (0.21, 0.17),
+            (0.25, 0.2),
+        ],
     }
 }
 
@@ -34,27 +40,42 @@ fn plan_from(text: &str, wishes: &Wishes) -> Plan {
 pub(crate) fn plan_of(outer_mm: f64, wall_mm: f64, wishes: &Wishes) -> Plan {
     plan_from(
         &format!(
-            "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nrubber = \"latex\"\n[braid]\nangle = 30\n"
+            "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nrubber \
+             = \"latex\"\n[braid]\nangle = 30\n"
         ),
         wishes,
     )
 }
 
-/// By hand: 200 mm and 20 mm on each plug are 240 mm at 30° on 10 mm, a strand 240/cos 30° = 277.128 mm; sinθ grows with the diameter: on 16 mm sinθ = 0.8,
-/// cosθ = 0.6, on 6 mm sinθ = 0.3, cosθ = 0.953 939.
+/// By hand: 200 mm and 20 mm on each plug are 240 mm at 30° on 10 mm, a strand 240/cos 30° =
+/// 277.128 mm; sinθ grows with the diameter: on 16 mm sinθ = 0.8, cosθ = 0.6, on 6 mm sinθ = 0.3,
+/// cosθ = 0.953 939.
 #[test]
 fn a_sleeve_is_cut_longer_where_it_is_narrower_as_by_hand() {
     for (diameter, length) in [(16.0, 166.277), (6.0, 264.363), (10.0, 240.0)] {
-        let wishes = Wishes { sleeve_diameter_mm: Some(diameter), ..Wishes::default() };
+        let wishes = Wishes {
+            sleeve_diameter_mm: Some(diameter),
+            ..Wishes::default()
+        };
         let cut = plan_of(10.0, 1.5, &wishes).cut;
-        assert!((cut.sleeve.relaxed_mm.unwrap() - length).abs() < 1e-3, "{cut:?}");
-        assert!((cut.sleeve.strand_mm - 277.1281).abs() < 1e-4 && (cut.tube_mm - 240.0).abs() < 1e-9);
+        assert!(
+            (cut.sleeve.relaxed_mm.unwrap() - length).abs() < 1e-3,
+            "{cut:?}"
+        );
+        assert!(
+            (cut.sleeve.strand_mm - 277.1281).abs() < 1e-4 && (cut.tube_mm - 240.0).abs() < 1e-9
+        );
         assert!(cut.sleeve.by_diameter.len() > 3);
     }
     // Strands run around at ℓ/π = 10/sin 30° = 20 mm.
     let muscle = plan_of(10.0, 1.5, &Wishes::default()).muscle;
-    let wishes = Wishes { sleeve_diameter_mm: Some(20.5), ..Wishes::default() };
-    let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &wishes).unwrap_err().to_string();
+    let wishes = Wishes {
+        sleeve_diameter_mm: Some(20.5),
+        ..Wishes::default()
+    };
+    let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &wishes)
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("diameters up to 20.0\u{a0}mm"), "{error}");
 }
 
@@ -65,33 +86,50 @@ fn a_tube_that_is_stretched_is_cut_shorter_and_bought_thicker() {
     let plan = plan_from(text, &Wishes::default());
     assert!((plan.cut.tube_mm - (200.0 / 1.21 + 40.0)).abs() < 1e-9);
     assert!(
-        (plan.cut.tube_outer_diameter_mm - 11.0).abs() < 1e-9 && (plan.cut.tube_wall_mm - 1.1).abs() < 1e-9
+        (plan.cut.tube_outer_diameter_mm - 11.0).abs() < 1e-9
+            && (plan.cut.tube_wall_mm - 1.1).abs() < 1e-9
     );
     // The plug fits the tube as it is in the clamp.
-    assert!((plan.air_plug.stem.diameter_mm - plan.air_plug.stem.interference_mm - 8.8).abs() < 1e-9);
+    assert!(
+        (plan.air_plug.stem.diameter_mm - plan.air_plug.stem.interference_mm - 8.8).abs() < 1e-9
+    );
 }
 
-/// The tube of the catalogue with these diameters has its name and price; masses by hand: rubber π (4.7625² − 3.175²) 240 mm³ = 9500.77 mm³.
+/// The tube of the catalogue with these diameters has its name and price; masses by hand: rubber π
+/// (4.7625² − 3.175²) 240 mm³ = 9500.77 mm³.
 #[test]
 fn the_bill_names_parts_as_sold() {
-    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\nrubber = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
+    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\nrubber \
+        = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
     let plan = plan_from(text, &Wishes::default());
     let (tube, sleeve) = (&plan.parts[0], &plan.parts[1]);
     assert_eq!(tube.sold_as.as_deref(), Some("latex-1/4x3/8in"));
     assert!(tube.price.as_deref().unwrap().contains("USD"), "{tube:?}");
-    assert!((plan.cut.rubber_mm3 - 9500.77).abs() < 0.01, "{}", plan.cut.rubber_mm3);
+    assert!(
+        (plan.cut.rubber_mm3 - 9500.77).abs() < 0.01,
+        "{}",
+        plan.cut.rubber_mm3
+    );
     assert_eq!(sleeve.sold_as.as_deref(), Some("flexo-overexpanded-0.38in"));
-    assert!(sleeve.mass_g.is_some_and(|m| m > 0.5 && m < 20.0), "{sleeve:?}");
+    assert!(
+        sleeve.mass_g.is_some_and(|m| m > 0.5 && m < 20.0),
+        "{sleeve:?}"
+    );
     assert!(plan.mass_g() > plan.parts[0].mass_g.unwrap());
 }
 
 #[test]
 fn ties_hold_a_thin_muscle_and_ferrules_a_thick_one() {
     let clamps = |outer_mm, wall_mm| plan_of(outer_mm, wall_mm, &Wishes::default()).clamps;
-    assert!(matches!(clamps(6.0, 1.0), Clamps::Ties { at_each_end: 2, .. }), "{:?}", clamps(6.0, 1.0));
+    assert!(
+        matches!(clamps(6.0, 1.0), Clamps::Ties { at_each_end: 2, .. }),
+        "{:?}",
+        clamps(6.0, 1.0)
+    );
     assert_eq!(clamps(40.0, 2.0), Clamps::Crimped);
     let muscle = parse_muscle("[terminals]\ninsertion = 1\n").unwrap();
-    let error = Plan::new(muscle.clone(), operating(&muscle, 0.25), &Wishes::default()).unwrap_err();
+    let error =
+        Plan::new(muscle.clone(), operating(&muscle, 0.25), &Wishes::default()).unwrap_err();
     assert!(error.to_string().contains("at least 3\u{a0}mm"), "{error}");
 }
 
@@ -102,7 +140,9 @@ fn all_files_are_written_and_named_in_the_readme() {
         let plan = plan_of(outer_mm, wall_mm, &Wishes::default());
         let all = files(&plan).unwrap();
         let readme = all.iter().find(|f| f.name == "README.md").unwrap();
-        let Content::Text(readme) = &readme.content else { panic!("{readme:?}") };
+        let Content::Text(readme) = &readme.content else {
+            panic!("{readme:?}")
+        };
         for file in &all {
             assert!(
                 file.name == "README.md" || readme.contains(&format!("]({})", file.name)),
@@ -117,7 +157,10 @@ fn all_files_are_written_and_named_in_the_readme() {
                 );
             }
         }
-        assert!(readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"), "{readme}");
+        assert!(
+            readme.contains("Proof test with water") && readme.contains("0.5 MPa (5 bar)"),
+            "{readme}"
+        );
     }
 }
 
@@ -129,12 +172,22 @@ fn texts_of_others_are_plain_in_the_readme() {
     let part = &mut plan.parts[0];
     part.part = hostile.into();
     part.amount = hostile.into();
-    (part.sold_as, part.price, part.source) =
-        (Some(hostile.into()), Some(hostile.into()), Some(hostile.into()));
+    (part.sold_as, part.price, part.source) = (
+        Some(hostile.into()),
+        Some(hostile.into()),
+        Some(hostile.into()),
+    );
     let all = files(&plan).unwrap();
-    for file in all.iter().filter(|file| ["README.md", "drawing.svg"].contains(&&*file.name)) {
+    for file in all
+        .iter()
+        .filter(|file| ["README.md", "drawing.svg"].contains(&&*file.name))
+    {
         let text = String::from_utf8_lossy(file.content.bytes()).into_owned();
-        let of_markdown = if file.name == "README.md" { &["|`rm", "](javascript", "\n# c"][..] } else { &[] };
+        let of_markdown = if file.name == "README.md" {
+            &["|`rm", "](javascript", "\n# c"][..]
+        } else {
+            &[]
+        };
         for code in ["<script", "\u{202e}"].iter().chain(of_markdown) {
             assert!(!text.contains(code), "{}: {code}", file.name);
         }

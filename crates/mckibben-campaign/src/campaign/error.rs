@@ -12,7 +12,8 @@ pub(super) type Result<T, E = CampaignError> = std::result::Result<T, E>;
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]
 pub enum CampaignError {
-    /// The store holds the table of another plan, or of another version of the program, whose numbers may differ.
+    /// The store holds the table of another plan, or of another version of the program, whose
+    /// numbers may differ.
     #[error("{0}")]
     OtherPlan(String),
     /// Another process writes to the store.
@@ -59,9 +60,12 @@ impl CampaignError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::OtherPlan { .. } => {
-                "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan, and a campaign is continued by the version that began it"
+                "write to another place, or replace it with `overwrite`; any change of a plan's \
+                 text makes another plan, and a campaign is continued by the version that began it"
             }
-            Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
+            Self::Foreign { .. } => {
+                "write to another place, move it away, or replace it with `overwrite`"
+            }
             Self::Appeared { .. } => {
                 "move it away, and the same command continues from here; `overwrite` replaces it"
             }
@@ -73,12 +77,15 @@ impl CampaignError {
             }
             Self::Locked { .. } => "wait for it to end, or write to another place",
             Self::Damaged { .. } => {
-                "parts of a folder are recomputed when the campaign is run again; another file is replaced with `overwrite`"
+                "parts of a folder are recomputed when the campaign is run again; another file is \
+                 replaced with `overwrite`"
             }
             Self::Incomplete { .. } => {
                 "run the campaign (or the missing shards) again: it computes what is missing"
             }
-            Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
+            Self::Conflict { .. } => {
+                "they come from different programs or machines: recompute one of them"
+            }
             Self::Refused(_, hint) => hint,
             Self::Write { .. } => {
                 "what was written before is a valid store; the same command continues from there"
@@ -111,7 +118,8 @@ impl CampaignError {
         let path = path.display();
         Self::Refused(
             format!(
-                "a campaign is one file that ends in .parquet, or a folder of parts; {path} would be neither"
+                "a campaign is one file that ends in .parquet, or a folder of parts; {path} would \
+                 be neither"
             ),
             "name it FILE.parquet, which pandas, DuckDB and others read, and write as CSV",
         )

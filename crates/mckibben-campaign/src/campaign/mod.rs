@@ -1,10 +1,11 @@
 //! Campaigns: many finite-element tests from a plan, resumable, into Parquet.
 //!
-//! plan → blocks of muscles (each alone, on any thread) → part files → one table in the order of the plan.
+//! plan → blocks of muscles (each alone, on any thread) → part files → one table in the order of
+//! the plan.
 //!
-//! A row depends on its muscle alone and no time or host is in the data, so that the bytes of a table are the same
-//! whatever the number of threads, shards and interruptions. Without the feature `store` there are no files:
-//! [`compute`] gives the rows of a plan in memory.
+//! A row depends on its muscle alone and no time or host is in the data, so that the bytes of a
+//! table are the same whatever the number of threads, shards and interruptions. Without the feature
+//! `store` there are no files: [`compute`] gives the rows of a plan in memory.
 
 mod error;
 mod plan;
@@ -21,6 +22,6 @@ pub use plan::{Inputs, Plan, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
-    CampaignStatus, Counts, Extent, Failed, Merged, Outcome, Provenance, Recomputed, Rows, RunOptions, Shard,
-    ShardState, ShardStatus, Summary, merge, read, rows, run, status, summary,
+    CampaignStatus, Counts, Extent, Failed, Merged, Outcome, Provenance, Recomputed, Rows,
+    RunOptions, Shard, ShardState, ShardStatus, Summary, merge, read, rows, run, status, summary,
 };

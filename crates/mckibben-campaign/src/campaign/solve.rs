@@ -15,7 +15,8 @@ use mckibben_fem::simulation::Detail;
 use mckibben_fem::solver::curve::CurvePoint;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
+/// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there
+/// are no files.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
     let one = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
@@ -26,8 +27,9 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<PointRow>> =
-        threads::map(&numbers, one).into_iter().collect::<Result<_, Cancelled>>()?;
+    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one)
+        .into_iter()
+        .collect::<Result<_, Cancelled>>()?;
     Ok(all.concat())
 }
 
@@ -42,7 +44,11 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let workspace = &mut Workspace::new();
     let mut out = Vec::with_capacity(plan.points_per_muscle());
     for &e in &testing.contractions {
-        let contraction = if testing.of_ideal { rounded(e * largest(&inputs)) } else { e };
+        let contraction = if testing.of_ideal {
+            rounded(e * largest(&inputs))
+        } else {
+            e
+        };
         let blank = |p: f64| blank(number, &inputs, p, contraction);
         match &model {
             Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| PointRow {
@@ -51,10 +57,18 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
                 ..blank(p)
             })),
             Ok(model) => {
-                let detail = if testing.sensitivities { Detail::Sensitivities } else { Detail::Tangent };
+                let detail = if testing.sensitivities {
+                    Detail::Sensitivities
+                } else {
+                    Detail::Tangent
+                };
                 let curve = model.isometric(workspace, contraction, &testing.pressures_mpa, detail);
                 out.extend(
-                    testing.pressures_mpa.iter().zip(curve).map(|(&p, point)| filled(blank(p), point)),
+                    testing
+                        .pressures_mpa
+                        .iter()
+                        .zip(curve)
+                        .map(|(&p, point)| filled(blank(p), point)),
                 );
             }
         }
@@ -90,7 +104,12 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> P
 fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
     let count = |iterations: usize| u32::try_from(iterations).unwrap_or(u32::MAX);
     match point {
-        Ok(CurvePoint { response: Some(r), sensitivities, iterations, .. }) if r.force_n.is_finite() => {
+        Ok(CurvePoint {
+            response: Some(r),
+            sensitivities,
+            iterations,
+            ..
+        }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
             PointRow {
                 force_n: Some(r.force_n),
@@ -111,13 +130,24 @@ fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
                 ..row
             }
         }
-        Ok(_) => PointRow { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
+        Ok(_) => PointRow {
+            status: Status::NotConverged,
+            cause: "the pull is not finite".into(),
+            ..row
+        },
         Err(error) => {
             let (status, iterations) = match &error {
-                FemError::Path { status, iterations, .. } => (*status, count(*iterations)),
+                FemError::Path {
+                    status, iterations, ..
+                } => (*status, count(*iterations)),
                 _ => (Status::NotConverged, 0),
             };
-            PointRow { status, cause: error.to_string(), iterations, ..row }
+            PointRow {
+                status,
+                cause: error.to_string(),
+                iterations,
+                ..row
+            }
         }
     }
 }
@@ -126,14 +156,19 @@ fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
 const LOOKED_AT: u64 = 64;
 
 impl Plan {
-    /// Points that one thread solves in a good second with the usual mesh; between curves that pull and walls that fold there is a factor
-    /// of ten. The size of the parts follows from it: it depends on the plan alone.
+    /// Points that one thread solves in a good second with the usual mesh; between curves that pull
+    /// and walls that fold there is a factor of ten. The size of the parts follows from it: it
+    /// depends on the plan alone.
     pub(super) fn points_per_second(&self) -> u64 {
         match self.testing.elements {
             // Time grows with the elements along and with the square of those through the wall.
             Elements::Axisymmetric(mesh) => {
                 let (through, along) = (mesh.through.unwrap_or(1), mesh.along.unwrap_or(6));
-                let most = if self.testing.sensitivities { 512 } else { 4096 };
+                let most = if self.testing.sensitivities {
+                    512
+                } else {
+                    4096
+                };
                 6 * most / ((through * through * along) as u64).max(6)
             }
             // A hundred points of 600 bricks.
@@ -149,7 +184,9 @@ impl Plan {
     pub fn admit(&self) -> Result<(), TooLarge> {
         let step = (self.muscles() / LOOKED_AT).max(1);
         for number in (0..LOOKED_AT.min(self.muscles())).map(|i| i * step) {
-            let Ok(muscle) = self.inputs(number).muscle() else { continue };
+            let Ok(muscle) = self.inputs(number).muscle() else {
+                continue;
+            };
             // What is no mesh is a row without an answer.
             if let Err(FemError::Large(large)) = self.testing.elements.admit(&muscle) {
                 return Err(large);

@@ -1,11 +1,13 @@
 //! The constants of the paper's finite elements, from its Table 1 and its formula (11).
 //!
-//! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family. [`mckibben_fit::identify`] does
-//! it in three steps; errors count as shares of the blocked force of each muscle.
+//! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family.
+//! [`mckibben_fit::identify`] does it in three steps; errors count as shares of the blocked force
+//! of each muscle.
 //!
-//! 1. Both sets together by least squares: C10. Walls of 1 to 5 mm determine it, Table 1 with its one thin wall hardly does.
-//! 2. C10 held, Table 1 alone: k₅₀. It is from finite elements, from which (11) differs by some per cent; its
-//!    largest error is stated, so that the sixth power is minimised.
+//! 1. Both sets together by least squares: C10. Walls of 1 to 5 mm determine it, Table 1 with its
+//!    one thin wall hardly does.
+//! 2. C10 held, Table 1 alone: k₅₀. It is from finite elements, from which (11) differs by some per
+//!    cent; its largest error is stated, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same};
@@ -51,11 +53,19 @@ pub struct Constants {
 impl Constants {
     /// The paper's muscle with these constants; `None` where they make none.
     pub fn muscle(&self, outer_diameter_mm: f64, wall_mm: f64) -> Option<Muscle> {
-        let base = Muscle::prototype().with_section(outer_diameter_mm, wall_mm).ok()?;
+        let base = Muscle::prototype()
+            .with_section(outer_diameter_mm, wall_mm)
+            .ok()?;
         let k = self.stiffness_at_40_n_per_mm * (outer_diameter_mm / 40.0).powf(self.exponent);
-        let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(k), ..base.braid().clone() };
+        let braid = Braid {
+            stiffness: BraidStiffness::NewtonPerMm(k),
+            ..base.braid().clone()
+        };
         let mut tube = base.tube().clone();
-        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: self.c10_mpa, c01_mpa: 0.0 }));
+        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
+            c10_mpa: self.c10_mpa,
+            c01_mpa: 0.0,
+        }));
         base.with_braid(braid).ok()?.with_tube(tube).ok()
     }
 }
@@ -63,18 +73,36 @@ impl Constants {
 /// F of a pressure and contraction as points, their errors in units of the blocked force.
 fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPoint> {
     let error = Some(force(FULL_PRESSURE, 0.0).unwrap_or(1.0));
-    let section = Section { outer_diameter_mm: Some(d), wall_mm: Some(s), ..Section::default() };
+    let section = Section {
+        outer_diameter_mm: Some(d),
+        wall_mm: Some(s),
+        ..Section::default()
+    };
     let one = |contraction: f64, pressure_mpa: f64| {
         let (force_n, branch) = (force(pressure_mpa, contraction)?, Some(Direction::Mean));
-        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-        Some(DataPoint { section, error, ..DataPoint::new(at) })
+        let at = MeasuredPoint {
+            pressure_mpa,
+            contraction,
+            force_n,
+            branch,
+        };
+        Some(DataPoint {
+            section,
+            error,
+            ..DataPoint::new(at)
+        })
     };
-    CONTRACTIONS.iter().flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p))).collect()
+    CONTRACTIONS
+        .iter()
+        .flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p)))
+        .collect()
 }
 
 /// (11) on the campaign's points.
 fn formula_points() -> Vec<DataPoint> {
-    let sections = DIAMETERS.iter().flat_map(|&d| WALLS.iter().map(move |&s| (d, s)));
+    let sections = DIAMETERS
+        .iter()
+        .flat_map(|&d| WALLS.iter().map(move |&s| (d, s)));
     let points = |(d, s): (f64, f64)| {
         let section = Coefficients::published().section(d, s);
         points((d, s), |p, e| Some(section.force_n(p, e)))
@@ -89,14 +117,28 @@ fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 type Values<'a> = &'a [(Target, f64)];
 
 /// Values of the free targets.
-fn values(free: Values<'_>, fixed: Values<'_>, points: &[DataPoint], loss: Loss) -> Result<Vec<f64>> {
-    let failed = |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
+fn values(
+    free: Values<'_>,
+    fixed: Values<'_>,
+    points: &[DataPoint],
+    loss: Loss,
+) -> Result<Vec<f64>> {
+    let failed =
+        |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
     let (d, s) = TABLE_1_SECTION;
-    let muscle = Muscle::prototype().with_section(d, s).map_err(|e| failed(&e))?;
-    let parameter =
-        |&(target, start): &(Target, f64)| Parameter { start: Some(start), ..Parameter::free(target) };
+    let muscle = Muscle::prototype()
+        .with_section(d, s)
+        .map_err(|e| failed(&e))?;
+    let parameter = |&(target, start): &(Target, f64)| Parameter {
+        start: Some(start),
+        ..Parameter::free(target)
+    };
     let free: Vec<Parameter> = free.iter().map(parameter).collect();
-    let request = Request { fixed, loss, ..Request::new(&muscle, &free, points, &elements) };
+    let request = Request {
+        fixed,
+        loss,
+        ..Request::new(&muscle, &free, points, &elements)
+    };
     let result = identify(&request).map_err(|e| failed(&e))?;
     Ok(result.parameters.iter().map(|p| p.value).collect())
 }
@@ -106,14 +148,27 @@ pub fn fit_constants() -> Result<Constants> {
     let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
     let (table, formula) = (points(TABLE_1_SECTION, table_1), formula_points());
     let both = [table.clone(), formula.clone()].concat();
-    let all = values(&[(c10, 0.1), (k, 600.0), (n, 1.0)], &[], &both, Loss::Squares)?;
+    let all = values(
+        &[(c10, 0.1), (k, 600.0), (n, 1.0)],
+        &[],
+        &both,
+        Loss::Squares,
+    )?;
     let &[c10_mpa, ..] = all.as_slice() else {
         return Err(FitError::singular("the constants of the paper"));
     };
-    let stiffness: f64 = values(&[(k, 600.0)], &[(c10, c10_mpa)], &table, Loss::Largest)?.iter().sum();
+    let stiffness: f64 = values(&[(k, 600.0)], &[(c10, c10_mpa)], &table, Loss::Largest)?
+        .iter()
+        .sum();
     let held = [(c10, c10_mpa), (k, stiffness)];
-    let exponent: f64 = values(&[(n, 1.0)], &held, &formula, Loss::Squares)?.iter().sum();
+    let exponent: f64 = values(&[(n, 1.0)], &held, &formula, Loss::Squares)?
+        .iter()
+        .sum();
     let ratio: f64 = 40.0 / TABLE_1_SECTION.0;
     let stiffness_at_40_n_per_mm = stiffness * ratio.powf(exponent);
-    Ok(Constants { c10_mpa, stiffness_at_40_n_per_mm, exponent })
+    Ok(Constants {
+        c10_mpa,
+        stiffness_at_40_n_per_mm,
+        exponent,
+    })
 }

@@ -44,7 +44,12 @@ pub struct FitPoint {
 impl FitPoint {
     /// F of a formula there, in N.
     pub fn formula_n(&self, formula: &Formula) -> f64 {
-        formula.force_n(self.outer_diameter_mm, self.wall_mm, self.pressure_mpa, self.contraction)
+        formula.force_n(
+            self.outer_diameter_mm,
+            self.wall_mm,
+            self.pressure_mpa,
+            self.contraction,
+        )
     }
 
     /// The same less that of the point.
@@ -69,7 +74,9 @@ pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
             angle_deg: row.angle_deg,
             pressure_mpa: row.pressure_mpa,
             contraction: row.contraction,
-            force_n: row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?,
+            force_n: row
+                .force_n
+                .filter(|f| f.is_finite() && row.status.is_ok())?,
         })
     };
     rows.iter().filter_map(point).collect()
@@ -95,10 +102,17 @@ pub struct Grid<'a> {
 
 impl Grid<'static> {
     /// The paper's campaign at the pressures of its isobaric curves: 500 points.
-    pub const PAPER: Self =
-        Grid { diameters: &DIAMETERS, walls: &WALLS, contractions: &CONTRACTIONS, pressures: &PRESSURES };
+    pub const PAPER: Self = Grid {
+        diameters: &DIAMETERS,
+        walls: &WALLS,
+        contractions: &CONTRACTIONS,
+        pressures: &PRESSURES,
+    };
     /// The same of the diameter it holds out.
-    pub const HELD_OUT: Self = Grid { diameters: &[HELD_OUT], ..Self::PAPER };
+    pub const HELD_OUT: Self = Grid {
+        diameters: &[HELD_OUT],
+        ..Self::PAPER
+    };
 }
 
 impl Grid<'_> {
@@ -107,20 +121,32 @@ impl Grid<'_> {
         self.compute(|d, s| base.with_section(d, s).ok())
     }
 
-    /// The same with a muscle for each diameter and wall. Sections without a muscle and points without an answer are left out. The order is
-    /// that of the lists, whatever the number of threads.
+    /// The same with a muscle for each diameter and wall. Sections without a muscle and points
+    /// without an answer are left out. The order is that of the lists, whatever the number of
+    /// threads.
     pub fn compute(&self, muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync) -> Vec<FitPoint> {
-        let sections = self.diameters.iter().flat_map(|&d| self.walls.iter().map(move |&s| (d, s)));
+        let sections = self
+            .diameters
+            .iter()
+            .flat_map(|&d| self.walls.iter().map(move |&s| (d, s)));
         let sections: Vec<(f64, f64)> = sections.collect();
-        let one = |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.muscle_points(&m));
+        let one =
+            |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.muscle_points(&m));
         threads::map(&sections, one).concat()
     }
 
     fn muscle_points(&self, muscle: &Muscle) -> Vec<FitPoint> {
-        let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
+        let Ok(model) = Axisymmetric::new(muscle) else {
+            return vec![];
+        };
         let mut out = vec![];
         for &contraction in self.contractions {
-            let curve = model.isometric(&mut Workspace::new(), contraction, self.pressures, Detail::Point);
+            let curve = model.isometric(
+                &mut Workspace::new(),
+                contraction,
+                self.pressures,
+                Detail::Point,
+            );
             for (&pressure_mpa, point) in self.pressures.iter().zip(curve) {
                 out.extend(point.ok().map(|p| FitPoint {
                     outer_diameter_mm: muscle.outer_diameter_mm(),

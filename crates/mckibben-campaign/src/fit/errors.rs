@@ -29,7 +29,10 @@ pub struct Compared {
 }
 
 /// Points beside the forces of the muscle and of the curve they belong to.
-pub fn compared(points: &[FitPoint], difference_n: impl Fn(&FitPoint) -> f64) -> Result<Vec<Compared>> {
+pub fn compared(
+    points: &[FitPoint],
+    difference_n: impl Fn(&FitPoint) -> f64,
+) -> Result<Vec<Compared>> {
     let key = |p: &FitPoint| (bits(p.outer_diameter_mm), bits(p.wall_mm));
     let mut blocked = std::collections::BTreeMap::<_, (f64, f64)>::new();
     let mut isobars = std::collections::BTreeMap::<_, f64>::new();
@@ -46,11 +49,20 @@ pub fn compared(points: &[FitPoint], difference_n: impl Fn(&FitPoint) -> f64) ->
     let one = |p: &FitPoint| {
         let (outer_diameter_mm, wall_mm) = (p.outer_diameter_mm, p.wall_mm);
         let missing = FitError::Refused(format!(
-            "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, so that its errors cannot be stated as shares of its blocked force"
+            "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
+             so that its errors cannot be stated as shares of its blocked force"
         ));
         let blocked_n = blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1;
-        let isobar_n = isobars.get(&(key(p), bits(p.pressure_mpa))).copied().unwrap_or(0.0);
-        Ok(Compared { point: *p, difference_n: difference_n(p), blocked_n, isobar_n })
+        let isobar_n = isobars
+            .get(&(key(p), bits(p.pressure_mpa)))
+            .copied()
+            .unwrap_or(0.0);
+        Ok(Compared {
+            point: *p,
+            difference_n: difference_n(p),
+            blocked_n,
+            isobar_n,
+        })
     };
     points.iter().map(one).collect()
 }
@@ -62,7 +74,10 @@ fn bits(v: f64) -> i64 {
 
 /// The errors of chosen points where the muscle pulls; `None` without such points.
 pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<Errors> {
-    let used: Vec<&Compared> = list.iter().filter(|c| c.point.force_n > 0.0 && chosen(&c.point)).collect();
+    let used: Vec<&Compared> = list
+        .iter()
+        .filter(|c| c.point.force_n > 0.0 && chosen(&c.point))
+        .collect();
     let share = |c: &Compared| c.difference_n.abs() / c.blocked_n;
     let worst = used.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
     let mut shares: Vec<f64> = used.iter().map(|c| share(c)).collect();
@@ -77,7 +92,10 @@ pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<E
         max_n: largest(|c| c.difference_n.abs()),
         max_12: largest(|c| c.difference_n.abs() / c.isobar_n),
     };
-    Some(Errors { summary, worst: worst.point })
+    Some(Errors {
+        summary,
+        worst: worst.point,
+    })
 }
 
 /// The errors by each value of D0, s, P and ε.
@@ -93,7 +111,11 @@ pub fn regions(list: &[Compared]) -> Vec<RegionErrors> {
     for (name, quantity) in quantities {
         for value in distinct(list.iter().map(|c| quantity(&c.point))) {
             let errors = errors(list, |p| same(quantity(p), value)).map(|e| e.summary);
-            out.extend(errors.map(|errors| RegionErrors { quantity: name.into(), value, errors }));
+            out.extend(errors.map(|errors| RegionErrors {
+                quantity: name.into(),
+                value,
+                errors,
+            }));
         }
     }
     out

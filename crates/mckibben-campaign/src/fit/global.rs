@@ -4,12 +4,14 @@
 //!   Σ ((F − F_FE)/F_blocked)² → min   over the points where the muscle pulls
 //!
 //! F_blocked is the muscle's blocked force at the highest pressure, as in the stated errors. Points
-//! below zero are left out: there the strands go slack one after the other, and F(P) has kinks that no short formula follows.
+//! below zero are left out: there the strands go slack one after the other, and F(P) has kinks that
+//! no short formula follows.
 //!
-//! Terms are chosen by forward selection: at each step the one that, made orthogonal to those already chosen, reduces the sum
-//! most (S. Chen, S. A. Billings, W. Luo, Int. J. Control 50, 1873, 1989). How many: the smallest number whose error
-//! on diameters left out one at a time is within 5 % of the smallest such error, and at most 48. Only inner
-//! diameters are left out; without the outermost the formula would have to extrapolate, which it refuses to do later.
+//! Terms are chosen by forward selection: at each step the one that, made orthogonal to those
+//! already chosen, reduces the sum most (S. Chen, S. A. Billings, W. Luo, Int. J. Control 50, 1873,
+//! 1989). How many: the smallest number whose error on diameters left out one at a time is within 5
+//! % of the smallest such error, and at most 48. Only inner diameters are left out; without the
+//! outermost the formula would have to extrapolate, which it refuses to do later.
 
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
 use super::errors::{Compared, compared};
@@ -23,7 +25,8 @@ pub const MOST_TERMS: usize = 48;
 /// Highest powers of x, p, e and d, and of all but p together.
 const HIGHEST: [usize; 4] = [3, 4, 4, 2];
 const HIGHEST_TOGETHER: usize = 6;
-/// A term this close (squared sine of the angle) to the space of those chosen brings nothing but rounding.
+/// A term this close (squared sine of the angle) to the space of those chosen brings nothing but
+/// rounding.
 const DEPENDENT: f64 = 1e-12;
 /// The sum of squares is met to rounding.
 const MET: f64 = 1e-26;
@@ -67,7 +70,8 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     let values = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
     let (diameters, walls) = (values(|p| p.outer_diameter_mm), values(|p| p.wall_mm));
     let (pressures, contractions) = (values(|p| p.pressure_mpa), values(|p| p.contraction));
-    let last = |list: &[f64], default: f64| list.last().copied().filter(|v| *v > 0.0).unwrap_or(default);
+    let last =
+        |list: &[f64], default: f64| list.last().copied().filter(|v| *v > 0.0).unwrap_or(default);
     let scales = Scales {
         wall_ratio: 0.1,
         pressure_mpa: last(&pressures, FULL_PRESSURE),
@@ -75,7 +79,12 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         outer_diameter_mm: 40.0,
     };
     // A power needs one value more than its degree, that of d one more, since s/D0 depends on D0.
-    let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
+    let counts = [
+        walls.len(),
+        pressures.len() + 1,
+        contractions.len(),
+        diameters.len().saturating_sub(1),
+    ];
     let candidates = candidates(counts);
     cancel::check()?;
     let full = problem(&used, &candidates, &scales);
@@ -86,13 +95,28 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     let left_out = leave_out(&used, &candidates, &scales, &diameters).unwrap_or_default();
     cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
-        .map(|terms| Step { terms, rms: rms[terms - 1], left_out: left_out.get(terms - 1).copied() })
+        .map(|terms| Step {
+            terms,
+            rms: rms[terms - 1],
+            left_out: left_out.get(terms - 1).copied(),
+        })
         .collect();
     let count = enough(&steps);
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
-    let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term { powers: candidates[j], value: v });
-    let terms = GlobalTerms { scales, terms: terms.collect() };
-    Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
+    let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term {
+        powers: candidates[j],
+        value: v,
+    });
+    let terms = GlobalTerms {
+        scales,
+        terms: terms.collect(),
+    };
+    Ok(GlobalFit {
+        terms,
+        steps,
+        candidates: candidates.len(),
+        points: used.len(),
+    })
 }
 
 /// All products of powers that the values in the table distinguish.
@@ -118,19 +142,31 @@ fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Proble
     let mut matrix = DMatrix::zeros(used.len(), candidates.len());
     for (i, c) in used.iter().enumerate() {
         let p = &c.point;
-        let variables = scales.variables(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction);
+        let variables = scales.variables(
+            p.outer_diameter_mm,
+            p.wall_mm,
+            p.pressure_mpa,
+            p.contraction,
+        );
         let weight = p.outer_diameter_mm.powi(2) / c.blocked_n;
         for (j, powers) in candidates.iter().enumerate() {
             matrix[(i, j)] = weight * Term::product(*powers, variables);
         }
     }
-    let values = DVector::from_iterator(used.len(), used.iter().map(|c| c.point.force_n / c.blocked_n));
+    let values = DVector::from_iterator(
+        used.len(),
+        used.iter().map(|c| c.point.force_n / c.blocked_n),
+    );
     Problem { matrix, values }
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
 fn select(problem: &Problem) -> Vec<usize> {
-    let mut columns: Vec<DVector<f64>> = problem.matrix.column_iter().map(|c| c.into_owned()).collect();
+    let mut columns: Vec<DVector<f64>> = problem
+        .matrix
+        .column_iter()
+        .map(|c| c.into_owned())
+        .collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
     let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
     let mut free: Vec<usize> = (0..columns.len()).collect();
@@ -141,11 +177,17 @@ fn select(problem: &Problem) -> Vec<usize> {
     {
         let gain = |&j: &usize| {
             let square = columns[j].norm_squared();
-            if square > DEPENDENT * lengths[j] { columns[j].dot(&rest).powi(2) / square } else { 0.0 }
+            if square > DEPENDENT * lengths[j] {
+                columns[j].dot(&rest).powi(2) / square
+            } else {
+                0.0
+            }
         };
         let best = free.iter().map(|j| (gain(j), *j)).filter(|b| b.0 > 0.0);
         // Among equals the first, so that the order does not depend on rounding of the comparison.
-        let Some((_, j)) = best.reduce(|a, b| if b.0 > a.0 { b } else { a }) else { break };
+        let Some((_, j)) = best.reduce(|a, b| if b.0 > a.0 { b } else { a }) else {
+            break;
+        };
         free.retain(|&k| k != j);
         chosen.push(j);
         let unit = columns[j].normalize();
@@ -159,8 +201,12 @@ fn select(problem: &Problem) -> Vec<usize> {
     chosen
 }
 
-/// Coefficients of the first n chosen terms, for any n, from one QR (Householder); and the rms left with each n.
-fn nested(problem: &Problem, chosen: &[usize]) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
+/// Coefficients of the first n chosen terms, for any n, from one QR (Householder); and the rms left
+/// with each n.
+fn nested(
+    problem: &Problem,
+    chosen: &[usize],
+) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
     let qr = problem.matrix.select_columns(chosen).qr();
     let (r, turned) = (qr.r(), qr.q().transpose() * &problem.values);
     let mut left = problem.values.norm_squared();
@@ -179,7 +225,8 @@ fn nested(problem: &Problem, chosen: &[usize]) -> (impl Fn(usize) -> Option<DVec
     (solve, rms)
 }
 
-/// rms over inner diameters left out one at a time, by number of terms; the terms are chosen anew each time.
+/// rms over inner diameters left out one at a time, by number of terms; the terms are chosen anew
+/// each time.
 fn leave_out(
     used: &[Compared],
     candidates: &[[u8; 4]],
@@ -193,8 +240,9 @@ fn leave_out(
     let mut sums = vec![0.0; MOST_TERMS];
     let (mut rows, mut length) = (0, MOST_TERMS);
     for &d in inner {
-        let (out, kept): (Vec<Compared>, Vec<Compared>) =
-            used.iter().partition(|c| same(c.point.outer_diameter_mm, d));
+        let (out, kept): (Vec<Compared>, Vec<Compared>) = used
+            .iter()
+            .partition(|c| same(c.point.outer_diameter_mm, d));
         cancel::check().ok()?;
         let kept = problem(&kept, candidates, scales);
         let chosen = select(&kept);
@@ -215,7 +263,11 @@ fn leave_out(
 
 /// The smallest number of terms that is as good as the best on the diameters left out.
 fn enough(steps: &[Step]) -> usize {
-    let known = || steps.iter().filter_map(|s| s.left_out.map(|e| (s.terms, e)));
+    let known = || {
+        steps
+            .iter()
+            .filter_map(|s| s.left_out.map(|e| (s.terms, e)))
+    };
     let best = known().map(|s| s.1).fold(f64::INFINITY, f64::min);
     // Errors of rounding are all alike.
     let good = (AS_GOOD * best).max(1e-10);

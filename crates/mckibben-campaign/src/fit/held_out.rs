@@ -1,5 +1,6 @@
-//! The paper's validation on the diameter it held out (D0 35), as rows of `validate`: largest error of a formula against the
-//! finite elements, as a share of the muscle's blocked force at .25 MPa, over points where they pull.
+//! The paper's validation on the diameter it held out (D0 35), as rows of `validate`: largest error
+//! of a formula against the finite elements, as a share of the muscle's blocked force at .25 MPa,
+//! over points where they pull.
 
 use super::data::{FitPoint, Grid};
 use super::errors::{compared, errors};
@@ -16,7 +17,10 @@ pub fn cases() -> Vec<VerificationRow> {
         VerificationRow::new(name, "fe", 0.0, largest, tolerance)
     };
     let largest = |difference_n: &dyn Fn(&FitPoint) -> f64| {
-        compared(&held, difference_n).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.summary.max)
+        compared(&held, difference_n)
+            .ok()
+            .and_then(|list| errors(&list, |_| true))
+            .map(|e| e.summary.max)
     };
     let by = |method| {
         let formula = fitted(&campaign, method, &[]).ok()?;
@@ -24,7 +28,15 @@ pub fn cases() -> Vec<VerificationRow> {
     };
     vec![
         row("global formula", 0.004, by(Method::Global)),
-        row("formula by the paper's method", 0.06, by(Method::Paper(Rules::default()))),
-        row("published formula", 0.08, largest(&|p| p.published_n() - p.force_n)),
+        row(
+            "formula by the paper's method",
+            0.06,
+            by(Method::Paper(Rules::default())),
+        ),
+        row(
+            "published formula",
+            0.08,
+            largest(&|p| p.published_n() - p.force_n),
+        ),
     ]
 }

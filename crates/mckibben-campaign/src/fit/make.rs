@@ -3,7 +3,9 @@
 use super::data::{FitPoint, PRESSURES, distinct, same};
 use super::errors::{Compared, compared, errors, regions};
 use super::global::MOST_TERMS;
-use super::{FitError, GlobalFit, PaperMethod, Result, Rules, SlackRule, ThinRule, global, paper_method};
+use super::{
+    FitError, GlobalFit, PaperMethod, Result, Rules, SlackRule, ThinRule, global, paper_method,
+};
 use crate::{PointRow, hash};
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,
@@ -34,10 +36,14 @@ impl Method {
                     SlackRule::PullOnly => "only where the muscle pulls",
                     SlackRule::Zero => "zero where the muscle would push",
                 };
-                format!("paper (seven steps; curves at 0.05 MPa of D0 < 35, s > 3: {thin}; force {slack})")
+                format!(
+                    "paper (seven steps; curves at 0.05 MPa of D0 < 35, s > 3: {thin}; force \
+                     {slack})"
+                )
             }
             Method::Global => format!(
-                "global (forward selection, at most {MOST_TERMS} terms, number by diameters left out one at a time; points where the muscle pulls)"
+                "global (forward selection, at most {MOST_TERMS} terms, number by diameters left \
+                 out one at a time; points where the muscle pulls)"
             ),
         }
     }
@@ -77,7 +83,12 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     let length_mm = single(request.points, "length_mm", |p| p.length_mm)?;
     let angle_deg = single(request.points, "angle_deg", |p| p.angle_deg)?;
     let points = at_pressures(request.points, request.method);
-    let held = |p: &FitPoint| request.hold_out.iter().any(|&d| same(d, p.outer_diameter_mm));
+    let held = |p: &FitPoint| {
+        request
+            .hold_out
+            .iter()
+            .any(|&d| same(d, p.outer_diameter_mm))
+    };
     let fitted: Vec<FitPoint> = points.iter().copied().filter(|p| !held(p)).collect();
     let (body, paper, global) = match request.method {
         Method::Paper(rules) => {
@@ -92,10 +103,16 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     let mut formula = Formula {
         name: request.name.clone(),
         body,
-        made_for: Made { length_mm, angle_deg, ..request.made_for.clone() },
+        made_for: Made {
+            length_mm,
+            angle_deg,
+            ..request.made_for.clone()
+        },
         range: range(&fitted),
         errors: FormulaErrors {
-            against: "the forces of its table, where they pull, as shares of the muscle's blocked force at the table's highest pressure".into(),
+            against: "the forces of its table, where they pull, as shares of the muscle's blocked \
+                force at the table's highest pressure"
+                .into(),
             fit: ErrorSummary::default(),
             regions: vec![],
             held_out: None,
@@ -108,19 +125,31 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         },
     };
     let list = compared(&points, |p| p.difference_n(&formula))?;
-    formula.errors.fit = errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
+    formula.errors.fit =
+        errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
     formula.errors.regions = regions(&seen);
     formula.errors.held_out = errors(&list, held).map(|e| HeldOut {
-        outer_diameters_mm: distinct(list.iter().map(|c| c.point).filter(held).map(|p| p.outer_diameter_mm)),
+        outer_diameters_mm: distinct(
+            list.iter()
+                .map(|c| c.point)
+                .filter(held)
+                .map(|p| p.outer_diameter_mm),
+        ),
         errors: e.summary,
     });
     let unused = request.points.len() - points.len();
-    Ok(FittedFormula { formula, paper, global, compared: list, unused })
+    Ok(FittedFormula {
+        formula,
+        paper,
+        global,
+        compared: list,
+        unused,
+    })
 }
 
-/// The paper's method takes the paper's five pressures where the table has them all and none above, else every pressure above
-/// zero; `global` takes everything above zero.
+/// The paper's method takes the paper's five pressures where the table has them all and none above,
+/// else every pressure above zero; `global` takes everything above zero.
 fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
     let pressures = distinct(points.iter().map(|p| p.pressure_mpa));
     let has = |v: &f64| pressures.iter().any(|p| same(*p, *v));
@@ -128,22 +157,39 @@ fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
     let papers = matches!(method, Method::Paper(_))
         && PRESSURES.iter().all(has)
         && pressures.iter().all(|p| *p <= top + 1e-9);
-    let is_used = |p: f64| if papers { PRESSURES.iter().any(|q| same(*q, p)) } else { p > 0.0 };
-    points.iter().copied().filter(|p| is_used(p.pressure_mpa)).collect()
+    let is_used = |p: f64| {
+        if papers {
+            PRESSURES.iter().any(|q| same(*q, p))
+        } else {
+            p > 0.0
+        }
+    };
+    points
+        .iter()
+        .copied()
+        .filter(|p| is_used(p.pressure_mpa))
+        .collect()
 }
 
 fn single(points: &[FitPoint], quantity: &'static str, value: fn(&FitPoint) -> f64) -> Result<f64> {
     let list = distinct(points.iter().map(value));
     match list.as_slice() {
         [one] => Ok(*one),
-        [low, .., high] => Err(FitError::mixed_make(&format!("{quantity} ({low} to {high})"))),
+        [low, .., high] => Err(FitError::mixed_make(&format!(
+            "{quantity} ({low} to {high})"
+        ))),
         [] => Err(FitError::empty("")),
     }
 }
 
 fn range(points: &[FitPoint]) -> FormulaRange {
     let extent = |f: fn(&FitPoint) -> f64| {
-        points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
+        points
+            .iter()
+            .map(f)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                (a.min(v), b.max(v))
+            })
     };
     FormulaRange {
         outer_diameter_mm: extent(|p| p.outer_diameter_mm),
@@ -156,17 +202,44 @@ fn range(points: &[FitPoint]) -> FormulaRange {
 /// All numbers of the points, in their order.
 fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
     points.iter().flat_map(|p| {
-        let FitPoint { outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n } = *p;
-        [outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n]
+        let FitPoint {
+            outer_diameter_mm,
+            wall_mm,
+            length_mm,
+            angle_deg,
+            pressure_mpa,
+            contraction,
+            force_n,
+        } = *p;
+        [
+            outer_diameter_mm,
+            wall_mm,
+            length_mm,
+            angle_deg,
+            pressure_mpa,
+            contraction,
+            force_n,
+        ]
     })
 }
 
 /// A formula of the paper's muscles from points.
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
-    let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
+    let name = if method == Method::Paper(Rules::default()) {
+        "paper-method"
+    } else {
+        "global"
+    };
     let (name, from) = (name.into(), Provenance::default());
-    let request = Request { points, made_for, method, hold_out, name, from };
+    let request = Request {
+        points,
+        made_for,
+        method,
+        hold_out,
+        name,
+        from,
+    };
     Ok(make(&request)?.formula)
 }
 
@@ -198,7 +271,10 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
         return Err(FitError::varies(column));
     }
     let paper = Made::from_muscle(&Muscle::prototype()).rubber;
-    let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
+    let name = paper
+        .name
+        .clone()
+        .filter(|_| paper.is_like(&ours, TOLERANCE));
     let made = Made {
         length_mm: first.length_mm,
         angle_deg: first.angle_deg,
@@ -207,13 +283,22 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     };
     // The simplest description of the braid that holds for every row.
     let k = first.stiffness_of_braid_n_per_mm;
-    let mut choices = vec![MadeBraid::Named(NamedBraid::Paper), MadeBraid::Named(NamedBraid::Inextensible)];
+    let mut choices = vec![
+        MadeBraid::Named(NamedBraid::Paper),
+        MadeBraid::Named(NamedBraid::Inextensible),
+    ];
     choices.extend(k.map(MadeBraid::Stiffness));
     choices.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
     for braid in choices {
-        let made = Made { braid, ..made.clone() };
+        let made = Made {
+            braid,
+            ..made.clone()
+        };
         let fits = |r: &PointRow| {
-            let (a, b) = (made.stiffness_n_per_mm(r.outer_diameter_mm), r.stiffness_of_braid_n_per_mm);
+            let (a, b) = (
+                made.stiffness_n_per_mm(r.outer_diameter_mm),
+                r.stiffness_of_braid_n_per_mm,
+            );
             a.zip(b).map_or(a == b, |(a, b)| close(a, b))
         };
         if rows.iter().all(fits) {

@@ -1,4 +1,5 @@
-//! Formulas from tables: the paper's seven steps, one least-squares problem, and the ends of muscles of every make.
+//! Formulas from tables: the paper's seven steps, one least-squares problem, and the ends of
+//! muscles of every make.
 
 pub mod constants;
 pub mod data;
@@ -39,13 +40,15 @@ impl FitError {
 
     pub(crate) fn mixed_make(part: &str) -> Self {
         Self::Refused(format!(
-            "the table mixes muscles of different {part}; a formula covers only one: fit them separately"
+            "the table mixes muscles of different {part}; a formula covers only one: fit them \
+             separately"
         ))
     }
 
     pub(crate) fn varies(column: &str) -> Self {
         Self::Refused(format!(
-            "in the table {column} varies, which is not a variable of the formula; fit a table in which it is constant"
+            "in the table {column} varies, which is not a variable of the formula; fit a table in \
+             which it is constant"
         ))
     }
 
@@ -58,6 +61,8 @@ impl FitError {
 /// Least squares by QR; `None` where they have no finite answer.
 fn least_squares(matrix: DMatrix<f64>, values: DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
-    let solved = qr.r().solve_upper_triangular(&(qr.q().transpose() * values))?;
+    let solved = qr
+        .r()
+        .solve_upper_triangular(&(qr.q().transpose() * values))?;
     solved.iter().all(|v| v.is_finite()).then_some(solved)
 }

@@ -13,9 +13,12 @@ use mckibben::formula::Coefficients;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
-/// five contractions, too few for a quadratic, and the paper does not say how it went on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+/// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε
+/// ≤ .05 alone: two of its five contractions, too few for a quadratic, and the paper does not say
+/// how it went on.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum ThinRule {
     /// They are left out: the fit over pressure has one less.
@@ -28,7 +31,9 @@ pub enum ThinRule {
 }
 
 /// Treatment of points where the muscle would have to push.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlackRule {
     /// Their negative force counts.
@@ -123,28 +128,53 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
         return Err(FitError::empty(" at the method's pressures"));
     }
     let diameters = distinct(points.iter().map(|p| p.outer_diameter_mm));
-    enough("outer_diameter_mm", diameters.len(), 3, || "the table".into())?;
+    enough("outer_diameter_mm", diameters.len(), 3, || {
+        "the table".into()
+    })?;
     let (mut curves, mut lines, mut walls) = (vec![], vec![], vec![]);
     for &d in &diameters {
-        let of_diameter: Vec<&FitPoint> = points.iter().filter(|p| same(p.outer_diameter_mm, d)).collect();
+        let of_diameter: Vec<&FitPoint> = points
+            .iter()
+            .filter(|p| same(p.outer_diameter_mm, d))
+            .collect();
         let start = lines.len();
         for s in distinct(of_diameter.iter().map(|p| p.wall_mm)) {
-            let of_wall: Vec<&FitPoint> =
-                of_diameter.iter().copied().filter(|p| same(p.wall_mm, s)).collect();
+            let of_wall: Vec<&FitPoint> = of_diameter
+                .iter()
+                .copied()
+                .filter(|p| same(p.wall_mm, s))
+                .collect();
             let first = curves.len();
             for p in distinct(of_wall.iter().map(|q| q.pressure_mpa)) {
                 let isobar = of_wall.iter().filter(|q| same(q.pressure_mpa, p));
-                curves.push(curve(d, s, p, isobar.map(|q| (q.contraction, q.force_n)).collect(), rules)?);
+                curves.push(curve(
+                    d,
+                    s,
+                    p,
+                    isobar.map(|q| (q.contraction, q.force_n)).collect(),
+                    rules,
+                )?);
             }
             lines.push(line(d, s, &curves[first..])?);
         }
         walls.push(parabolas(d, &lines[start..])?);
     }
     let (coefficients, r2) = over_diameters(&walls)?;
-    Ok(PaperMethod { curves, lines, walls, r2, coefficients })
+    Ok(PaperMethod {
+        curves,
+        lines,
+        walls,
+        r2,
+        coefficients,
+    })
 }
 
-fn enough(quantity: &'static str, count: usize, needed: usize, place: impl Fn() -> String) -> Result<()> {
+fn enough(
+    quantity: &'static str,
+    count: usize,
+    needed: usize,
+    place: impl Fn() -> String,
+) -> Result<()> {
     if count >= needed {
         return Ok(());
     }
@@ -159,8 +189,14 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
     let place = || format!("the curve of D0 {d}, s {s} mm at {p} MPa");
     let singular = || FitError::singular(place());
     let thin = d < THIN.0 && s > THIN.1 && same(p, THIN.2);
-    let mut curve =
-        CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points: all, rule: "" };
+    let mut curve = CurveFit {
+        outer_diameter_mm: d,
+        wall_mm: s,
+        pressure_mpa: p,
+        abc: None,
+        points: all,
+        rule: "",
+    };
     match rules.slack {
         SlackRule::TwoSided => {}
         SlackRule::PullOnly => curve.points.retain(|q| q.1 > 0.0),
@@ -177,8 +213,14 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
             return Ok(curve);
         }
         curve.rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
-        let PolynomialFit { coefficients: [b, c], r2 } = fit::<2>(&curve.points).ok_or_else(singular)?;
-        curve.abc = Some(PolynomialFit { coefficients: [0.0, b, c], r2 });
+        let PolynomialFit {
+            coefficients: [b, c],
+            r2,
+        } = fit::<2>(&curve.points).ok_or_else(singular)?;
+        curve.abc = Some(PolynomialFit {
+            coefficients: [0.0, b, c],
+            r2,
+        });
         return Ok(curve);
     }
     let count = distinct(curve.points.iter().map(|q| q.0)).len();
@@ -190,15 +232,22 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
 /// Step 3.
 fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
     let place = || format!("the muscle D0 {d}, s {s} mm");
-    let used: Vec<(f64, [f64; 3])> =
-        curves.iter().filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients))).collect();
+    let used: Vec<(f64, [f64; 3])> = curves
+        .iter()
+        .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients)))
+        .collect();
     enough("pressure_mpa", used.len(), 2, place)?;
     let line = |k: usize| {
         let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
         fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
     };
     let lines = [line(0)?, line(1)?, line(2)?];
-    Ok(LineFit { outer_diameter_mm: d, wall_mm: s, lines, pressures: used.len() })
+    Ok(LineFit {
+        outer_diameter_mm: d,
+        wall_mm: s,
+        lines,
+        pressures: used.len(),
+    })
 }
 
 /// Steps 4–5.
@@ -206,11 +255,17 @@ fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit> {
     let place = || format!("the diameter D0 {d} mm");
     enough("wall_mm", lines.len(), 3, place)?;
     let parabola = |k: usize, j: usize| {
-        let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
+        let points: Vec<(f64, f64)> = lines
+            .iter()
+            .map(|l| (l.wall_mm, l.lines[k].coefficients[j]))
+            .collect();
         fit::<3>(&points).ok_or_else(|| FitError::singular(place()))
     };
     let pair = |k| Ok::<_, FitError>([parabola(k, 0)?, parabola(k, 1)?]);
-    Ok(WallFit { outer_diameter_mm: d, parabolas: [pair(0)?, pair(1)?, pair(2)?] })
+    Ok(WallFit {
+        outer_diameter_mm: d,
+        parabolas: [pair(0)?, pair(1)?, pair(2)?],
+    })
 }
 
 /// Steps 6–7.
@@ -219,13 +274,16 @@ fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3])> {
     let mut r2 = [[0.0; 6]; 3];
     for family in 0..3 {
         for k in 0..6 {
-            let points: Vec<(f64, f64)> =
-                walls.iter().map(|w| (w.outer_diameter_mm, w.x(family)[k])).collect();
+            let points: Vec<(f64, f64)> = walls
+                .iter()
+                .map(|w| (w.outer_diameter_mm, w.x(family)[k]))
+                .collect();
             let fitted = match family {
                 0 | 1 => fit::<3>(&points).map(|f| (f.coefficients, f.r2)),
                 _ => fit::<2>(&points).map(|f| ([0.0, f.coefficients[0], f.coefficients[1]], f.r2)),
             };
-            let failed = || FitError::singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
+            let failed =
+                || FitError::singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
             (x[family][k], r2[family][k]) = fitted.ok_or_else(failed)?;
         }
     }
@@ -248,8 +306,8 @@ impl<const N: usize> PolynomialFit<N> {
     }
 }
 
-/// Σ (y − ŷ)² → min over ŷ = c₁ xᴺ⁻¹ + … + c_N, by QR of the matrix in x/max|x|. `None` for fewer than N points, or
-/// points that do not determine it.
+/// Σ (y − ŷ)² → min over ŷ = c₁ xᴺ⁻¹ + … + c_N, by QR of the matrix in x/max|x|. `None` for fewer
+/// than N points, or points that do not determine it.
 pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let scale = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
     if points.len() < N || N == 0 || !(scale > 0.0 || N == 1) {
@@ -261,7 +319,10 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let values = DVector::from_iterator(points.len(), points.iter().map(|p| p.1));
     let solved = least_squares(matrix, values)?;
     let coefficients = std::array::from_fn(|j| solved[j] / scale.powi(power(j)));
-    let mut fitted = PolynomialFit { coefficients, r2: 1.0 };
+    let mut fitted = PolynomialFit {
+        coefficients,
+        r2: 1.0,
+    };
     let mean = points.iter().map(|p| p.1).sum::<f64>() / points.len() as f64;
     let left: f64 = points.iter().map(|p| (p.1 - fitted.at(p.0)).powi(2)).sum();
     let all: f64 = points.iter().map(|p| (p.1 - mean).powi(2)).sum();
@@ -277,8 +338,10 @@ mod tests {
 
     #[test]
     fn noise_free_polynomials_come_back() {
-        let points: Vec<(f64, f64)> =
-            [30.0, 40.0, 45.0, 50.0].iter().map(|&x| (x, (-12.079 * x + 1122.2) * x - 26214.0)).collect();
+        let points: Vec<(f64, f64)> = [30.0, 40.0, 45.0, 50.0]
+            .iter()
+            .map(|&x| (x, (-12.079 * x + 1122.2) * x - 26214.0))
+            .collect();
         let f = fit::<3>(&points).unwrap();
         for (c, exact) in f.coefficients.iter().zip([-12.079, 1122.2, -26214.0]) {
             assert!((c / exact - 1.0).abs() < 1e-11, "{c} {exact}");
@@ -293,7 +356,10 @@ mod tests {
     #[test]
     fn a_line_through_three_points_by_hand() {
         let f = fit::<2>(&[(0.0, 1.0), (1.0, 2.0), (2.0, 4.0)]).unwrap();
-        assert!((f.coefficients[0] - 1.5).abs() < 1e-14 && (f.coefficients[1] - 5.0 / 6.0).abs() < 1e-14);
+        assert!(
+            (f.coefficients[0] - 1.5).abs() < 1e-14
+                && (f.coefficients[1] - 5.0 / 6.0).abs() < 1e-14
+        );
         assert!((f.r2 - 27.0 / 28.0).abs() < 1e-14);
     }
 }

@@ -42,20 +42,30 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
         for (k, coefficient) in ["a", "b", "c"].into_iter().enumerate() {
             for with in ["P", "s"] {
                 let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");
-                let key = |c: &(f64, f64, [f64; 3])| if with == "P" { (c.0, c.1) } else { (c.1, c.0) };
+                let key =
+                    |c: &(f64, f64, [f64; 3])| if with == "P" { (c.0, c.1) } else { (c.1, c.0) };
                 let (mut holding, mut pairs) = (0, 0);
                 for a in &curves {
                     let (fixed, from) = key(a);
                     let next = curves
                         .iter()
-                        .filter(|b| same(key(b).0, fixed) && key(b).1 > from && !same(key(b).1, from))
+                        .filter(|b| {
+                            same(key(b).0, fixed) && key(b).1 > from && !same(key(b).1, from)
+                        })
                         .min_by(|x, y| key(x).1.total_cmp(&key(y).1));
                     if let Some(b) = next {
                         pairs += 1;
                         holding += usize::from((b.2[k] > a.2[k]) == rises);
                     }
                 }
-                out.push(Sign { outer_diameter_mm: d, coefficient, with, rises, holding, pairs });
+                out.push(Sign {
+                    outer_diameter_mm: d,
+                    coefficient,
+                    with,
+                    rises,
+                    holding,
+                    pairs,
+                });
             }
         }
     }

@@ -35,7 +35,11 @@ impl Table {
     pub fn to_value(&self) -> Value {
         let object = |row: &Vec<Value>| {
             let pairs = self.header.iter().zip(row);
-            Value::Object(pairs.map(|(k, v)| ((*k).to_owned(), v.clone())).collect::<Map<_, _>>())
+            Value::Object(
+                pairs
+                    .map(|(k, v)| ((*k).to_owned(), v.clone()))
+                    .collect::<Map<_, _>>(),
+            )
         };
         self.rows.iter().map(object).collect()
     }
@@ -46,15 +50,34 @@ const FAMILIES: [&str; 3] = ["A", "B", "C"];
 /// Steps 1–2, 3, 4–5, 6–7, and the signs.
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
-        let abc = |k: usize| c.abc.map_or(Value::Null, |f| Value::from(f.coefficients[k]));
+        let abc = |k: usize| {
+            c.abc
+                .map_or(Value::Null, |f| Value::from(f.coefficients[k]))
+        };
         let r2 = c.abc.map_or(Value::Null, |f| Value::from(f.r2));
         let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
-        vec![json!(d), json!(s), json!(p), abc(0), abc(1), abc(2), r2, json!(c.points.len()), json!(c.rule)]
+        vec![
+            json!(d),
+            json!(s),
+            json!(p),
+            abc(0),
+            abc(1),
+            abc(2),
+            r2,
+            json!(c.points.len()),
+            json!(c.rule),
+        ]
     });
     let lines = m.lines.iter().map(|l| {
-        let mut row = vec![json!(l.outer_diameter_mm), json!(l.wall_mm), json!(l.pressures)];
+        let mut row = vec![
+            json!(l.outer_diameter_mm),
+            json!(l.wall_mm),
+            json!(l.pressures),
+        ];
         row.extend(
-            l.lines.iter().flat_map(|f| [f.coefficients[0], f.coefficients[1], f.r2].map(Value::from)),
+            l.lines
+                .iter()
+                .flat_map(|f| [f.coefficients[0], f.coefficients[1], f.r2].map(Value::from)),
         );
         row
     });
@@ -67,17 +90,31 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
         })
     });
     let c = &m.coefficients;
-    let diameters = [&c.a, &c.b, &c.c].into_iter().enumerate().flat_map(|(f, block)| {
-        block.iter().enumerate().map(move |(k, x)| {
-            let numbers = [x[0], x[1], x[2], m.r2[f][k]].map(Value::from);
-            [json!(FAMILIES[f]), json!(k + 1)].into_iter().chain(numbers).collect()
-        })
-    });
+    let diameters = [&c.a, &c.b, &c.c]
+        .into_iter()
+        .enumerate()
+        .flat_map(|(f, block)| {
+            block.iter().enumerate().map(move |(k, x)| {
+                let numbers = [x[0], x[1], x[2], m.r2[f][k]].map(Value::from);
+                [json!(FAMILIES[f]), json!(k + 1)]
+                    .into_iter()
+                    .chain(numbers)
+                    .collect()
+            })
+        });
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        let statement = [json!(s.outer_diameter_mm), json!(s.coefficient), json!(s.with), json!(way)];
-        statement.into_iter().chain([json!(s.holding), json!(s.pairs), json!(verdict)]).collect()
+        let statement = [
+            json!(s.outer_diameter_mm),
+            json!(s.coefficient),
+            json!(s.with),
+            json!(way),
+        ];
+        statement
+            .into_iter()
+            .chain([json!(s.holding), json!(s.pairs), json!(verdict)])
+            .collect()
     });
     let table = |name, header: &'static str, rows| {
         let header = header.split_whitespace().collect();
@@ -91,11 +128,20 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
         ),
         table(
             "step_3_m_q",
-            "outer_diameter_mm wall_mm pressures m_a_mm2 q_a_n r2_a m_b_mm2 q_b_n r2_b m_c_mm2 q_c_n r2_c",
+            "outer_diameter_mm wall_mm pressures m_a_mm2 q_a_n r2_a m_b_mm2 q_b_n r2_b m_c_mm2 \
+             q_c_n r2_c",
             lines.collect(),
         ),
-        table("steps_4_5_x", "outer_diameter_mm family x1 x2 x3 x4 x5 x6 r2_m r2_q", walls.collect()),
-        table("steps_6_7_table2", "family row d2 d1 d0 r2", diameters.collect()),
+        table(
+            "steps_4_5_x",
+            "outer_diameter_mm family x1 x2 x3 x4 x5 x6 r2_m r2_q",
+            walls.collect(),
+        ),
+        table(
+            "steps_6_7_table2",
+            "family row d2 d1 d0 r2",
+            diameters.collect(),
+        ),
         table(
             "signs",
             "outer_diameter_mm coefficient with paper_says holding pairs verdict",

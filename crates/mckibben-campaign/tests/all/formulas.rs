@@ -37,18 +37,34 @@ fn published() -> Vec<FitPoint> {
 }
 
 fn request(points: &[FitPoint], method: Method) -> Request<'_> {
-    let (made_for, from) = (Made::from_muscle(&Muscle::prototype()), Provenance::default());
-    Request { points, made_for, method, hold_out: &[], name: "f".into(), from }
+    let (made_for, from) = (
+        Made::from_muscle(&Muscle::prototype()),
+        Provenance::default(),
+    );
+    Request {
+        points,
+        made_for,
+        method,
+        hold_out: &[],
+        name: "f".into(),
+        from,
+    }
 }
 
 #[test]
 fn the_seven_steps_on_formula_11_give_back_table_2() {
     for thin in [ThinRule::LeaveOut, ThinRule::Whole] {
-        let rules = Rules { thin, slack: SlackRule::TwoSided };
+        let rules = Rules {
+            thin,
+            slack: SlackRule::TwoSided,
+        };
         let m = paper_method(&published(), rules).unwrap();
         let t = Coefficients::published();
-        for (ours, table) in [(&m.coefficients.a, &t.a), (&m.coefficients.b, &t.b), (&m.coefficients.c, &t.c)]
-        {
+        for (ours, table) in [
+            (&m.coefficients.a, &t.a),
+            (&m.coefficients.b, &t.b),
+            (&m.coefficients.c, &t.c),
+        ] {
             for (x, y) in ours.iter().flatten().zip(table.iter().flatten()) {
                 assert!((x - y).abs() <= 1e-8 * y.abs(), "{x} {y}");
             }
@@ -57,7 +73,11 @@ fn the_seven_steps_on_formula_11_give_back_table_2() {
             assert!((r2 - 1.0).abs() < 1e-9, "{r2}");
         }
         let out = m.curves.iter().filter(|c| c.abc.is_none()).count();
-        assert_eq!(out, if thin == ThinRule::LeaveOut { 2 } else { 0 }, "D0 30, s 4 and 5");
+        assert_eq!(
+            out,
+            if thin == ThinRule::LeaveOut { 2 } else { 0 },
+            "D0 30, s 4 and 5"
+        );
         assert_eq!((m.curves.len(), m.lines.len(), m.walls.len()), (100, 20, 4));
     }
 }
@@ -74,9 +94,15 @@ fn global_is_exact_on_a_polynomial_of_its_terms() {
     let formula = make(&request(&points, Method::Global)).unwrap().formula;
     assert!(formula.errors.fit.max < 1e-9, "{:?}", formula.errors.fit);
     // Also where no point was.
-    let (ours, exact) = (formula.force_n(37.0, 2.2, 0.13, 0.17), f(37.0, 2.2, 0.13, 0.17));
+    let (ours, exact) = (
+        formula.force_n(37.0, 2.2, 0.13, 0.17),
+        f(37.0, 2.2, 0.13, 0.17),
+    );
     assert!((ours / exact - 1.0).abs() < 1e-7, "{ours} {exact}");
-    assert_eq!(Document::parse(&formula.to_json()).unwrap(), Document::Section(formula));
+    assert_eq!(
+        Document::parse(&formula.to_json()).unwrap(),
+        Document::Section(formula)
+    );
 }
 
 #[test]
@@ -92,12 +118,23 @@ fn too_little_is_refused_with_what_is_missing() {
     assert!(few(&|p| p.wall_mm < 2.5).contains("2 different values of wall_mm"));
     assert!(few(&|p| p.pressure_mpa < 0.07).contains("pressure_mpa"));
     assert!(few(&|p| p.contraction < 0.07).contains("contraction"));
-    let no_blocked: Vec<FitPoint> = points.iter().copied().filter(|p| p.contraction > 0.01).collect();
-    let error = make(&request(&no_blocked, Method::Global)).unwrap_err().to_string();
-    assert!(error.contains("D0 30 mm, s 1 mm") && error.contains("contraction 0"), "{error}");
+    let no_blocked: Vec<FitPoint> = points
+        .iter()
+        .copied()
+        .filter(|p| p.contraction > 0.01)
+        .collect();
+    let error = make(&request(&no_blocked, Method::Global))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("D0 30 mm, s 1 mm") && error.contains("contraction 0"),
+        "{error}"
+    );
     let mut mixed = points.clone();
     mixed[7].length_mm = 300.0;
-    let error = make(&request(&mixed, Method::Global)).unwrap_err().to_string();
+    let error = make(&request(&mixed, Method::Global))
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("285 to 300"), "{error}");
     assert!(make(&request(&[], Method::Global)).is_err());
 }
@@ -107,14 +144,20 @@ fn too_little_is_refused_with_what_is_missing() {
 fn errors_by_hand() {
     let mut points = synthetic(|_, _, p, e| 4000.0 * p * (1.0 - 4.0 * e));
     points[3].force_n -= 1e-9;
-    let l =
-        compared(
-            &points,
-            |p| if same(p.pressure_mpa, 0.05) && same(p.contraction, 0.1) { 10.0 } else { 0.0 },
-        );
+    let l = compared(&points, |p| {
+        if same(p.pressure_mpa, 0.05) && same(p.contraction, 0.1) {
+            10.0
+        } else {
+            0.0
+        }
+    });
     let e = errors(&l.unwrap(), |_| true).unwrap().summary;
     assert!((e.max - 0.01).abs() < 1e-12 && (e.max_12 - 0.05).abs() < 1e-12 && e.max_n == 10.0);
-    assert!((e.rms - 0.01 / 5.0).abs() < 1e-12, "one of 25 points: {}", e.rms);
+    assert!(
+        (e.rms - 0.01 / 5.0).abs() < 1e-12,
+        "one of 25 points: {}",
+        e.rms
+    );
     assert_eq!(e.points, 500);
 }
 
@@ -150,8 +193,11 @@ fn failed_rows_are_no_points() {
 #[test]
 fn table_1_is_the_one_shipped() {
     let text = include_str!("../../../mckibben/data/table1.csv");
-    let rows: Vec<Vec<f64>> =
-        text.lines().skip(1).map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|l| l.split(',').map(|v| v.parse().unwrap()).collect())
+        .collect();
     assert_eq!(rows, constants::TABLE_1.map(|r| r.to_vec()));
 }
 
@@ -160,7 +206,11 @@ fn table_1_is_the_one_shipped() {
 fn what_must_come_out_comes_out() {
     let r = results::results(&Silent).unwrap();
     for f in &r.findings {
-        assert!(f.ok, "{}: {} of {:?}", f.comparison, f.errors.summary.max, f.at_most);
+        assert!(
+            f.ok,
+            "{}: {} of {:?}",
+            f.comparison, f.errors.summary.max, f.at_most
+        );
     }
     assert!(r.findings.iter().filter(|f| f.at_most.is_some()).count() >= 5);
 }
@@ -171,11 +221,18 @@ fn signs_and_tables_are_complete() {
     let signs = signs::signs(&m);
     assert_eq!(signs.len(), 24);
     // (11) itself: b falls with P for every diameter, c rises with P.
-    for s in signs.iter().filter(|s| s.with == "P" && s.coefficient != "a") {
+    for s in signs
+        .iter()
+        .filter(|s| s.with == "P" && s.coefficient != "a")
+    {
         assert!(s.holds() && s.pairs >= 18, "{s:?}");
     }
     for t in tables::tables(&m) {
-        assert!(t.rows.iter().all(|r| r.len() == t.header.len()), "{}", t.name);
+        assert!(
+            t.rows.iter().all(|r| r.len() == t.header.len()),
+            "{}",
+            t.name
+        );
         assert_eq!(t.to_csv().lines().count(), t.rows.len() + 1);
     }
 }
@@ -191,7 +248,11 @@ fn the_make_of_a_table_is_read_or_refused() {
     };
     let paper = |d: f64| Made::from_muscle(&Muscle::prototype()).stiffness_n_per_mm(d);
     let braid = |rows: &[PointRow]| made_for(rows).map(|m| m.braid);
-    let made = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
+    let made = made_for(&[
+        with(30.0, paper(30.0), 0.112),
+        with(50.0, paper(50.0), 0.112),
+    ])
+    .unwrap();
     assert_eq!(made, Made::from_muscle(&Muscle::prototype()));
     assert_eq!(
         braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]),
@@ -207,7 +268,10 @@ fn the_make_of_a_table_is_read_or_refused() {
         let error = braid(rows).unwrap_err().to_string();
         assert!(error.contains(&format!("different {part}")), "{error}");
     };
-    mixed(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(31.0), 0.1)], "braid");
+    mixed(
+        &[with(30.0, Some(50.0), 0.1), with(50.0, Some(31.0), 0.1)],
+        "braid",
+    );
     mixed(&[with(30.0, None, 0.1), with(50.0, None, 0.2)], "rubber");
     assert!(made_for(&[]).is_err());
 }
@@ -216,10 +280,17 @@ fn the_make_of_a_table_is_read_or_refused() {
 #[test]
 fn the_shipped_campaign_is_what_is_computed() {
     let text = include_str!("../../../../data/campaign/paper.csv");
-    let rows: Vec<Vec<f64>> =
-        text.lines().skip(1).map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|l| l.split(',').map(|v| v.parse().unwrap()).collect())
+        .collect();
     let diameters = [&DIAMETERS[..], &[HELD_OUT]].concat();
-    let points = Grid { diameters: &diameters, ..Grid::PAPER }.points(&Muscle::prototype());
+    let points = Grid {
+        diameters: &diameters,
+        ..Grid::PAPER
+    }
+    .points(&Muscle::prototype());
     assert_eq!(rows.len(), points.len());
     for (row, p) in rows.iter().zip(&points) {
         assert_eq!(row[..2], [p.outer_diameter_mm, p.wall_mm]);
@@ -229,8 +300,8 @@ fn the_shipped_campaign_is_what_is_computed() {
     }
 }
 
-/// `global` is not fitted where the muscle lies slack; it must not promise a pull there either. 0.4 % of the blocked force is
-/// its error elsewhere.
+/// `global` is not fitted where the muscle lies slack; it must not promise a pull there either. 0.4
+/// % of the blocked force is its error elsewhere.
 #[test]
 fn no_pull_is_promised_where_the_muscle_lies_slack() {
     let base = Muscle::prototype();
@@ -239,12 +310,26 @@ fn no_pull_is_promised_where_the_muscle_lies_slack() {
     assert!(matches!(&f.body, Body::Global(sum) if sum.terms.len() <= 48));
     let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
     let (diameters, walls) = (&[30.0, 35.0, 42.5, 50.0], &[2.5, 4.0, 5.0]);
-    let grid = Grid { diameters, walls, contractions: &contractions, pressures: &pressure_steps(5) };
+    let grid = Grid {
+        diameters,
+        walls,
+        contractions: &contractions,
+        pressures: &pressure_steps(5),
+    };
     let points = grid.points(&base);
     let list = compared(&points, |p| p.formula_n(&f));
-    let slack: Vec<_> = list.unwrap().into_iter().filter(|c| c.point.force_n < 0.0).collect();
+    let slack: Vec<_> = list
+        .unwrap()
+        .into_iter()
+        .filter(|c| c.point.force_n < 0.0)
+        .collect();
     assert!(slack.len() > 100, "{}", slack.len());
     for c in slack {
-        assert!(c.difference_n < 0.004 * c.blocked_n, "{:?}: {} N", c.point, c.difference_n);
+        assert!(
+            c.difference_n < 0.004 * c.blocked_n,
+            "{:?}: {} N",
+            c.point,
+            c.difference_n
+        );
     }
 }

@@ -6,8 +6,8 @@ use crate::{
 };
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge, campaign_show,
-    campaign_status,
+    CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge,
+    campaign_show, campaign_status,
 };
 use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
@@ -17,7 +17,11 @@ fn no_csv(format: Format) -> Result<(), Problem> {
         return Ok(());
     }
     let message = "--format csv: the table is the Parquet file itself";
-    Err(Problem::new(ProblemKind::Usage, message, "take text or json"))
+    Err(Problem::new(
+        ProblemKind::Usage,
+        message,
+        "take text or json",
+    ))
 }
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -32,7 +36,11 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {
-        warn(format!("{} was damaged and is recomputed: {}", file.file.display(), file.cause));
+        warn(format!(
+            "{} was damaged and is recomputed: {}",
+            file.file.display(),
+            file.cause
+        ));
     }
     if !quiet {
         // What is on the disk is valid, whatever ended the run.
@@ -55,24 +63,40 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 fn as_text(outcome: &Outcome, time: Duration) -> String {
     let (p, seconds, mut row) = (outcome.counts, time.as_secs_f64(), value(outcome));
     row["of"] = (!outcome.complete).then_some(p.of).into();
-    row["place"] = place(if outcome.complete { &outcome.output } else { &outcome.store }).into();
+    row["place"] = place(if outcome.complete {
+        &outcome.output
+    } else {
+        &outcome.store
+    })
+    .into();
     row["resumed"] = Some(p.resumed).filter(|n| *n > 0).into();
     row["points"] = Some(p.points).filter(|n| *n > 0).into();
     (row["seconds"], row["rate"]) = (seconds.into(), (p.points as f64 / seconds).into());
     row["failed"] = Some(p.failed).filter(|n| *n > 0).into();
     let text = "{muscles}[ of {of}] muscles are in {place}[, {resumed} of them from before]\n\
-        [{points} points in {seconds:3} s ({rate:3} a second)][, {failed} without an answer: `mckibben campaign show` gives the reasons]";
+        [{points} points in {seconds:3} s ({rate:3} a second)][, {failed} without an answer: \
+        `mckibben campaign show` gives the reasons]";
     let out = said(&row, text, &shown::units()) + if p.points > 0 { "\n" } else { "" };
-    out + if outcome.complete { "" } else { "Interrupted: the same command continues from here.\n" }
+    out + if outcome.complete {
+        ""
+    } else {
+        "Interrupted: the same command continues from here.\n"
+    }
 }
 
 pub fn merge(args: &Args) -> Result<u8, Problem> {
     no_csv(args.format)?;
-    let request = CampaignMergeRequest { overwrite: overwrite(), ..args.request()? };
+    let request = CampaignMergeRequest {
+        overwrite: overwrite(),
+        ..args.request()?
+    };
     let merged = campaign_merge(&request)?;
     args.print(&merged, "", |merged, _| {
         let out = place(&merged.output);
-        format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
+        format!(
+            "{} points of {} muscles are in {out}\n",
+            merged.points, merged.muscles
+        )
     })
 }
 
@@ -82,39 +106,68 @@ pub fn show(args: &Args) -> Result<u8, Problem> {
 }
 
 fn summary_text(s: &Summary, u: &Units) -> String {
-    let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed version=mckibben plan_sha256";
+    let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed \
+        version=mckibben plan_sha256";
     let mut out = pairs(&listed(&value(s), keys, u)) + "\n";
     out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", u);
     for (status, f) in &s.failed {
-        out += &format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause);
+        out += &format!(
+            "\nThe first {status} is of muscle {}: {}\n",
+            f.first_muscle, f.first_cause
+        );
     }
     if s.missing_parts > 0 {
         let (all, missing) = (s.provenance.parts(), s.missing_parts);
         let present = all - missing;
         out += &format!(
-            "\nIncomplete: {present} of {all} parts are present; run the campaign again to continue.\n"
+            "\nIncomplete: {present} of {all} parts are present; run the campaign again to \
+             continue.\n"
         );
     }
-    out.extend(s.damaged.iter().map(|damaged| format!("Damaged: {damaged}\n")));
+    out.extend(
+        s.damaged
+            .iter()
+            .map(|damaged| format!("Damaged: {damaged}\n")),
+    );
     out
 }
 
 pub fn status(args: &Args) -> Result<u8, Problem> {
-    let request = CampaignStatusRequest { output: args.path("folder").unwrap_or_default() };
+    let request = CampaignStatusRequest {
+        output: args.path("folder").unwrap_or_default(),
+    };
     let status = campaign_status(&request)?;
     args.show(&status, "shards", status_text)?;
-    Ok(if status.shards_missing > 0 { NO_ANSWER } else { 0 })
+    Ok(if status.shards_missing > 0 {
+        NO_ANSWER
+    } else {
+        0
+    })
 }
 
 fn status_text(s: &CampaignStatus, u: &Units) -> String {
-    let mut out = format!("{} of {} parts are in {}\n", s.parts, s.parts_wanted, place(&s.output));
-    let shards = "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
+    let mut out = format!(
+        "{} of {} parts are in {}\n",
+        s.parts,
+        s.parts_wanted,
+        place(&s.output)
+    );
+    let shards =
+        "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
     out += &pairs(&listed(&value(s), shards, u));
-    let open: Vec<&ShardStatus> = s.shards.iter().filter(|s| s.state != ShardState::Done).collect();
+    let open: Vec<&ShardStatus> = s
+        .shards
+        .iter()
+        .filter(|s| s.state != ShardState::Done)
+        .collect();
     if !open.is_empty() {
         out += &format!("\n{}", tabled(open, "shard state parts parts_wanted=of", u));
     }
-    out.extend(s.damaged.iter().map(|part| format!("Cut off: {}\n", place(part))));
+    out.extend(
+        s.damaged
+            .iter()
+            .map(|part| format!("Cut off: {}\n", place(part))),
+    );
     if s.shards_missing > 0 {
         out += "\nSomething is missing that nothing computes: run the shards again.\n";
     }

@@ -1,8 +1,8 @@
 //! `design`: the main job.
 
 use crate::{
-    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, headed, in_flags,
-    listed, number, pairs, place, said, save, tabled, value,
+    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, headed,
+    in_flags, listed, number, pairs, place, said, save, tabled, value,
 };
 use mckibben::units::rounded;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
@@ -25,7 +25,11 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
     }
     args.draw(&mut answer.figure)?;
-    Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
+    Ok(if answer.candidates.is_empty() {
+        NO_ANSWER
+    } else {
+        0
+    })
 }
 
 const HEAD: &str =
@@ -34,7 +38,8 @@ Model {model}[, searched with {other}]; {looked_at} muscles examined, {fitting} 
 Safety: [strands stretched by at most {searched.max_strand_strain:%}; ][allowed pressure: that at which strands or clamps fail over {checked}, that of the tube over {searched.min_tube_margin}][burst not checked (safety factor {unchecked}), because the strength of the strands is not stated][{unlimited}]
 ";
 
-/// The design for people: the decision, the candidates, what is assumed; with `all` everything that is known.
+/// The design for people: the decision, the candidates, what is assumed; with `all` everything that
+/// is known.
 fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> String {
     let (searched, mut row) = (&answer.searched, value(answer));
     let line = |line: &String| {
@@ -43,27 +48,54 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
         (verb.to_owned(), rest.to_owned())
     };
     let mut out = pairs(&answer.decision.iter().map(line).collect::<Vec<_>>());
-    let near = answer.rejected.iter().skip(usize::from(answer.closest.is_some()));
-    let near: String =
-        near.map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%} in all)]", u))).collect();
+    let near = answer
+        .rejected
+        .iter()
+        .skip(usize::from(answer.closest.is_some()));
+    let near: String = near
+        .map(|r| format!("  {}\n", missed(r, "[ (misses by {by:%} in all)]", u)))
+        .collect();
     if let Some(closest) = &answer.closest {
         out += &nothing_fits(closest, u);
         out.extend(closest.hint.as_ref().map(|hint| in_flags(hint) + "\n"));
     }
     let words = answer.uncertainty_words.as_ref();
     if answer.closest.is_none() {
-        out += &format!("\n{}", candidates(&answer.candidates, searched.length_mm.is_none(), all, u));
+        out += &format!(
+            "\n{}",
+            candidates(&answer.candidates, searched.length_mm.is_none(), all, u)
+        );
         let words = words.filter(|_| all);
-        out.extend(words.and_then(|w| w.text_in(u)).map(|text| format!("± of the first: {text}.\n")));
-        out.extend(words.and_then(|w| w.bench_in(u)).map(|text| format!("{text}.\n")));
+        out.extend(
+            words
+                .and_then(|w| w.text_in(u))
+                .map(|text| format!("± of the first: {text}.\n")),
+        );
+        out.extend(
+            words
+                .and_then(|w| w.bench_in(u))
+                .map(|text| format!("{text}.\n")),
+        );
         let parts = [bundle(answer, u), joint(answer, file, u)];
         out.extend(parts);
     }
-    row["each"] = answer.candidates.first().map(|c| c.count).filter(|n| *n > 1).into();
+    row["each"] = answer
+        .candidates
+        .first()
+        .map(|c| c.count)
+        .filter(|n| *n > 1)
+        .into();
     if all {
         row["what"] = wanted(&row, u).into();
-        row["gas"] = answer.liquid.as_ref().map(|l| l.gas_share).filter(|share| *share > 0.0).into();
-        row["other"] = Some(&*answer.searched_with).filter(|with| **with != *answer.model).into();
+        row["gas"] = answer
+            .liquid
+            .as_ref()
+            .map(|l| l.gas_share)
+            .filter(|share| *share > 0.0)
+            .into();
+        row["other"] = Some(&*answer.searched_with)
+            .filter(|with| **with != *answer.model)
+            .into();
         let margin = searched.min_burst_margin;
         row["checked"] = margin.filter(|_| searched.burst_checked).into();
         row["unchecked"] = margin.filter(|_| !searched.burst_checked).into();
@@ -71,7 +103,10 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
         out += &format!("\n{}", said(&row, HEAD, u));
     }
     out.push('\n');
-    let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
+    let assumed = answer
+        .assumptions
+        .iter()
+        .map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
     out.extend(assumed);
     out.push_str(&bought(answer, &row, u));
     match &answer.closest {
@@ -84,39 +119,69 @@ fn as_text(answer: &DesignAnswer, file: Option<&Path>, all: bool, u: &Units) -> 
 
 /// What the muscles of a bundle do together.
 fn bundle(answer: &DesignAnswer, u: &Units) -> String {
-    let Some(b) = &answer.bundle else { return String::new() };
+    let Some(b) = &answer.bundle else {
+        return String::new();
+    };
     let mut row = value(b);
     if b.muscles < 2 {
         row["pitch_mm"] = Value::Null;
     } else if b.touch_contraction.is_none() {
         row["touch_contraction"] = "do not touch".into();
     }
-    let keys = "rest_envelope_mm=circle_around_them_at_rest:3 envelope_mm=at_the_bulge:3 row_mm=width_in_one_flat_row:3 pitch_mm=distance_of_their_axes:3 touch_contraction=neighbours_touch_at:%";
-    let points = "force_n=required contraction=at:% force_at_max_pressure_n+uncertainty_n=F air_normal_litres=air:3 liquid_volume_mm3=liquid:3";
+    let keys = "rest_envelope_mm=circle_around_them_at_rest:3 envelope_mm=at_the_bulge:3 \
+        row_mm=width_in_one_flat_row:3 pitch_mm=distance_of_their_axes:3 \
+        touch_contraction=neighbours_touch_at:%";
+    let points = "force_n=required contraction=at:% force_at_max_pressure_n+uncertainty_n=F \
+        air_normal_litres=air:3 liquid_volume_mm3=liquid:3";
     let (sizes, points) = (pairs(&listed(&row, keys, u)), tabled(&b.points, points, u));
-    format!("\nBundle of {} of the first muscle, at the maximum pressure\n{sizes}{points}", b.muscles)
+    format!(
+        "\nBundle of {} of the first muscle, at the maximum pressure\n{sizes}{points}",
+        b.muscles
+    )
 }
 
 /// The muscles as sold that would do.
 fn bought(answer: &DesignAnswer, row: &Value, u: &Units) -> String {
-    let keys = "product name outer_diameter_mm=D0 length_mm=L0 force_n+uncertainty_n=F wanted.contraction=at:% pressure_mpa=P wanted.force_n=required";
-    headed(&said(row, "As sold these would do[, {each} of one]", u), &answer.bought, keys, u)
+    let keys = "product name outer_diameter_mm=D0 length_mm=L0 force_n+uncertainty_n=F \
+        wanted.contraction=at:% pressure_mpa=P wanted.force_n=required";
+    headed(
+        &said(row, "As sold these would do[, {each} of one]", u),
+        &answer.bought,
+        keys,
+        u,
+    )
 }
 
 /// What the muscle must do.
 fn wanted(row: &Value, u: &Units) -> String {
-    let pulls = each(&row["wanted"]["points"], "{force_n:5} at {contraction:%}", u);
-    let torques = each(&row["wanted"]["torques"], "{torque_nm} at ±{angle_deg:#}°", u);
+    let pulls = each(
+        &row["wanted"]["points"],
+        "{force_n:5} at {contraction:%}",
+        u,
+    );
+    let torques = each(
+        &row["wanted"]["torques"],
+        "{torque_nm} at ±{angle_deg:#}°",
+        u,
+    );
     let lifted = "[{load} lifted by {wanted.stroke_mm:5}][{load} lifted to {wanted.contraction:%}]";
     said(row, lifted, u) + &pulls.join(", ") + &torques.join(", ")
 }
 
 /// The pulley between the muscles, and the joint file that goes with them.
 fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
-    let Some((j, count)) = answer.candidates.first().and_then(|c| Some((c.joint?, c.count))) else {
+    let Some((j, count)) = answer
+        .candidates
+        .first()
+        .and_then(|c| Some((c.joint?, c.count)))
+    else {
         return String::new();
     };
-    let share = if count > 1 { format!(" (its torque is that of one of {count})") } else { String::new() };
+    let share = if count > 1 {
+        format!(" (its torque is that of one of {count})")
+    } else {
+        String::new()
+    };
     let angle = number(j.largest_angle_deg, 4);
     // Not below its length at rest at the largest angle.
     let neutral = number(rounded(100.0 * j.contraction_at_neutral, 5, f64::ceil), 5);
@@ -124,13 +189,19 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let name = file.and_then(Path::file_name).map(Path::new);
     let (name, where_to) = match name {
         Some(name) => (place(name), "beside the muscle file"),
-        None => ("winner.toml".into(), "with the muscle in winner.toml (-o winner.toml)"),
+        None => (
+            "winner.toml".into(),
+            "with the muscle in winner.toml (-o winner.toml)",
+        ),
     };
     let written = name.replace('\\', "\\\\").replace('"', "\\\"");
-    let muscle =
-        |i: u8| format!("[muscle_{i}]\nfile = \"{written}\"\ncontraction_at_neutral = \"{neutral}%\"\n");
+    let muscle = |i: u8| {
+        format!("[muscle_{i}]\nfile = \"{written}\"\ncontraction_at_neutral = \"{neutral}%\"\n")
+    };
     format!(
-        "\nThe first muscle on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file{share}, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
+        "\nThe first muscle on a pulley of radius {}, both muscles contracted by {neutral} % at \
+         the neutral angle. As a joint file{share}, {where_to}:\n\n[joint]\nradius = \"{} \
+         mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
         u.length.show(j.radius_mm),
         number(j.radius_mm, 5),
         muscle(1),
@@ -144,8 +215,11 @@ const MEASURES: &str = "D0 {outer_diameter_mm:4#}, s {wall_mm:3#}[ in {sleeve}]"
 fn missed(rejected: &RejectedAnswer, more: &str, u: &Units) -> String {
     let mut row = value(rejected);
     row["reason"] = u.sentence(&rejected.reason).into();
-    let thousandths =
-        rejected.muscle.misses_by.filter(|share| *share < 1.0).map(|share| (1e3 * share).ceil());
+    let thousandths = rejected
+        .muscle
+        .misses_by
+        .filter(|share| *share < 1.0)
+        .map(|share| (1e3 * share).ceil());
     row["by"] = thousandths.map(|by| by / 1e3).into();
     said(&row, &format!("{MEASURES}: {{reason}}{more}"), u)
 }
@@ -153,8 +227,12 @@ fn missed(rejected: &RejectedAnswer, more: &str, u: &Units) -> String {
 fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> String {
     let rows = list.iter().enumerate().map(|(i, c)| {
         let mut row = value(c);
-        let needs: Vec<String> =
-            c.candidate.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3)).collect();
+        let needs: Vec<String> = c
+            .candidate
+            .points
+            .iter()
+            .map(|q| u.pressure.to(q.response.pressure_mpa, 3))
+            .collect();
         row["rank"] = format!("{}.", i + 1).into();
         row["needs"] = needs.join(", ").into();
         row
@@ -162,28 +240,66 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> 
     let rows: Vec<Value> = rows.collect();
     let any = |key: &str| rows.iter().any(|row| !row[key].is_null());
     let several = |key: &str| rows.windows(2).any(|w| w[0][key] != w[1][key]);
-    let [strands, liquid, tubes, mass] = ["strand_tension_n", "liquid_volume_mm3", "tube", "mass_g"].map(any);
+    let [strands, liquid, tubes, mass] =
+        ["strand_tension_n", "liquid_volume_mm3", "tube", "mass_g"].map(any);
     let required = format!("needs={}", u.pressure.heading("P_required"));
     let required = required.replace(' ', "_");
     let keys = [
         (true, "rank=_ tube sleeve"),
-        (all || !tubes, "outer_diameter_mm=D0 wall_mm=s:3 angle_deg=θ0"),
+        (
+            all || !tubes,
+            "outer_diameter_mm=D0 wall_mm=s:3 angle_deg=θ0",
+        ),
         (lengths || several("length_mm"), "length_mm=L0"),
-        (all && several("family_stiffness_n_per_mm"), "family_stiffness_n_per_mm=k:3"),
+        (
+            all && several("family_stiffness_n_per_mm"),
+            "family_stiffness_n_per_mm=k:3",
+        ),
         (true, &*required),
         (any("sure_pressure_mpa"), "sure_pressure_mpa=P_sure:3"),
-        (several("highest_pressure_mpa"), "highest_pressure_mpa=P_max:3"),
-        (all, "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%"),
+        (
+            several("highest_pressure_mpa"),
+            "highest_pressure_mpa=P_max:3",
+        ),
+        (
+            all,
+            "margin:3% blocked_force_n=F_blocked free_contraction=ε_free:3%",
+        ),
         (true, "bulged_diameter_mm=bulged_D:3"),
         (!all, "uncertainty_n=±:~"),
         (all, "stiffness_n_per_mm=stiffness:3"),
-        (all, if liquid { "liquid_volume_mm3=liquid:3" } else { "air_normal_litres=air:3" }),
-        (all, if strands { "strand_tension_n=strand:3" } else { "braid_tension_n=braid:3" }),
+        (
+            all,
+            if liquid {
+                "liquid_volume_mm3=liquid:3"
+            } else {
+                "air_normal_litres=air:3"
+            },
+        ),
+        (
+            all,
+            if strands {
+                "strand_tension_n=strand:3"
+            } else {
+                "braid_tension_n=braid:3"
+            },
+        ),
         (all, "uncertainty_n=±:~ burst_pressure_mpa=P_burst:3"),
-        (true, if mass { "mass_g=mass:3" } else { "rubber_mass_g=rubber:3" }),
+        (
+            true,
+            if mass {
+                "mass_g=mass:3"
+            } else {
+                "rubber_mass_g=rubber:3"
+            },
+        ),
         (!tubes && several("rubber"), "rubber"),
     ];
-    let keys: Vec<&str> = keys.into_iter().filter(|key| key.0).map(|key| key.1).collect();
+    let keys: Vec<&str> = keys
+        .into_iter()
+        .filter(|key| key.0)
+        .map(|key| key.1)
+        .collect();
     let mut out = tabled(&rows, &keys.join(" "), u);
     out += "P required: the pressure of each point.";
     out += if any("sure_pressure_mpa") {
@@ -191,26 +307,46 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, all: bool, u: &Units) -> 
     } else {
         ""
     };
-    out += if several("highest_pressure_mpa") { " P max: what supply and muscle allow.\n" } else { "\n" };
+    out += if several("highest_pressure_mpa") {
+        " P max: what supply and muscle allow.\n"
+    } else {
+        "\n"
+    };
     if all {
-        out += "margin: pull above the required pull, F blocked and ε free: at P max. stiffness: at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the points.\n\
-            air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: stiffness of one strand family. strand: tension of one strand; braid: of all together.\n\
+        out += "margin: pull above the required pull, F blocked and ε free: at P max. stiffness: \
+            at the first point. bulged D, air or liquid, strand or braid, ±: the largest of the \
+            points.\n\
+            air (normal litres: at 0 °C and 1.01325 bar) and liquid: from rest to the point. k: \
+            stiffness of one strand family. strand: tension of one strand; braid: of all \
+            together.\n\
             ±: 95 % half-width of the pull, against a measured muscle.\n";
     }
-    if let Some(first) = list.first().map(|c| &c.candidate).filter(|c| all && !c.from_thick_wall.is_empty()) {
-        out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
+    if let Some(first) = list
+        .first()
+        .map(|c| &c.candidate)
+        .filter(|c| all && !c.from_thick_wall.is_empty())
+    {
+        out.push_str(&format!(
+            "From the thick-wall model: {}.\n",
+            first.from_thick_wall.join(", ")
+        ));
     }
     out
 }
 
 fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
-    let mut out = format!("Nothing fits. Closest: {}\n", missed(&closest.rejected, "", u));
+    let mut out = format!(
+        "Nothing fits. Closest: {}\n",
+        missed(&closest.rejected, "", u)
+    );
     out += match closest.relaxations.len() {
         0 => "No change of what is required or limited makes a muscle of this search fit.\n",
         1 => "A muscle fits with this change:\n",
         _ => "A muscle fits with any of these changes, the smallest first:\n",
     };
-    let changes =
-        closest.relaxations.iter().map(|change| format!("  - {}\n", in_flags(&u.sentence(&change.text))));
+    let changes = closest
+        .relaxations
+        .iter()
+        .map(|change| format!("  - {}\n", in_flags(&u.sentence(&change.text))));
     out + &changes.collect::<String>()
 }

@@ -11,7 +11,9 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     let (mut root, words) = (built(), args.texts("command"));
     let mut command = &mut root;
     for word in &words {
-        command = command.find_subcommand_mut(word).ok_or_else(|| unknown(&words))?;
+        command = command
+            .find_subcommand_mut(word)
+            .ok_or_else(|| unknown(&words))?;
     }
     command.print_long_help().map_err(|e| unprinted(&e))?;
     Ok(0)
@@ -21,7 +23,9 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 pub fn man(args: &Args) -> Result<u8, Problem> {
     let (root, words) = (built(), args.texts("command"));
     let Some(folder) = args.path("output") else {
-        let command = words.iter().try_fold(&root, |command, word| command.find_subcommand(word));
+        let command = words
+            .iter()
+            .try_fold(&root, |command, word| command.find_subcommand(word));
         emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
         return Ok(0);
     };
@@ -35,7 +39,10 @@ pub fn man(args: &Args) -> Result<u8, Problem> {
 
 /// Prints the completions of a shell.
 pub fn completions(args: &Args) -> Result<u8, Problem> {
-    let shell: Shell = args.text("shell").and_then(|name| name.parse().ok()).unwrap_or(Shell::Bash);
+    let shell: Shell = args
+        .text("shell")
+        .and_then(|name| name.parse().ok())
+        .unwrap_or(Shell::Bash);
     // Into memory first: clap_complete panics where it cannot write.
     let mut script = vec![];
     clap_complete::generate(shell, &mut command(), "mckibben", &mut script);
@@ -54,21 +61,38 @@ fn built() -> Command {
 fn page(command: &Command) -> Result<Vec<u8>, Problem> {
     let mut out = vec![];
     // A page has what the short help has not.
-    let whole = command.clone().mut_args(|arg| match (arg.get_long_help(), arg.get_help()) {
-        (None, Some(help)) => {
-            let help = help.clone();
-            arg.long_help(help)
-        }
-        _ => arg,
-    });
-    let page = Man::new(whole).manual("mckibben").source(concat!("mckibben ", env!("CARGO_PKG_VERSION")));
+    let whole = command
+        .clone()
+        .mut_args(|arg| match (arg.get_long_help(), arg.get_help()) {
+            (None, Some(help)) => {
+                let help = help.clone();
+                arg.long_help(help)
+            }
+            _ => arg,
+        });
+    let page = Man::new(whole)
+        .manual("mckibben")
+        .source(concat!("mckibben ", env!("CARGO_PKG_VERSION")));
     page.render(&mut out).map_err(|e| unprinted(&e))?;
-    let end = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-    let heading = if end.starts_with("Example") { ".SH EXAMPLES" } else { ".SH \"EXIT STATUS\"" };
-    Ok(String::from_utf8_lossy(&out).replace(".SH EXTRA", heading).into_bytes())
+    let end = command
+        .get_after_help()
+        .map(ToString::to_string)
+        .unwrap_or_default();
+    let heading = if end.starts_with("Example") {
+        ".SH EXAMPLES"
+    } else {
+        ".SH \"EXIT STATUS\""
+    };
+    Ok(String::from_utf8_lossy(&out)
+        .replace(".SH EXTRA", heading)
+        .into_bytes())
 }
 
 fn unknown(words: &[String]) -> Problem {
     let message = format!("there is no command `{}`", words.join(" "));
-    Problem::new(ProblemKind::Usage, message, "`mckibben help` lists the commands")
+    Problem::new(
+        ProblemKind::Usage,
+        message,
+        "`mckibben help` lists the commands",
+    )
 }

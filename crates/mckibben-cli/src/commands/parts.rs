@@ -5,21 +5,31 @@ use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, pa
 
 /// The lists, their columns, and what these are.
 const LISTS: [(&str, &str, &str); 5] = [
-    ("tubes", "name=tube inner_diameter_mm=bore outer_diameter_mm=D0 wall_mm=wall rubber is_cast=cast", ""),
+    (
+        "tubes",
+        "name=tube inner_diameter_mm=bore outer_diameter_mm=D0 wall_mm=wall rubber is_cast=cast",
+        "",
+    ),
     (
         "sleeves",
-        "name=sleeve least_diameter_mm=D0_from largest_diameter_mm=to least_angle_deg=θ0_from:3 strands stiffness_factor=k_within title",
-        "D0: tubes on which a muscle of it contracts. k within: factor within which the stiffness is known; above 1 where its seller does not state all of its strands.\n",
+        "name=sleeve least_diameter_mm=D0_from largest_diameter_mm=to least_angle_deg=θ0_from:3 \
+         strands stiffness_factor=k_within title",
+        "D0: tubes on which a muscle of it contracts. k within: factor within which the stiffness \
+         is known; above 1 where its seller does not state all of its strands.\n",
     ),
     (
         "rubbers",
         "name=rubber shear_modulus_mpa=μ:3~ law curve max_strain=breaks_at:3% title",
-        "μ: shear modulus at rest of the law that the name means in the prototype. curve: fitted to its curve, up to the stretches in the prototype: another muscle may use another law; NAME:LAW selects one.\n",
+        "μ: shear modulus at rest of the law that the name means in the prototype. curve: fitted \
+         to its curve, up to the stretches in the prototype: another muscle may use another law; \
+         NAME:LAW selects one.\n",
     ),
     (
         "muscles",
-        "name=muscle outer_diameter_mm=D0 length_mm=L0 pressure_mpa=P:3~ blocked_force_n+uncertainty_n=F_blocked free_contraction=ε_free:3% points product source",
-        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA name replaces a muscle file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
+        "name=muscle outer_diameter_mm=D0 length_mm=L0 pressure_mpa=P:3~ \
+         blocked_force_n+uncertainty_n=F_blocked free_contraction=ε_free:3% points product source",
+        "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.\nA \
+         name replaces a muscle file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%\n",
     ),
     ("models", "name=model description", ""),
 ];
@@ -28,21 +38,35 @@ const LISTS: [(&str, &str, &str); 5] = [
 const DETAILS: [(&str, &str); 5] = [
     (
         "tube",
-        "name=tube inner_diameter_mm=bore outer_diameter_mm wall_mm rubber density_kg_per_m3 is_cast=cast_by_hand price pressure_mpa=largest_pressure_named source note",
+        "name=tube inner_diameter_mm=bore outer_diameter_mm wall_mm rubber density_kg_per_m3 \
+         is_cast=cast_by_hand price pressure_mpa=largest_pressure_named source note",
     ),
     (
         "sleeve",
-        "name title nominal_diameter_mm least_diameter_mm:5 largest_diameter_mm:5 neutral_diameter_mm=contracts_below:5 strand_length_per_turn_mm:5 helix_from=found_from material strands strands_stated strand_diameter_mm strand_modulus_mpa modulus_source=modulus_from filaments strand_strength_n estimated stiffness_factor=stiffness_known_within_a_factor_of estimate=estimates_from price missing=for_a_stiffness_give source terms note",
+        "name title nominal_diameter_mm least_diameter_mm:5 largest_diameter_mm:5 \
+         neutral_diameter_mm=contracts_below:5 strand_length_per_turn_mm:5 helix_from=found_from \
+         material strands strands_stated strand_diameter_mm strand_modulus_mpa \
+         modulus_source=modulus_from filaments strand_strength_n estimated \
+         stiffness_factor=stiffness_known_within_a_factor_of estimate=estimates_from price \
+         missing=for_a_stiffness_give source terms note",
     ),
     (
         "rubber",
-        "name title max_strain=breaks_at_a_strain_of:3% max_stress_mpa=at_a_stress_of:3 data=curve_in_data/ laws source terms note",
+        "name title max_strain=breaks_at_a_strain_of:3% max_stress_mpa=at_a_stress_of:3 \
+         data=curve_in_data/ laws source terms note",
     ),
     (
         "muscle",
-        "name title product outer_diameter_mm wall_mm length_mm angle_deg rubber braid pressure_mpa=highest_pressure blocked_force_n+uncertainty_n free_contraction:3% source terms known unknown fit identified points agreement.rms_n=rms_difference:3 agreement.rms_of_blocked=of_the_blocked_force:2% agreement.largest_n=largest_difference:3 agreement.bench_points=points_of_its_length agreement.held=within_the_±:3%",
+        "name title product outer_diameter_mm wall_mm length_mm angle_deg rubber braid \
+         pressure_mpa=highest_pressure blocked_force_n+uncertainty_n free_contraction:3% source \
+         terms known unknown fit identified points agreement.rms_n=rms_difference:3 \
+         agreement.rms_of_blocked=of_the_blocked_force:2% agreement.largest_n=largest_difference:3 \
+         agreement.bench_points=points_of_its_length agreement.held=within_the_±:3%",
     ),
-    ("model", "name description needs source uncertainty_basis=basis_of_the_±"),
+    (
+        "model",
+        "name description needs source uncertainty_basis=basis_of_the_±",
+    ),
 ];
 
 pub fn list(args: &Args) -> Result<u8, Problem> {
@@ -68,7 +92,9 @@ pub fn show(args: &Args) -> Result<u8, Problem> {
 
 fn show_text(answer: &PartShowAnswer, u: &Units) -> String {
     let all = value(answer);
-    let named = DETAILS.into_iter().filter(|(name, _)| all[*name].is_object());
+    let named = DETAILS
+        .into_iter()
+        .filter(|(name, _)| all[*name].is_object());
     let parts = named.map(|(name, keys)| pairs(&listed(&all[name], keys, u)) + "\n");
     let mut out: String = parts.collect();
     if let Some(rubber) = &answer.rubber {
@@ -77,11 +103,14 @@ fn show_text(answer: &PartShowAnswer, u: &Units) -> String {
     }
     if all["sleeve"].is_object() {
         let points = all["sleeve"]["points"].as_array().into_iter().flatten();
-        let keys =
-            "outer_diameter_mm=D0 angle_deg=θ0 stiffness_n_per_mm=k largest_contraction=contracts_by:%";
+        let keys = "outer_diameter_mm=D0 angle_deg=θ0 stiffness_n_per_mm=k \
+            largest_contraction=contracts_by:%";
         out += &tabled(points, keys, u);
     }
-    out + answer.muscle.as_ref().map_or("", |muscle| &muscle.muscle_file.text)
+    out + answer
+        .muscle
+        .as_ref()
+        .map_or("", |muscle| &muscle.muscle_file.text)
 }
 
 /// The laws of a rubber, without those that the data refuse.
@@ -93,10 +122,16 @@ fn fits_text(rubber: &RubberDetails, u: &Units) -> String {
         row
     });
     let rows = rows.filter(|row| row["standing"] != "behind");
-    let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing planar_difference=differs:2%~";
+    let keys = "taken=_ reach_up_to=reach:3~ up_to_strain=data_to:3% points \
+        constants=law_and_constants shear_modulus_mpa=μ:3~ r_squared=R²:5~ standing \
+        planar_difference=differs:2%~";
     tabled(rows, keys, u)
         + &format!(
-            "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach (`mckibben check`); between two reaches it means constants between theirs, beyond the last those of the last.\nstanding: equal where the data do not distinguish a law from the recommended one. differs: at most so much from it in planar tension. Laws that fit less well: --format json.\n",
+            "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach \
+             (`mckibben check`); between two reaches it means constants between theirs, beyond the \
+             last those of the last.\nstanding: equal where the data do not distinguish a law from \
+             the recommended one. differs: at most so much from it in planar tension. Laws that \
+             fit less well: --format json.\n",
             rubber.rubber
         )
 }

@@ -9,8 +9,12 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
         (Some(kind), _) => file_schema(&kind)?,
         (None, Some(command)) => schema(&command)?,
         (None, None) => {
-            let Some(folder) = &target else { return emit(format!("{:#}\n", bundle()), None).map(|()| 0) };
-            let files = COMMANDS.iter().map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
+            let Some(folder) = &target else {
+                return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
+            };
+            let files = COMMANDS
+                .iter()
+                .map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
             return save_inside(folder, files, overwrite()).map(|()| 0);
         }
     };

@@ -10,7 +10,10 @@ use std::net::{Ipv4Addr, TcpListener};
 pub fn run(args: &Args) -> Result<u8, Problem> {
     // Signals are taken over before anybody can know that the server is there.
     progress::stopped();
-    let port = args.text("port").and_then(|text| text.trim().parse().ok()).unwrap_or(8080);
+    let port = args
+        .text("port")
+        .and_then(|text| text.trim().parse().ok())
+        .unwrap_or(8080);
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|e| unbound(port, &e))?;
     let address = listener.local_addr().map_err(|e| unbound(port, &e))?;
     let address = format!("http://{address}");
@@ -22,10 +25,17 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     if args.is("open")
         && let Err(error) = open::that_detached(&address)
     {
-        warn(format!("no browser can be opened ({error}): open {address} yourself"));
+        warn(format!(
+            "no browser can be opened ({error}): open {address} yourself"
+        ));
     }
-    mckibben_server::run(listener, Config::default(), progress::stopped)
-        .map_err(|e| Problem::new(ProblemKind::Output, format!("the server cannot run: {e}"), ""))?;
+    mckibben_server::run(listener, Config::default(), progress::stopped).map_err(|e| {
+        Problem::new(
+            ProblemKind::Output,
+            format!("the server cannot run: {e}"),
+            "",
+        )
+    })?;
     Ok(0)
 }
 

@@ -1,8 +1,8 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, headed, listed, number, output::width, pairs, plot, shown, tabled,
-    value,
+    Args, Bar, NO_ANSWER, Problem, Units, headed, listed, number, output::width, pairs, plot,
+    shown, tabled, value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
@@ -29,12 +29,18 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
 
 /// The cases of one kind, and what they are.
 const KINDS: [(&str, CaseKind, Measure, &str); 4] = [
-    ("verification", CaseKind::Verification, Measure::Value, "Verification: are the equations solved right?"),
+    (
+        "verification",
+        CaseKind::Verification,
+        Measure::Value,
+        "Verification: are the equations solved right?",
+    ),
     (
         "measured pulls",
         CaseKind::Validation,
         Measure::Rms,
-        "Validation: are they the right equations? Root mean square of the differences from measured pulls in N, over the largest or blocked one",
+        "Validation: are they the right equations? Root mean square of the differences from \
+         measured pulls in N, over the largest or blocked one",
     ),
     (
         "other measured quantities",
@@ -52,18 +58,30 @@ const KINDS: [(&str, CaseKind, Measure, &str); 4] = [
 
 fn as_text(answer: &ValidateAnswer, u: &Units) -> String {
     // Their sources only where the tables are wide enough.
-    let source = if width::of_tables() >= 160 { " source" } else { "" };
+    let source = if width::of_tables() >= 160 {
+        " source"
+    } else {
+        ""
+    };
     let (mut out, mut summary) = (String::new(), "Summary\n".to_owned());
     for (name, kind, measure, title) in KINDS {
-        let is_one =
-            |c: &&VerificationRow| c.kind == kind && (kind == CaseKind::Verification || c.measure == measure);
+        let is_one = |c: &&VerificationRow| {
+            c.kind == kind && (kind == CaseKind::Verification || c.measure == measure)
+        };
         let list: Vec<&VerificationRow> = answer.cases.iter().filter(is_one).collect();
         let keys = "ok name=case reference:9~ ours:9~ error:2~ tolerance=allowed:2~";
-        out += &format!("{title}\n\n{}\n", tabled(&list, &format!("{keys}{source}"), u));
+        out += &format!(
+            "{title}\n\n{}\n",
+            tabled(&list, &format!("{keys}{source}"), u)
+        );
         let held = list.iter().filter(|c| c.ok).count();
         summary += &format!("  {name}: {held} of {} cases hold\n", list.len());
     }
-    let failed = answer.cases.iter().filter(|c| !c.ok).map(|c| format!("  FAILS: {}\n", c.name));
+    let failed = answer
+        .cases
+        .iter()
+        .filter(|c| !c.ok)
+        .map(|c| format!("  FAILS: {}\n", c.name));
     summary.extend(failed);
     if source.is_empty() {
         summary += "\nSources of the cases: mckibben validate --format csv\n";
@@ -74,82 +92,159 @@ fn as_text(answer: &ValidateAnswer, u: &Units) -> String {
 fn run_measured(args: &Args) -> Result<u8, Problem> {
     plot::check(args)?;
     let figure = args.path("plot").map(|_| shown::units());
-    let folder = args.path("measured").filter(|path| !path.as_os_str().is_empty());
-    let only: Vec<String> = args.texts("only").iter().flat_map(|t| t.split(',')).map(str::to_owned).collect();
-    let cases = chosen(folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?, &only)?;
-    let request = MeasuredRequest { cases, model: args.text("model"), figure };
+    let folder = args
+        .path("measured")
+        .filter(|path| !path.as_os_str().is_empty());
+    let only: Vec<String> = args
+        .texts("only")
+        .iter()
+        .flat_map(|t| t.split(','))
+        .map(str::to_owned)
+        .collect();
+    let cases = chosen(
+        folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?,
+        &only,
+    )?;
+    let request = MeasuredRequest {
+        cases,
+        model: args.text("model"),
+        figure,
+    };
     let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
     args.draw(&mut answer.figure)?;
-    let rows = if answer.results.is_empty() { "stresses" } else { "results" };
+    let rows = if answer.results.is_empty() {
+        "stresses"
+    } else {
+        "results"
+    };
     args.show(&answer, rows, measured_text)
 }
 
 /// The measured muscle or rubber of a folder, or those of the folders in it.
 fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
-    let unread =
-        |e: std::io::Error| Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "");
+    let unread = |e: std::io::Error| {
+        Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "")
+    };
     if folder.join("case.toml").is_file() {
         return Ok(vec![measured_folder(folder)?]);
     }
     let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
-    let paths = entries.map_err(unread)?.into_iter().map(|entry| entry.path());
-    let list = paths.filter(|path| path.join("case.toml").is_file()).map(|path| measured_folder(&path));
+    let paths = entries
+        .map_err(unread)?
+        .into_iter()
+        .map(|entry| entry.path());
+    let list = paths
+        .filter(|path| path.join("case.toml").is_file())
+        .map(|path| measured_folder(&path));
     let mut list = list.collect::<Result<Vec<_>, _>>()?;
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
         let message = format!("{}: no folder in it contains a case.toml", folder.display());
-        let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a measured rubber one without muscle.toml";
+        let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a \
+            measured rubber one without muscle.toml";
         return Err(Problem::new(ProblemKind::MissingInput, message, hint));
     }
     Ok(list)
 }
 
 fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Problem> {
-    if let Some(name) = only.iter().find(|name| !all.iter().any(|c| c.name == **name)) {
+    if let Some(name) = only
+        .iter()
+        .find(|name| !all.iter().any(|c| c.name == **name))
+    {
         let known: Vec<&str> = all.iter().map(|c| c.name.as_str()).collect();
-        let message =
-            format!("there is no measured muscle or rubber \"{name}\"; there are {}", known.join(", "));
+        let message = format!(
+            "there is no measured muscle or rubber \"{name}\"; there are {}",
+            known.join(", ")
+        );
         return Err(Problem::new(ProblemKind::Usage, message, ""));
     }
-    Ok(all.into_iter().filter(|c| only.is_empty() || only.contains(&c.name)).collect())
+    Ok(all
+        .into_iter()
+        .filter(|c| only.is_empty() || only.contains(&c.name))
+        .collect())
 }
 
 fn measured_text(answer: &MeasuredAnswer, u: &Units) -> String {
     let head = format!(
-        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked force; within ± is the share of the points inside the ±. Errors by contraction: --format json\n",
+        "Validation: {} against measured muscles. Bias is measured − computed; % is of the blocked \
+         force; within ± is the share of the points inside the ±. Errors by contraction: --format \
+         json\n",
         answer.model
     );
-    let cases = answer.cases.iter().map(|case| muscle(case, &answer.results, u));
-    let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses, u));
-    let head = if answer.cases.is_empty() { None } else { Some(head) };
+    let cases = answer
+        .cases
+        .iter()
+        .map(|case| muscle(case, &answer.results, u));
+    let rubbers = answer
+        .rubbers
+        .iter()
+        .map(|case| rubber(case, &answer.stresses, u));
+    let head = if answer.cases.is_empty() {
+        None
+    } else {
+        Some(head)
+    };
     head.into_iter().chain(cases).chain(rubbers).collect()
 }
 
 const FACTS: &str = "name=folder source terms known unknown points";
-const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bias:3~ largest_mpa=largest:3~ points to_stretch:3 blind of fit";
-const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
+const STRESSES: &str = "rms_mpa=rms:3~ relative=of_the_measured:3%~ bias_mpa=bias:3~ \
+    largest_mpa=largest:3~ points to_stretch:3 blind of fit";
+const RESULTS: &str = "rms_n=rms:3 rms_of_blocked=of_the_blocked_force:3% bias_n=bias:3 \
+    largest_n=largest:3 points unanswered held=within_±:3% blind of fitted_to fit";
 const BRANCHES: &str = "branch points rms_n=rms:3 bias_n=bias:3 held=within_±:3% of";
 
 fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress], u: &Units) -> String {
     let one = |f: &MeasuredRubberFit| {
-        let constants = f.parameters.iter().map(|p| format!("{} {} {}", p.name, number(p.value, 3), p.unit));
-        let branches = f.prony.iter().map(|(g, t)| format!("g {} at {} s", number(*g, 2), number(*t, 2)));
-        let doubt = if f.stable { vec![] } else { vec!["not stable in a muscle".to_owned()] };
-        let parts: Vec<String> =
-            constants.chain(branches).map(|t| t.trim().to_owned()).chain(doubt).collect();
+        let constants = f
+            .parameters
+            .iter()
+            .map(|p| format!("{} {} {}", p.name, number(p.value, 3), p.unit));
+        let branches = f
+            .prony
+            .iter()
+            .map(|(g, t)| format!("g {} at {} s", number(*g, 2), number(*t, 2)));
+        let doubt = if f.stable {
+            vec![]
+        } else {
+            vec!["not stable in a muscle".to_owned()]
+        };
+        let parts: Vec<String> = constants
+            .chain(branches)
+            .map(|t| t.trim().to_owned())
+            .chain(doubt)
+            .collect();
         (f.fit.clone(), parts.join(", "))
     };
     let fitted: Vec<(String, String)> = case.fits.iter().map(one).collect();
-    let errors: Vec<_> = stresses.iter().filter(|s| s.case == case.facts.name).collect();
+    let errors: Vec<_> = stresses
+        .iter()
+        .filter(|s| s.case == case.facts.name)
+        .collect();
     let title = format!("{}; % is of the measured stress", case.facts.title);
-    block(&title, &listed(&value(case), FACTS, u), &fitted, &tabled(&errors, STRESSES, u))
+    block(
+        &title,
+        &listed(&value(case), FACTS, u),
+        &fitted,
+        &tabled(&errors, STRESSES, u),
+    )
 }
 
 fn muscle(case: &MeasuredCase, results: &[MeasuredResult], u: &Units) -> String {
     let fits = case.fits.iter().filter(|f| !f.parameters.is_empty());
-    let fitted: Vec<(String, String)> =
-        fits.map(|f| (format!("{} [{}]", f.fit, f.fitted_to), in_one_line(&f.parameters))).collect();
-    let of_case: Vec<_> = results.iter().filter(|r| r.case == case.facts.name).collect();
+    let fitted: Vec<(String, String)> = fits
+        .map(|f| {
+            (
+                format!("{} [{}]", f.fit, f.fitted_to),
+                in_one_line(&f.parameters),
+            )
+        })
+        .collect();
+    let of_case: Vec<_> = results
+        .iter()
+        .filter(|r| r.case == case.facts.name)
+        .collect();
     let branches = of_case.iter().flat_map(|r| {
         let row = move |branch: &MeasuredBranch| {
             let mut row = value(branch);
@@ -164,6 +259,15 @@ fn muscle(case: &MeasuredCase, results: &[MeasuredResult], u: &Units) -> String 
 }
 
 /// What is known of a case, its fitted constants, and the errors.
-fn block(title: &str, facts: &[(String, String)], fitted: &[(String, String)], errors: &str) -> String {
-    format!("\n{title}\n\n{}\nFound, ± 95 %\n{}\n{errors}", pairs(facts), pairs(fitted))
+fn block(
+    title: &str,
+    facts: &[(String, String)],
+    fitted: &[(String, String)],
+    errors: &str,
+) -> String {
+    format!(
+        "\n{title}\n\n{}\nFound, ± 95 %\n{}\n{errors}",
+        pairs(facts),
+        pairs(fitted)
+    )
 }

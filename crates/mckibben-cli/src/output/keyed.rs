@@ -17,9 +17,18 @@ pub fn tabled(list: impl IntoIterator<Item = impl Serialize>, keys: &str, u: &Un
 }
 
 /// The same behind a line with its heading; nothing where there is no row.
-pub fn headed(head: &str, list: impl IntoIterator<Item = impl Serialize>, keys: &str, u: &Units) -> String {
+pub fn headed(
+    head: &str,
+    list: impl IntoIterator<Item = impl Serialize>,
+    keys: &str,
+    u: &Units,
+) -> String {
     let table = tabled(list, keys, u);
-    if table.is_empty() { table } else { format!("\n{head}\n{table}") }
+    if table.is_empty() {
+        table
+    } else {
+        format!("\n{head}\n{table}")
+    }
 }
 
 fn column(key: &Key<'_>, rows: &[Value]) -> Option<(String, Vec<String>)> {
@@ -38,5 +47,13 @@ fn column(key: &Key<'_>, rows: &[Value]) -> Option<(String, Vec<String>)> {
         unit => format!("{} [{unit}]", key.label),
     };
     let is_known = cells.iter().flatten().any(|cell| !cell.is_empty());
-    is_known.then(|| (heading, cells.into_iter().map(|c| c.unwrap_or_else(|| "–".into())).collect()))
+    is_known.then(|| {
+        (
+            heading,
+            cells
+                .into_iter()
+                .map(|c| c.unwrap_or_else(|| "–".into()))
+                .collect(),
+        )
+    })
 }

@@ -6,8 +6,11 @@ use mckibben::load::LoadError;
 use mckibben_app::LoadAnswer;
 use serde_json::{Value, json};
 
-const EQUILIBRIA: &str = "pressure_mpa=P:4~ contraction+contraction_uncertainty=ε:% shortening_mm=x force_n+uncertainty_n=F held_stiffness_n_per_mm=muscle_and_load balance natural_frequency_hz=f:3~";
-const CYCLE: &str = "stroke_mm from_pressure_mpa=from to_pressure_mpa=to work_j=work_on_the_load air_normal_litres=air_of_a_filling air_exergy_j=its_exergy efficiency=work_over_exergy:%";
+const EQUILIBRIA: &str = "pressure_mpa=P:4~ contraction+contraction_uncertainty=ε:% \
+    shortening_mm=x force_n+uncertainty_n=F held_stiffness_n_per_mm=muscle_and_load balance \
+    natural_frequency_hz=f:3~";
+const CYCLE: &str = "stroke_mm from_pressure_mpa=from to_pressure_mpa=to work_j=work_on_the_load \
+    air_normal_litres=air_of_a_filling air_exergy_j=its_exergy efficiency=work_over_exergy:%";
 
 /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
 pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
@@ -17,8 +20,10 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             LoadError::NotLifted { .. } => "not lifted",
             _ => "none",
         });
-        let equilibria =
-            at.equilibria.iter().map(|e| (value(e), if e.stable { "stable" } else { "unstable" }));
+        let equilibria = at
+            .equilibria
+            .iter()
+            .map(|e| (value(e), if e.stable { "stable" } else { "unstable" }));
         let mut all: Vec<(Value, &str)> = equilibria.collect();
         all.extend(nothing.map(|word| (json!({ "pressure_mpa": at.pressure_mpa }), word)));
         all.into_iter().map(|(mut row, word)| {

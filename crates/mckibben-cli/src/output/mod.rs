@@ -9,8 +9,8 @@ mod write;
 
 pub use table::FLAT;
 pub use write::{
-    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save, save_all,
-    save_inside, warn, warn_behind,
+    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
+    save_all, save_inside, warn, warn_behind,
 };
 
 use crate::{Format, Problem, clean, quantities::unit_hint, unprinted};
@@ -38,7 +38,9 @@ struct Plain<W>(W);
 impl<W: Write> Write for Plain<W> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         match std::str::from_utf8(bytes) {
-            Ok(text) if text.contains('\u{a0}') => self.0.write_all(plain(text.into()).as_bytes())?,
+            Ok(text) if text.contains('\u{a0}') => {
+                self.0.write_all(plain(text.into()).as_bytes())?
+            }
             _ => self.0.write_all(bytes)?,
         }
         Ok(bytes.len())
@@ -49,22 +51,26 @@ impl<W: Write> Write for Plain<W> {
     }
 }
 
-/// Prints an answer of many points as JSON: straight to standard output, or into a file, which appears whole.
+/// Prints an answer of many points as JSON: straight to standard output, or into a file, which
+/// appears whole.
 pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Problem> {
     if target.is_some() {
         return emit(plain(format!("{:#}\n", json(answer)?)), target);
     }
     let mut out = BufWriter::new(std::io::stdout().lock());
     let written = serde_json::to_writer_pretty(Plain(&mut out), answer).map_err(Error::from);
-    let written = written.and_then(|()| writeln!(out)).and_then(|()| out.flush());
+    let written = written
+        .and_then(|()| writeln!(out))
+        .and_then(|()| out.flush());
     written.map_err(|error| unprinted(&error))
 }
 
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
-/// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row for each element of
-/// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).
+/// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row
+/// for each element of the list named `rows` (for the answer itself where the name is empty or
+/// [`FLAT`]).
 pub fn show<T: Serialize + JsonSchema>(
     answer: &T,
     format: Format,
@@ -72,10 +78,18 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    made(&|| json(answer), answer_schema::<T>, format, rows, Box::new(text), target)
+    made(
+        &|| json(answer),
+        answer_schema::<T>,
+        format,
+        rows,
+        Box::new(text),
+        target,
+    )
 }
 
-/// The same of what can be made of an answer, of one type for all answers, so that it is compiled once.
+/// The same of what can be made of an answer, of one type for all answers, so that it is compiled
+/// once.
 fn made(
     json: &dyn Fn() -> Result<Value, Problem>,
     schema: fn() -> Value,
@@ -96,8 +110,14 @@ fn made(
         Format::Csv => {
             let mut value = json()?;
             // A table has no place for it.
-            let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
-            all.filter_map(Value::as_str).filter(|w| is_of_burst(w)).for_each(warn);
+            let all = value
+                .get("warnings")
+                .and_then(Value::as_array)
+                .into_iter()
+                .flatten();
+            all.filter_map(Value::as_str)
+                .filter(|w| is_of_burst(w))
+                .for_each(warn);
             let list = match value.get_mut(rows).map(Value::take) {
                 Some(Value::Array(list)) => list,
                 Some(Value::Object(columns)) => table::of_columns(&columns),
@@ -106,7 +126,10 @@ fn made(
                 _ => vec![],
             };
             let columns = table::with_others(table::columns(&schema(), rows), &list);
-            let table = table::Table { columns, rows: list };
+            let table = table::Table {
+                columns,
+                rows: list,
+            };
             table::csv(&table)?
         }
     };
@@ -117,7 +140,9 @@ fn made(
 
 /// The format of a file by its ending; without one, or for standard output, that of `--format`.
 pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
-    let Some(ending) = path.and_then(ending) else { return Ok(format) };
+    let Some(ending) = path.and_then(ending) else {
+        return Ok(format);
+    };
     let by_ending = match ending.as_str() {
         "txt" | "md" => Format::Text,
         "json" => Format::Json,
@@ -132,5 +157,9 @@ pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
         return Ok(by_ending);
     }
     let hint = "leave out --format: the file ending selects the format";
-    Err(Problem::new(ProblemKind::Output, "--output and --format name two formats", hint))
+    Err(Problem::new(
+        ProblemKind::Output,
+        "--output and --format name two formats",
+        hint,
+    ))
 }

@@ -1,14 +1,17 @@
-//! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
+//! The columns of a table: those of the rows' schema, so that they are the same whatever the
+//! values.
 
 use crate::Problem;
 use mckibben_app::ProblemKind;
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
-/// The name of rows for an answer that is one row, with the values of its objects beside the others.
+/// The name of rows for an answer that is one row, with the values of its objects beside the
+/// others.
 pub const FLAT: &str = "*";
 
-/// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or of the answer itself where the name is empty.
+/// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or
+/// of the answer itself where the name is empty.
 pub fn columns(root: &Value, rows: &str) -> Vec<String> {
     let mut out = vec![];
     if rows.is_empty() || rows == FLAT {
@@ -32,7 +35,9 @@ pub fn columns(root: &Value, rows: &str) -> Vec<String> {
 /// What a table has beyond the columns that are known, by the values in it.
 pub fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
     for (key, value) in list.iter().filter_map(Value::as_object).flatten() {
-        if !matches!(value, Value::Array(_) | Value::Object(_) | Value::Null) && !columns.contains(key) {
+        if !matches!(value, Value::Array(_) | Value::Object(_) | Value::Null)
+            && !columns.contains(key)
+        {
             columns.push(key.clone());
         }
     }
@@ -41,30 +46,47 @@ pub fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
 
 /// A schema without its reference.
 fn resolved<'a>(root: &'a Value, node: &'a Value) -> &'a Value {
-    let name = node.get("$ref").and_then(Value::as_str).and_then(|path| path.strip_prefix("#/$defs/"));
-    name.and_then(|name| root.get("$defs")?.get(name)).unwrap_or(node)
+    let name = node
+        .get("$ref")
+        .and_then(Value::as_str)
+        .and_then(|path| path.strip_prefix("#/$defs/"));
+    name.and_then(|name| root.get("$defs")?.get(name))
+        .unwrap_or(node)
 }
 
 /// A schema and those of which it is one or all, without `null`.
 fn variants<'a>(root: &'a Value, node: &'a Value) -> Vec<&'a Value> {
     let node = resolved(root, node);
     let mut out = vec![node];
-    for of in ["anyOf", "oneOf", "allOf"].iter().filter_map(|key| node.get(*key)?.as_array()).flatten() {
+    for of in ["anyOf", "oneOf", "allOf"]
+        .iter()
+        .filter_map(|key| node.get(*key)?.as_array())
+        .flatten()
+    {
         out.extend(variants(root, of));
     }
     out.retain(|node| node.get("type").and_then(Value::as_str) != Some("null"));
     out
 }
 
-fn properties<'a>(root: &'a Value, node: &'a Value) -> impl Iterator<Item = (&'a String, &'a Value)> {
-    let maps = variants(root, node).into_iter().filter_map(|node| node.get("properties")?.as_object());
+fn properties<'a>(
+    root: &'a Value,
+    node: &'a Value,
+) -> impl Iterator<Item = (&'a String, &'a Value)> {
+    let maps = variants(root, node)
+        .into_iter()
+        .filter_map(|node| node.get("properties")?.as_object());
     maps.flat_map(Map::iter)
 }
 
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
 fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<String>) {
     for (name, value) in properties(root, node) {
-        let items = || variants(root, value).into_iter().find_map(|node| node.get("items"));
+        let items = || {
+            variants(root, value)
+                .into_iter()
+                .find_map(|node| node.get("items"))
+        };
         let value = if are_lists { items() } else { Some(value) };
         if value.is_some_and(|value| is_scalar(root, value)) && !out.contains(name) {
             out.push(name.clone());
@@ -79,7 +101,11 @@ fn is_scalar(root: &Value, node: &Value) -> bool {
         let words = node.get("const").is_some() || node.get("enum").is_some();
         let types: Vec<&str> = match &node["type"] {
             Value::Array(list) => list.iter().filter_map(Value::as_str).collect(),
-            one => one.as_str().or(words.then_some("string")).into_iter().collect(),
+            one => one
+                .as_str()
+                .or(words.then_some("string"))
+                .into_iter()
+                .collect(),
         };
         for word in types {
             match word {
@@ -103,7 +129,9 @@ pub struct Table {
 /// An object with the values of its objects beside the others.
 pub fn flat(value: Value) -> Value {
     let mut out = Map::new();
-    let Value::Object(object) = value else { return value };
+    let Value::Object(object) = value else {
+        return value;
+    };
     for (key, value) in object {
         match value {
             Value::Object(inner) => out.extend(inner),
@@ -115,11 +143,16 @@ pub fn flat(value: Value) -> Value {
 
 /// The rows of an object of lists.
 pub fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
-    let lists: Vec<(&String, &Vec<Value>)> =
-        columns.iter().filter_map(|(name, list)| Some((name, list.as_array()?))).collect();
+    let lists: Vec<(&String, &Vec<Value>)> = columns
+        .iter()
+        .filter_map(|(name, list)| Some((name, list.as_array()?)))
+        .collect();
     let count = lists.iter().map(|(_, list)| list.len()).max().unwrap_or(0);
     let row = |i: usize| {
-        lists.iter().filter_map(|(name, list)| Some(((*name).clone(), list.get(i)?.clone()))).collect()
+        lists
+            .iter()
+            .filter_map(|(name, list)| Some(((*name).clone(), list.get(i)?.clone())))
+            .collect()
     };
     (0..count).map(|i| Value::Object(row(i))).collect()
 }
@@ -134,13 +167,21 @@ fn text(value: Option<&Value>) -> Option<String> {
 }
 
 pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
-    let broken =
-        |e: &dyn std::fmt::Display| Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
+    let broken = |e: &dyn std::fmt::Display| {
+        Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "")
+    };
     let mut writer = ::csv::Writer::from_writer(vec![]);
-    writer.write_record(table.columns.iter().map(|c| cell(c).into_owned())).map_err(|e| broken(&e))?;
+    writer
+        .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
+        .map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let texts = table.columns.iter().map(|c| text(object.get(c)).unwrap_or_default());
-        let cells: Vec<String> = texts.map(|text| super::plain(cell(&text).into_owned())).collect();
+        let texts = table
+            .columns
+            .iter()
+            .map(|c| text(object.get(c)).unwrap_or_default());
+        let cells: Vec<String> = texts
+            .map(|text| super::plain(cell(&text).into_owned()))
+            .collect();
         writer.write_record(cells).map_err(|e| broken(&e))?;
     }
     writer.into_inner().map_err(|e| broken(&e))
@@ -157,7 +198,11 @@ mod tests {
         for name in ["force_n", "slack", "model", "start_pressure_mpa"] {
             assert!(point.iter().any(|c| c == name), "{name}: {point:?}");
         }
-        assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.as_str())));
+        assert!(
+            point
+                .iter()
+                .all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.as_str()))
+        );
         let curve = columns(&answer_schema::<CurveAnswer>(), "points");
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
             assert!(curve.iter().any(|c| c == name), "{name}: {curve:?}");

@@ -17,36 +17,54 @@ pub fn place(path: &Path) -> String {
 const NARROW: usize = 24;
 const GAP: usize = 2;
 
-/// A table without borders: a header, aligned columns (numbers to the right). One that is wider than the text may be has narrower text
-/// columns, or goes on below, with its first column again.
+/// A table without borders: a header, aligned columns (numbers to the right). One that is wider
+/// than the text may be has narrower text columns, or goes on below, with its first column again.
 pub fn table<S: AsRef<str>>(header: &[S], rows: Vec<Vec<String>>) -> String {
     let header: Vec<&str> = header.iter().map(AsRef::as_ref).collect();
     table_within(width::of_tables(), &header, &rows)
 }
 
 fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
-    let rows: Vec<Vec<String>> =
-        rows.iter().map(|row| row.iter().map(|cell| line(cell).into_owned()).collect()).collect();
+    let rows: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| row.iter().map(|cell| line(cell).into_owned()).collect())
+        .collect();
     let cells = |i: usize| rows.iter().filter_map(move |row| row.get(i));
     let numeric = |i: usize| {
         let number = |c: &String| {
-            c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch)) && !c.starts_with("--")
+            c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
+                && !c.starts_with("--")
         };
         cells(i).all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
     };
     let numeric: Vec<bool> = (0..header.len()).map(numeric).collect();
     let length = |text: &str| text.chars().count();
     let widths: Vec<usize> = (0..header.len())
-        .map(|i| cells(i).map(|cell| length(cell)).chain([length(header[i])]).max().unwrap_or(0))
+        .map(|i| {
+            cells(i)
+                .map(|cell| length(cell))
+                .chain([length(header[i])])
+                .max()
+                .unwrap_or(0)
+        })
         .collect();
     let wide = |columns: &[usize], most: usize| {
-        let one = |&i: &usize| if numeric[i] { widths[i] } else { widths[i].min(most) };
+        let one = |&i: &usize| {
+            if numeric[i] {
+                widths[i]
+            } else {
+                widths[i].min(most)
+            }
+        };
         columns.iter().map(one).sum::<usize>() + GAP * columns.len().saturating_sub(1)
     };
     let all: Vec<usize> = (0..header.len()).collect();
     // The widest text columns for which a list of columns fits.
-    let fits =
-        |columns: &[usize]| (NARROW..=room.max(NARROW)).rev().find(|&most| wide(columns, most) <= room);
+    let fits = |columns: &[usize]| {
+        (NARROW..=room.max(NARROW))
+            .rev()
+            .find(|&most| wide(columns, most) <= room)
+    };
     let mut blocks: Vec<(Vec<usize>, usize)> = vec![];
     if wide(&all, usize::MAX) <= room {
         blocks.push((all, usize::MAX));
@@ -55,7 +73,11 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
     } else {
         // Rows are told apart by the first column, or by the first two.
         let mut seen = std::collections::BTreeSet::new();
-        let keys = if cells(0).all(|cell| seen.insert(cell)) { 1 } else { 2 };
+        let keys = if cells(0).all(|cell| seen.insert(cell)) {
+            1
+        } else {
+            2
+        };
         let (keys, others) = all.split_at(keys.min(all.len()));
         let mut block = keys.to_vec();
         let end = |block: &[usize]| (block.to_vec(), fits(block).unwrap_or(NARROW));
@@ -70,10 +92,17 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         blocks.push(end(&block));
     }
     let drawn = blocks.into_iter().map(|(columns, most)| {
-        let cut =
-            |text: &str, i: usize| if numeric[i] { text.to_owned() } else { fold(text, most).join("\n") };
+        let cut = |text: &str, i: usize| {
+            if numeric[i] {
+                text.to_owned()
+            } else {
+                fold(text, most).join("\n")
+            }
+        };
         let mut table = Table::new();
-        table.load_preset(presets::NOTHING).set_header(columns.iter().map(|&i| cut(header[i], i)));
+        table
+            .load_preset(presets::NOTHING)
+            .set_header(columns.iter().map(|&i| cut(header[i], i)));
         for row in &rows {
             let cell = |&i: &usize| row.get(i).map_or_else(String::new, |cell| cut(cell, i));
             table.add_row(columns.iter().map(cell));
@@ -81,7 +110,11 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         let last = columns.len().saturating_sub(1);
         for (at, column) in table.column_iter_mut().enumerate() {
             let right = numeric[columns[at]];
-            column.set_cell_alignment(if right { CellAlignment::Right } else { CellAlignment::Left });
+            column.set_cell_alignment(if right {
+                CellAlignment::Right
+            } else {
+                CellAlignment::Left
+            });
             column.set_padding((0, if at == last { 0 } else { GAP as u16 }));
         }
         let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();
@@ -96,7 +129,11 @@ pub fn pairs<S: AsRef<str>>(list: &[(S, String)]) -> String {
 }
 
 fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
-    let width = list.iter().map(|(name, _)| name.as_ref().chars().count()).max().unwrap_or(0);
+    let width = list
+        .iter()
+        .map(|(name, _)| name.as_ref().chars().count())
+        .max()
+        .unwrap_or(0);
     let room = room.saturating_sub(width + 5).max(NARROW);
     let one = |(name, value): &(S, String)| {
         let name = name.as_ref();
@@ -108,21 +145,31 @@ fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
 
 /// What was understood of tables, a line each.
 pub fn understood(tables: &[UnderstoodTable]) -> String {
-    tables.iter().map(|table| line(&table.line()).into_owned() + "\n").collect()
+    tables
+        .iter()
+        .map(|table| line(&table.line()).into_owned() + "\n")
+        .collect()
 }
 
 /// A percentage a row, with their points aligned.
 pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
     let hundredfold: Vec<Option<f64>> = ratios.into_iter().map(|v| v.map(|v| 100.0 * v)).collect();
     let column = aligned(&hundredfold, digits).into_iter();
-    column.map(|cell| if cell == "–" { cell } else { cell + " %" }).collect()
+    column
+        .map(|cell| if cell == "–" { cell } else { cell + " %" })
+        .collect()
 }
 
 /// A table of columns, each with its heading.
 pub fn columns(list: impl IntoIterator<Item = (String, Vec<String>)>) -> String {
     let (header, columns): (Vec<String>, Vec<Vec<String>>) = list.into_iter().unzip();
     let count = columns.first().map_or(0, Vec::len);
-    let row = |i: usize| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect();
+    let row = |i: usize| {
+        columns
+            .iter()
+            .map(|c| c.get(i).cloned().unwrap_or_default())
+            .collect()
+    };
     table(&header, (0..count).map(row).collect())
 }
 
@@ -148,7 +195,11 @@ mod tests {
         assert_eq!(whole.lines().count(), 3, "{whole}");
         let narrow = table_within(40, &header, &rows());
         assert!(narrow.lines().all(|l| l.chars().count() <= 40), "{narrow}");
-        assert_eq!(narrow.lines().filter(|l| l.starts_with("1.")).count(), 2, "{narrow}");
+        assert_eq!(
+            narrow.lines().filter(|l| l.starts_with("1.")).count(),
+            2,
+            "{narrow}"
+        );
         assert!(narrow.contains("\n\n"), "{narrow}");
         // Every cell is there once.
         for cell in rows().iter().flat_map(|row| &row[1..7]) {
@@ -158,14 +209,27 @@ mod tests {
 
     #[test]
     fn a_table_of_texts_has_narrower_columns() {
-        let long = "words and words and words and words and words and words and words and words".to_owned();
+        let long = "words and words and words and words and words and words and words and words"
+            .to_owned();
         let text = table_within(60, &["n", "case"], &[vec!["1".into(), long]]);
-        assert!(text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= 60), "{text}");
+        assert!(
+            text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= 60),
+            "{text}"
+        );
     }
 
     #[test]
     fn a_long_value_goes_on_below_its_beginning() {
-        let text = pairs_within(40, &[("name", "value and value and value and value and value".into())]);
-        assert_eq!(text, "  name   value and value and value and\n         value and value\n");
+        let text = pairs_within(
+            40,
+            &[(
+                "name",
+                "value and value and value and value and value".into(),
+            )],
+        );
+        assert_eq!(
+            text,
+            "  name   value and value and value and\n         value and value\n"
+        );
     }
 }

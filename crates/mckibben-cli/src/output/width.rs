@@ -1,5 +1,5 @@
-//! How wide text is: as wide as the terminal, or as `COLUMNS` in the environment says; else tables are 100 columns wide at most, and sentences
-//! stay on one line.
+//! How wide text is: as wide as the terminal, or as `COLUMNS` in the environment says; else tables
+//! are 100 columns wide at most, and sentences stay on one line.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::{Width, terminal_size_of};
@@ -26,21 +26,28 @@ fn of_reader() -> Option<usize> {
 
 fn or_environment(terminal: Option<Width>) -> Option<usize> {
     let said = || std::env::var("COLUMNS").ok()?.parse::<usize>().ok();
-    Some(terminal.map(|Width(width)| usize::from(width)).or_else(said)?.max(LEAST))
+    Some(
+        terminal
+            .map(|Width(width)| usize::from(width))
+            .or_else(said)?
+            .max(LEAST),
+    )
 }
 
 pub fn of_tables() -> usize {
     of_reader().unwrap_or(STABLE)
 }
 
-/// Sentences of a text, broken at blanks where standard output has a width. What is indented goes on indented.
+/// Sentences of a text, broken at blanks where standard output has a width. What is indented goes
+/// on indented.
 pub fn broken(text: &str) -> String {
     of_reader().map_or_else(|| text.to_owned(), |width| lines(text, width))
 }
 
 /// The same of standard error.
 pub fn broken_aside(text: &str) -> String {
-    let terminal = terminal_size_of(std::io::stderr()).map(|(Width(width), _)| usize::from(width).max(LEAST));
+    let terminal =
+        terminal_size_of(std::io::stderr()).map(|(Width(width), _)| usize::from(width).max(LEAST));
     terminal.map_or_else(|| text.to_owned(), |width| lines(text, width))
 }
 
@@ -49,18 +56,27 @@ fn lines(text: &str, width: usize) -> String {
         let blanks = line.len() - line.trim_start_matches(' ').len();
         let indent = " ".repeat(if blanks > 0 { blanks + 2 } else { 0 }.min(width / 2));
         let first = " ".repeat(blanks);
-        let parts = fold(line.trim_start_matches(' '), width - indent.len().max(blanks));
+        let parts = fold(
+            line.trim_start_matches(' '),
+            width - indent.len().max(blanks),
+        );
         first + &parts.join(&format!("\n{indent}"))
     };
     let out: Vec<String> = text
         .split('\n')
-        .map(|line| if line.chars().count() <= width { line.to_owned() } else { one(line) })
+        .map(|line| {
+            if line.chars().count() <= width {
+                line.to_owned()
+            } else {
+                one(line)
+            }
+        })
         .collect();
     out.join("\n")
 }
 
-/// A text in lines of at most so many characters, broken at blanks, but not between a number and its unit; a word that is longer has a
-/// separate line.
+/// A text in lines of at most so many characters, broken at blanks, but not between a number and
+/// its unit; a word that is longer has a separate line.
 pub fn fold(text: &str, width: usize) -> Vec<String> {
     let mut out: Vec<String> = vec![];
     let mut length = 0;
@@ -68,7 +84,9 @@ pub fn fold(text: &str, width: usize) -> Vec<String> {
     for word in text.split(' ') {
         let unit = |c: char| c.is_alphabetic() || "%°".contains(c);
         match words.last_mut() {
-            Some(last) if last.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(unit) => {
+            Some(last)
+                if last.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(unit) =>
+            {
                 last.push(' ');
                 last.push_str(word);
             }
@@ -98,8 +116,14 @@ mod tests {
 
     #[test]
     fn lines_are_broken_at_blanks_and_indented_ones_go_on_indented() {
-        assert_eq!(lines("one two three\n  four five six", 9), "one two\nthree\n  four\n    five\n    six");
-        assert_eq!(lines("a-word-that-is-too-long b", 9), "a-word-that-is-too-long\nb");
+        assert_eq!(
+            lines("one two three\n  four five six", 9),
+            "one two\nthree\n  four\n    five\n    six"
+        );
+        assert_eq!(
+            lines("a-word-that-is-too-long b", 9),
+            "a-word-that-is-too-long\nb"
+        );
         assert_eq!(lines("at a pull of 12.5 N", 16), "at a pull of\n12.5 N");
         let short = "  name     value\n\n";
         assert_eq!(lines(short, 80), short);

@@ -1,4 +1,5 @@
-//! Where results go: standard output, or a file that appears whole or not at all. An existing file is overwritten only with `--overwrite`.
+//! Where results go: standard output, or a file that appears whole or not at all. An existing file
+//! is overwritten only with `--overwrite`.
 
 use super::width;
 use crate::{Args, Problem, clean, in_flags, progress, shown};
@@ -20,11 +21,16 @@ pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)
 }
 
-/// Refuses a command line that names an existing file for a result, before any work is done for it. A campaign continues its file.
+/// Refuses a command line that names an existing file for a result, before any work is done for it.
+/// A campaign continues its file.
 pub fn check_named(args: &Args, command: &str, overwrite: bool) -> Result<(), Problem> {
     OVERWRITE.store(overwrite, Ordering::Relaxed);
-    let written = WRITTEN.iter().filter(|flag| **flag != "output" || command != "campaign");
-    written.filter_map(|flag| args.path(flag)).try_for_each(|path| check(&path))
+    let written = WRITTEN
+        .iter()
+        .filter(|flag| **flag != "output" || command != "campaign");
+    written
+        .filter_map(|flag| args.path(flag))
+        .try_for_each(|path| check(&path))
 }
 
 /// Refuses to write what is no answer, and to overwrite a file.
@@ -41,24 +47,37 @@ fn unwritten(path: &Path, error: &Error) -> Problem {
             format!("{path} exists and would be overwritten"),
             "name another file, or replace it with --overwrite",
         ),
-        _ => (format!("cannot write {path}: {error}"), "nothing was written; an existing file is as it was"),
+        _ => (
+            format!("cannot write {path}: {error}"),
+            "nothing was written; an existing file is as it was",
+        ),
     };
     Problem::new(ProblemKind::Output, message, hint)
 }
 
 /// The ending of a name in lower case.
 pub fn ending(path: &Path) -> Option<String> {
-    path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
+    path.extension()
+        .map(|e| e.to_string_lossy().to_ascii_lowercase())
 }
 
 /// Refuses a name whose ending promises another format than the one that is written.
 pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem> {
-    let Some((path, ending)) = path.and_then(|path| Some((path, ending(path)?))) else { return Ok(()) };
+    let Some((path, ending)) = path.and_then(|path| Some((path, ending(path)?))) else {
+        return Ok(());
+    };
     if endings.contains(&ending.as_str()) {
         return Ok(());
     }
-    let message = format!("{} ends in .{ending}, which is another format", path.display());
-    Err(Problem::new(ProblemKind::Output, message, format!("end it in .{}", endings.join(" or ."))))
+    let message = format!(
+        "{} ends in .{ending}, which is another format",
+        path.display()
+    );
+    Err(Problem::new(
+        ProblemKind::Output,
+        message,
+        format!("end it in .{}", endings.join(" or .")),
+    ))
 }
 
 /// Writes all files of an answer into a folder, or none if one of them exists.
@@ -66,10 +85,15 @@ pub fn save_all(files: &[BuiltFile], folder: &Path) -> Result<(), Problem> {
     // A file with the same content is not written again.
     let is_there = |file: &&BuiltFile| {
         let limit = file.content.len() as u64;
-        mckibben_io::files::read(&folder.join(&file.name), limit).is_ok_and(|there| there == file.content)
+        mckibben_io::files::read(&folder.join(&file.name), limit)
+            .is_ok_and(|there| there == file.content)
     };
     let files = files.iter().filter(|file| !is_there(file));
-    save_inside(folder, files.map(|file| (&file.name, &file.content)), overwrite())
+    save_inside(
+        folder,
+        files.map(|file| (&file.name, &file.content)),
+        overwrite(),
+    )
 }
 
 /// Writes files into a folder, which is made where it is missing; a link in it is not followed.
@@ -88,7 +112,9 @@ pub fn emit(bytes: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Problem>
         return save(path, bytes.as_ref());
     }
     let mut out = std::io::stdout().lock();
-    out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| crate::unprinted(&e))
+    out.write_all(bytes.as_ref())
+        .and_then(|()| out.flush())
+        .map_err(|e| crate::unprinted(&e))
 }
 
 /// Style of the word before an error, a warning, a hint.
@@ -96,7 +122,8 @@ const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 const HINT: Style = AnsiColor::Cyan.on_default();
 
-/// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
+/// A line for the user beside the result, in the units that he reads; nothing better can be done if
+/// nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
     let message = in_flags(&message.to_string());
     let text = shown::sentence(&message);
@@ -111,12 +138,14 @@ static BEHIND: Mutex<Vec<String>> = Mutex::new(vec![]);
 
 /// Prints what was left for behind the text.
 pub fn warn_behind() {
-    let mut list = BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut list = BEHIND
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
     list.drain(..).for_each(warn);
 }
 
-/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back, with the others
-/// behind it; without them the others before it.
+/// Warnings in the place where they are read: those of the burst pressure as the first lines of the
+/// text, which come back, with the others behind it; without them the others before it.
 pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     let all = warnings.iter().map(ToString::to_string);
     let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| is_of_burst(w));
@@ -124,14 +153,18 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
         others.into_iter().for_each(warn);
         return String::new();
     }
-    BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(others);
+    BEHIND
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner)
+        .extend(others);
     shown::sentence(&first.join("\n")) + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and `NO_COLOR` is not set.
 pub fn complain(text: &str) {
-    let styled =
-        |text: String, word: &str, style: Style| text.replacen(word, &format!("{style}{word}{style:#}"), 1);
+    let styled = |text: String, word: &str, style: Style| {
+        text.replacen(word, &format!("{style}{word}{style:#}"), 1)
+    };
     let text = styled(width::broken_aside(text), "error:", ERROR);
     let _ = writeln!(anstream::stderr(), "{}", styled(text, "\n  hint:", HINT));
 }

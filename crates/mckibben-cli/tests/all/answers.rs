@@ -1,14 +1,24 @@
-//! Answers of one command in another: files that one writes and another reads, and the same muscle by several ways.
+//! Answers of one command in another: files that one writes and another reads, and the same muscle
+//! by several ways.
 
-use crate::common::{assert_close, copy, folder, json, json_in, mckibben, names, number, root, run_in};
+use crate::common::{
+    assert_close, copy, folder, json, json_in, mckibben, names, number, root, run_in,
+};
 use serde_json::Value;
 use std::path::Path;
 
 fn last(answer: &Value, key: &str) -> f64 {
-    answer["series"][key].as_array().unwrap().last().unwrap().as_f64().unwrap()
+    answer["series"][key]
+        .as_array()
+        .unwrap()
+        .last()
+        .unwrap()
+        .as_f64()
+        .unwrap()
 }
 
-/// An identity: the muscle file of a design answers every command with the digits of the table, ± included.
+/// An identity: the muscle file of a design answers every command with the digits of the table, ±
+/// included.
 #[test]
 fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     let dir = folder();
@@ -16,14 +26,24 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     assert_eq!(names(dir.path()), ["winner.toml"], "no temporary files");
     let best = &design["candidates"][0];
     let tube = json(&format!("parts show {}", best["tube"].as_str().unwrap()))["tube"].take();
-    assert_eq!((&tube["outer_diameter_mm"], &tube["rubber"]), (&best["outer_diameter_mm"], &best["rubber"]));
+    assert_eq!(
+        (&tube["outer_diameter_mm"], &tube["rubber"]),
+        (&best["outer_diameter_mm"], &best["rubber"])
+    );
     let promised = number(&best["points"][0], "force_at_max_pressure_n");
     let highest_mpa = number(best, "highest_pressure_mpa");
     assert!(promised >= 700.0 && highest_mpa == number(best, "allowed_pressure_mpa").min(0.25));
     // Of a muscle that shortens.
     for line in ["force winner.toml", "curve isobaric winner.toml"] {
-        let answer = json_in(dir.path(), &format!("{line} -p {highest_mpa} -e 15% --branch contraction"));
-        let point = if answer["points"].is_array() { &answer["points"][0] } else { &answer };
+        let answer = json_in(
+            dir.path(),
+            &format!("{line} -p {highest_mpa} -e 15% --branch contraction"),
+        );
+        let point = if answer["points"].is_array() {
+            &answer["points"][0]
+        } else {
+            &answer
+        };
         assert_close(number(point, "force_n"), promised, 1e-6);
     }
     let answer = json_in(dir.path(), "force winner.toml -p 2.5bar -e 15%");
@@ -49,13 +69,21 @@ fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertain
     }
 }
 
-/// The identity that defines it: there the tension of the most loaded strand of the blocked muscle is its strength.
+/// The identity that defines it: there the tension of the most loaded strand of the blocked muscle
+/// is its strength.
 #[test]
 fn one_burst_pressure_in_every_command_to_the_last_digit() {
     let dir = copy();
     let ask = |line: &str| json_in(dir.path(), line);
     let burst = ask("check hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
-    assert_close(number(&ask(&format!("force hose.toml -p {burst}MPa")), "strand_tension_n"), 40.0, 1e-8);
+    assert_close(
+        number(
+            &ask(&format!("force hose.toml -p {burst}MPa")),
+            "strand_tension_n",
+        ),
+        40.0,
+        1e-8,
+    );
     for line in [
         "force hose.toml -p 22bar",
         "pressure hose.toml -F 300N -e 5%",
@@ -63,7 +91,8 @@ fn one_burst_pressure_in_every_command_to_the_last_digit() {
         "curve isobaric hose.toml -p 2bar",
         "simulate hose.toml --test isobaric -p 2bar",
         "joint joint.toml -p 3bar,1bar --angle 0",
-        "motion --muscle hose.toml --load mass:5kg --valve festo-mh2 --damping 200Ns/m --until 0.3s -p 3bar",
+        "motion --muscle hose.toml --load mass:5kg --valve festo-mh2 --damping 200Ns/m --until \
+         0.3s -p 3bar",
         "build hose.toml -p 3bar",
     ] {
         assert_eq!(ask(line)["burst_pressure_mpa"], burst, "{line}");
@@ -82,12 +111,22 @@ fn a_name_stands_for_its_muscle_file() {
     for file in ["mine.toml", "LIB:DMSP_20_300"] {
         assert_eq!(by_name, ask(&format!("force {file} -p 5bar -e 10%")));
     }
-    let [a, b] = ["libjoint.toml", "minejoint.toml"].map(|file| ask(&format!("joint {file} -p 3bar,2bar")));
+    let [a, b] =
+        ["libjoint.toml", "minejoint.toml"].map(|file| ask(&format!("joint {file} -p 3bar,2bar")));
     assert_eq!(a["points"], b["points"]);
-    assert_eq!(number(&ask("force lib:dmsp-20-300 -L 400mm -p 5bar")["muscle"], "length_mm"), 400.0);
+    assert_eq!(
+        number(
+            &ask("force lib:dmsp-20-300 -L 400mm -p 5bar")["muscle"],
+            "length_mm"
+        ),
+        400.0
+    );
     let paper = "design -F 700N -e 15% -p 2.5bar --model universal";
     let [a, b] = ["--continuous", "--muscle paper"].map(|more| json(&format!("{paper} {more}")));
-    assert_eq!(a["candidates"][0]["outer_diameter_mm"], b["candidates"][0]["outer_diameter_mm"]);
+    assert_eq!(
+        a["candidates"][0]["outer_diameter_mm"],
+        b["candidates"][0]["outer_diameter_mm"]
+    );
 }
 
 /// Static answers, which know nothing of motion.
@@ -97,39 +136,63 @@ fn motions_end_where_the_static_answers_have_them() {
     let ask = |line: &str| json_in(dir.path(), &format!("{line} --model universal"));
     let before = |answer: &Value, key: &str, time_s: f64| -> f64 {
         let times = answer["series"]["time_s"].as_array().unwrap();
-        let i = times.iter().rposition(|t| t.as_f64().unwrap() < time_s).unwrap();
+        let i = times
+            .iter()
+            .rposition(|t| t.as_f64().unwrap() < time_s)
+            .unwrap();
         answer["series"][key][i].as_f64().unwrap()
     };
     let muscle = "--muscle examples/prototype.toml --load mass:10kg";
-    let held = number(&ask(&format!("contraction -p 3bar {muscle}")), "contraction");
+    let held = number(
+        &ask(&format!("contraction -p 3bar {muscle}")),
+        "contraction",
+    );
     let drive = ask("motion examples/drive.toml");
     assert_close(before(&drive, "contraction", 2.0), held, 1e-4);
-    assert_close(before(&ask("motion examples/pump-drive.toml"), "contraction", 8.0), held, 1e-3);
+    assert_close(
+        before(&ask("motion examples/pump-drive.toml"), "contraction", 8.0),
+        held,
+        1e-3,
+    );
     let rest = ask("joint examples/elbow.toml -p 2bar,1bar");
     let turned = last(&ask("motion examples/elbow-drive.toml"), "angle_deg");
-    assert!((turned - number(&rest["points"][0], "angle_deg")).abs() < 0.02, "{turned}");
+    assert!(
+        (turned - number(&rest["points"][0], "angle_deg")).abs() < 0.02,
+        "{turned}"
+    );
     // What stays in the syringe of 150 mL is beside the dead volume of 10 mL.
     let syringe = ask("motion examples/syringe-drive.toml");
     let pushed = 150.0 * before(&syringe, "opening", 2.0);
     let dead = 160.0 - pushed;
-    let filled = ask(&format!("fill {muscle} --volume {pushed}mL --gas 0.5% --dead-volume {dead}mL"));
+    let filled = ask(&format!(
+        "fill {muscle} --volume {pushed}mL --gas 0.5% --dead-volume {dead}mL"
+    ));
     for key in ["pressure_mpa", "contraction"] {
         assert_close(before(&syringe, key, 2.0), number(&filled, key), 1e-5);
     }
     // Ends that are held, by flags and by stops that leave no way.
-    let held = number(&ask("force -p 2bar -e 10% --muscle examples/prototype.toml"), "force_n");
-    let line = "motion --muscle examples/prototype.toml --load held:10% -p 2bar --valve festo-mh2 --until 1s";
+    let held = number(
+        &ask("force -p 2bar -e 10% --muscle examples/prototype.toml"),
+        "force_n",
+    );
+    let line = "motion --muscle examples/prototype.toml --load held:10% -p 2bar --valve festo-mh2 \
+        --until 1s";
     let force = last(&ask(line), "force_n");
     assert_close(force, held, 1e-4);
     assert_close(last(&ask("motion stops.toml"), "force_n"), force, 1e-6);
     // A file says what flags say, and tables what words say.
     let flags = "-p 3bar --valve 0.5 --damping 200 --until 1s";
-    assert_eq!(ask("motion step.toml")["series"], ask(&format!("motion {muscle} {flags}"))["series"]);
-    let [a, b] = ["spoken", "tables"].map(|name| last(&ask(&format!("motion {name}.toml")), "contraction"));
+    assert_eq!(
+        ask("motion step.toml")["series"],
+        ask(&format!("motion {muscle} {flags}"))["series"]
+    );
+    let [a, b] =
+        ["spoken", "tables"].map(|name| last(&ask(&format!("motion {name}.toml")), "contraction"));
     assert!((a - b).abs() < 1e-7 && a > 0.1, "{a} {b}");
 }
 
-/// The ± of where a hanging mass comes to rest is that of `contraction` with the same load, by hand from its keys: ±F/(K L0).
+/// The ± of where a hanging mass comes to rest is that of `contraction` with the same load, by hand
+/// from its keys: ±F/(K L0).
 #[test]
 fn the_end_of_a_motion_has_the_uncertainty_of_its_equilibrium() {
     let muscle = "--muscle examples/prototype.toml --load mass:20kg -p 2bar --model thick-wall";
@@ -139,30 +202,51 @@ fn the_end_of_a_motion_has_the_uncertainty_of_its_equilibrium() {
     let half = number(at, "uncertainty_n") / (number(at, "held_stiffness_n_per_mm") * 285.0);
     assert_close(number(&motion, "end_contraction_uncertainty"), half, 1e-9);
     assert_eq!(motion["at_rest"], true);
-    assert!(mckibben(&line).ok().text().lines().any(|l| l.contains("ends at") && l.contains(" ± ")));
+    assert!(
+        mckibben(&line)
+            .ok()
+            .text()
+            .lines()
+            .any(|l| l.contains("ends at") && l.contains(" ± "))
+    );
 }
 
 /// An identity: the torque and the stiffness of a joint at two pressures give back the pressures.
 #[test]
 fn a_joint_gives_back_its_pressures_and_a_designed_one_is_a_joint_file() {
     let there =
-        json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal")["points"].take();
-    let [torque, stiffness] = ["torque_nm", "stiffness_nm_per_rad"].map(|key| number(&there[0], key));
-    let line = format!("joint examples/elbow.toml --angle 10deg --torque {torque} --stiffness {stiffness}");
+        json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal")["points"]
+            .take();
+    let [torque, stiffness] =
+        ["torque_nm", "stiffness_nm_per_rad"].map(|key| number(&there[0], key));
+    let line = format!(
+        "joint examples/elbow.toml --angle 10deg --torque {torque} --stiffness {stiffness}"
+    );
     let back = json(&format!("{line} --model universal"))["points"].take();
     assert_close(number(&back[0], "pressure_1_mpa"), 0.2, 1e-6);
     assert_close(number(&back[0], "pressure_2_mpa"), 0.1, 1e-6);
     // What a design prints is a joint file that works beside its muscle file.
     let dir = folder();
-    let line =
-        "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model thick-wall -o el.toml";
+    let line = "design --joint 3Nm@30deg -p 4bar --length 250 --rubber dragon-skin-30 --model \
+        thick-wall -o el.toml";
     let ran = run_in(dir.path(), line).ok();
     let text = ran.text().split("[joint]").nth(1).unwrap();
-    let lines = text.lines().take_while(|l| !l.starts_with("Near") && !l.contains(" │ "));
-    let lines: Vec<&str> =
-        lines.filter(|l| l.is_empty() || l.contains(" = ") || l.starts_with('[')).collect();
-    std::fs::write(dir.path().join("joint.toml"), format!("[joint]{}", lines.join("\n"))).unwrap();
-    run_in(dir.path(), "joint joint.toml -p 2bar,2bar --angle 0 --model thick-wall").ok();
+    let lines = text
+        .lines()
+        .take_while(|l| !l.starts_with("Near") && !l.contains(" │ "));
+    let lines: Vec<&str> = lines
+        .filter(|l| l.is_empty() || l.contains(" = ") || l.starts_with('['))
+        .collect();
+    std::fs::write(
+        dir.path().join("joint.toml"),
+        format!("[joint]{}", lines.join("\n")),
+    )
+    .unwrap();
+    run_in(
+        dir.path(),
+        "joint joint.toml -p 2bar,2bar --angle 0 --model thick-wall",
+    )
+    .ok();
 }
 
 /// The written muscle carries the laws of the answer to the last bit, and `force` answers with it.
@@ -170,7 +254,11 @@ fn a_joint_gives_back_its_pressures_and_a_designed_one_is_a_joint_file() {
 fn the_muscle_file_of_a_rubber_has_its_constants() {
     let dir = copy();
     for (line, part, names) in [
-        ("rubber data/silicones/dragon_skin_30.csv --law yeoh --up-to 3", "", ["c10", "c20", "c30"]),
+        (
+            "rubber data/silicones/dragon_skin_30.csv --law yeoh --up-to 3",
+            "",
+            ["c10", "c20", "c30"],
+        ),
         (
             "rubber data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3",
             "/relaxation/instantaneous",
@@ -186,56 +274,94 @@ fn the_muscle_file_of_a_rubber_has_its_constants() {
             };
             assert_eq!(number(&shown["constants_mpa"], name), ours, "{line}");
         }
-        let pull = number(&json_in(dir.path(), "force m.toml -p 2bar -e 10%"), "force_n");
+        let pull = number(
+            &json_in(dir.path(), "force m.toml -p 2bar -e 10%"),
+            "force_n",
+        );
         assert!(pull > 0.0 || !part.is_empty(), "{line}");
     }
-    let prony =
-        mckibben::muscle::file::read_muscle(dir.path().join("m.toml")).unwrap().tube().rubber.prony.clone();
+    let prony = mckibben::muscle::file::read_muscle(dir.path().join("m.toml"))
+        .unwrap()
+        .tube()
+        .rubber
+        .prony
+        .clone();
     assert_eq!(prony.unwrap().branches.len(), 3);
-    std::fs::write(dir.path().join("mine.toml"), "[tube]\nrubber = \"dragon-skin-30\"\n").unwrap();
-    let [a, b] = ["mine.toml", "dragon-skin-30"]
-        .map(|rubber| json_in(dir.path(), &format!("force -p 2bar -e 10% --rubber {rubber}")));
+    std::fs::write(
+        dir.path().join("mine.toml"),
+        "[tube]\nrubber = \"dragon-skin-30\"\n",
+    )
+    .unwrap();
+    let [a, b] = ["mine.toml", "dragon-skin-30"].map(|rubber| {
+        json_in(
+            dir.path(),
+            &format!("force -p 2bar -e 10% --rubber {rubber}"),
+        )
+    });
     assert_eq!(a["force_n"], b["force_n"]);
 }
 
-/// μ 0.4 MPa and k 900 N/mm made the points; the noise of 4 N is ours: t(8) √(1 + …) times as much on the bench, the general ± elsewhere.
+/// μ 0.4 MPa and k 900 N/mm made the points; the noise of 4 N is ours: t(8) √(1 + …) times as much
+/// on the bench, the general ± elsewhere.
 #[test]
 fn the_bench_example_finds_what_made_its_points_and_its_file_has_the_uncertainty_of_the_bench() {
     let dir = copy();
-    let identified =
-        json_in(dir.path(), "identify examples/bench.toml --data examples/bench.csv -o found.toml");
-    for (p, truth) in identified["parameters"].as_array().unwrap().iter().zip([0.4, 900.0]) {
+    let identified = json_in(
+        dir.path(),
+        "identify examples/bench.toml --data examples/bench.csv -o found.toml",
+    );
+    for (p, truth) in identified["parameters"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip([0.4, 900.0])
+    {
         assert!(
-            p["identifiable"] == true && (number(p, "value") - truth).abs() <= number(p, "half_width_95")
+            p["identifiable"] == true
+                && (number(p, "value") - truth).abs() <= number(p, "half_width_95")
         );
     }
     assert!((2.0..6.0).contains(&number(&identified, "rms_n")));
     let force = |more: &str| json_in(dir.path(), &format!("force found.toml -e 8% {more}"));
     assert!((9.0..16.0).contains(&number(&force("-p 3bar"), "uncertainty_n")));
     for elsewhere in ["-p 4bar", "-p 3bar -D 21"] {
-        assert!(number(&force(elsewhere), "uncertainty_n") > 60.0, "{elsewhere}");
+        assert!(
+            number(&force(elsewhere), "uncertainty_n") > 60.0,
+            "{elsewhere}"
+        );
     }
 }
 
-/// Forces are rounded to 0.01 N; what conversions round adds less than 0.001 N. With J = ∂F/∂μ at the n points, least squares
-/// move μ by JᵀδF/JᵀJ, at most |δF|/|J| = 0.006 N/rms(J), and rms(J) is the rms residual at the start over the way from there.
-/// The points of `tests/bench` are one muscle's with a shear modulus of 0.25 MPa (`muscle.toml`, which begins at 0.4), computed by finite
-/// elements, in the spellings of seventeen benches.
+/// Forces are rounded to 0.01 N; what conversions round adds less than 0.001 N. With J = ∂F/∂μ at
+/// the n points, least squares move μ by JᵀδF/JᵀJ, at most |δF|/|J| = 0.006 N/rms(J), and rms(J) is
+/// the rms residual at the start over the way from there. The points of `tests/bench` are one
+/// muscle's with a shear modulus of 0.25 MPa (`muscle.toml`, which begins at 0.4), computed by
+/// finite elements, in the spellings of seventeen benches.
 #[test]
 fn every_bench_gives_the_modulus_that_made_its_points() {
     let dir = copy();
     for row in include_str!("../rows/benches.tsv").lines() {
         let cells: Vec<&str> = row.split('\t').collect();
-        let line = format!("identify bench/muscle.toml --data bench/{} --free mu {}", cells[0], cells[1]);
+        let line = format!(
+            "identify bench/muscle.toml --data bench/{} --free mu {}",
+            cells[0], cells[1]
+        );
         let identified = json_in(dir.path(), &line);
         let tolerance = 0.006 / (number(&identified, "rms_before_n") / (0.4 - 0.25));
         let mu = number(&identified["parameters"][0], "value");
-        assert!(tolerance < 3e-5 && (mu - 0.25).abs() <= tolerance, "{row}: {mu}");
+        assert!(
+            tolerance < 3e-5 && (mu - 0.25).abs() <= tolerance,
+            "{row}: {mu}"
+        );
         assert_eq!(identified["understood"][0]["rows"], 12, "{row}");
-        let columns = identified["understood"][0]["columns"].as_array().unwrap().iter();
+        let columns = identified["understood"][0]["columns"]
+            .as_array()
+            .unwrap()
+            .iter();
         let word = |c: &Value, key: &str| c[key].as_str().unwrap().to_owned();
-        let columns: Vec<String> =
-            columns.map(|c| format!("{} [{}]", word(c, "quantity"), word(c, "unit"))).collect();
+        let columns: Vec<String> = columns
+            .map(|c| format!("{} [{}]", word(c, "quantity"), word(c, "unit")))
+            .collect();
         assert_eq!(columns, cells[2..], "{row}");
     }
 }
@@ -245,51 +371,100 @@ fn a_curve_is_data_for_compare() {
     let dir = folder();
     let line = "curve isobaric -D 40 -s 2 -p 0.1..0.2:0.05 -e 0..0.15:0.05 -o curve.csv";
     run_in(dir.path(), line).ok();
-    let same = json_in(dir.path(), "compare -D 40 -s 2 --models fe,ideal --data curve.csv");
+    let same = json_in(
+        dir.path(),
+        "compare -D 40 -s 2 --models fe,ideal --data curve.csv",
+    );
     assert_eq!(same["reference"], "measured");
-    assert!(number(&same["models"][0], "rms_n") < 1e-6 && number(&same["models"][1], "rms_n") > 1.0);
+    assert!(
+        number(&same["models"][0], "rms_n") < 1e-6 && number(&same["models"][1], "rms_n") > 1.0
+    );
     // Points without answer are left out.
-    run_in(dir.path(), "curve isobaric -p 0.2,0.3 --model paper -o some.csv").ok();
-    assert_eq!(json_in(dir.path(), "compare --models paper --data some.csv")["points"], 21);
+    run_in(
+        dir.path(),
+        "curve isobaric -p 0.2,0.3 --model paper -o some.csv",
+    )
+    .ok();
+    assert_eq!(
+        json_in(dir.path(), "compare --models paper --data some.csv")["points"],
+        21
+    );
 }
 
-/// The same formula comes out of a campaign in Parquet as from nothing but its points in CSV, and says which plan it is from.
+/// The same formula comes out of a campaign in Parquet as from nothing but its points in CSV, and
+/// says which plan it is from.
 #[test]
 fn a_campaign_becomes_a_formula() {
     let dir = copy();
     run_in(dir.path(), "campaign plans/paper.toml -o c.parquet --quiet").ok();
     let formula = json_in(dir.path(), "fit c.parquet --method paper -o c.json");
-    assert_eq!(formula["provenance"]["plan_hash"].as_str().map(str::len), Some(64));
-    let shown =
-        run_in(dir.path(), "fit data/campaign/paper.csv --hold-out 35 -o f.json --tables t/x --plots p");
-    for part in ["held out: D0 35", "a rises with P", "left out: D0 < 35", "Smallest R²"] {
+    assert_eq!(
+        formula["provenance"]["plan_hash"].as_str().map(str::len),
+        Some(64)
+    );
+    let shown = run_in(
+        dir.path(),
+        "fit data/campaign/paper.csv --hold-out 35 -o f.json --tables t/x --plots p",
+    );
+    for part in [
+        "held out: D0 35",
+        "a rises with P",
+        "left out: D0 < 35",
+        "Smallest R²",
+    ] {
         assert!(shown.clone().ok().text().contains(part), "{part}");
     }
-    assert_eq!([names(&dir.path().join("t/x")).len(), names(&dir.path().join("p")).len()], [6, 8]);
+    assert_eq!(
+        [
+            names(&dir.path().join("t/x")).len(),
+            names(&dir.path().join("p")).len()
+        ],
+        [6, 8]
+    );
     let [a, b] = ["c.json", "f.json"].map(|name| {
-        number(&json_in(dir.path(), &format!("force -D 40 -s 2 -p 0.2 -e 0.1 --model {name}")), "force_n")
+        number(
+            &json_in(
+                dir.path(),
+                &format!("force -D 40 -s 2 -p 0.2 -e 0.1 --model {name}"),
+            ),
+            "force_n",
+        )
     });
     assert_close(a, b, 1e-5);
 }
 
-/// The sheet with the forces of a model in it is read as it is, and the muscle of the folder comes back: an identity.
+/// The sheet with the forces of a model in it is read as it is, and the muscle of the folder comes
+/// back: an identity.
 #[test]
 fn the_test_sheet_is_read_back_by_identify() {
     let dir = folder();
-    let line =
-        "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L 200mm -p 2bar -o .";
-    assert!(run_in(dir.path(), line).ok().text().contains("begin with README.md"));
+    let line = "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L \
+        200mm -p 2bar -o .";
+    assert!(
+        run_in(dir.path(), line)
+            .ok()
+            .text()
+            .contains("begin with README.md")
+    );
     let sheet = dir.path().join("test.csv");
     let text = std::fs::read_to_string(&sheet).unwrap();
     let rows = |line: &&str| line.split(',').nth(2) == Some("");
     let points: Vec<&str> = text.lines().filter(rows).collect();
     let mut filled = text.clone();
     for line in &points {
-        let [p, e, _, branch, distance] = line.split(',').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let [p, e, _, branch, distance] = line.split(',').collect::<Vec<_>>()[..] else {
+            panic!("{line}")
+        };
         let there = 200.0 * (1.0 - e.parse::<f64>().unwrap());
-        assert!((there - distance.parse::<f64>().unwrap()).abs() < 0.051, "{line}");
+        assert!(
+            (there - distance.parse::<f64>().unwrap()).abs() < 0.051,
+            "{line}"
+        );
         let force = number(
-            &json_in(dir.path(), &format!("force muscle.toml -p {p} -e {e} --model thick-wall")),
+            &json_in(
+                dir.path(),
+                &format!("force muscle.toml -p {p} -e {e} --model thick-wall"),
+            ),
             "force_n",
         );
         // The muscle pulls at every point of the test.
@@ -301,16 +476,28 @@ fn the_test_sheet_is_read_back_by_identify() {
         "{filled}"
     );
     let report = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
-    let bench = report.split("<h2>Bench test</h2>").nth(1).unwrap().split("</table>").next().unwrap();
+    let bench = report
+        .split("<h2>Bench test</h2>")
+        .nth(1)
+        .unwrap()
+        .split("</table>")
+        .next()
+        .unwrap();
     assert_eq!(bench.matches("<td></td>").count(), points.len());
     std::fs::write(&sheet, &filled).unwrap();
-    let answer =
-        json_in(dir.path(), "identify muscle.toml --data test.csv --model thick-wall --free modulus");
+    let answer = json_in(
+        dir.path(),
+        "identify muscle.toml --data test.csv --model thick-wall --free modulus",
+    );
     assert_eq!(answer["points"].as_array().unwrap().len(), points.len());
     assert_close(number(&answer["parameters"][0], "value"), 1.0, 1e-6);
     // What was measured is not lost.
     let again = run_in(dir.path(), line);
-    assert!(again.code == 2 && again.err.contains("would be overwritten"), "{}", again.err);
+    assert!(
+        again.code == 2 && again.err.contains("would be overwritten"),
+        "{}",
+        again.err
+    );
     assert_eq!(std::fs::read_to_string(&sheet).unwrap(), filled);
 }
 
@@ -319,19 +506,35 @@ fn the_test_sheet_is_read_back_by_identify() {
 fn the_papers_points_are_its_tables() {
     let rows = |path: &str| -> Vec<Vec<f64>> {
         let text = std::fs::read_to_string(root().join(Path::new(path))).unwrap();
-        let lines = text.lines().filter(|l| l.starts_with(|c: char| c.is_ascii_digit()));
-        lines.map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect()
+        let lines = text
+            .lines()
+            .filter(|l| l.starts_with(|c: char| c.is_ascii_digit()));
+        lines
+            .map(|l| l.split(',').map(|v| v.parse().unwrap()).collect())
+            .collect()
     };
-    let (table, points) = (rows("crates/mckibben/data/table1.csv"), rows("data/paper/table1.csv"));
+    let (table, points) = (
+        rows("crates/mckibben/data/table1.csv"),
+        rows("data/paper/table1.csv"),
+    );
     assert_eq!(points.len(), 25);
     for p in points {
         let abc = table.iter().find(|t| t[0] == p[4]).unwrap();
-        assert!(((abc[1] * p[5] + abc[2]) * p[5] + abc[3] - p[6]).abs() < 1e-3, "{p:?}");
+        assert!(
+            ((abc[1] * p[5] + abc[2]) * p[5] + abc[3] - p[6]).abs() < 1e-3,
+            "{p:?}"
+        );
     }
     let points = rows("data/paper/formula11.csv");
     assert_eq!(points.len(), 500);
     for p in points.iter().step_by(7) {
-        let line = format!("force -D {} -s {} -p {} -e {} --model paper --two-sided", p[0], p[1], p[4], p[5]);
-        assert!((number(&json(&line), "force_n") - p[6]).abs() < 1e-3, "{p:?}");
+        let line = format!(
+            "force -D {} -s {} -p {} -e {} --model paper --two-sided",
+            p[0], p[1], p[4], p[5]
+        );
+        assert!(
+            (number(&json(&line), "force_n") - p[6]).abs() < 1e-3,
+            "{p:?}"
+        );
     }
 }

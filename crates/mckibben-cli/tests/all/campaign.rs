@@ -11,7 +11,8 @@ use tempfile::TempDir;
 
 /// A campaign of some seconds.
 const PLAN: &str = "[sampling]\nmethod = \"sobol\"\nsamples = 120\nseed = 5\n\
-    [vary]\ntube.outer_diameter = \"20..50 mm\"\ntube.wall_ratio = \"4..12%\"\nbraid.angle = \"22..32\"\n\
+    [vary]\ntube.outer_diameter = \"20..50 mm\"\ntube.wall_ratio = \"4..12%\"\nbraid.angle \
+    = \"22..32\"\n\
     [test]\ncontractions = \"0,5,10%\"\npressures = \"0.05..0.3:0.05\"\nsensitivities = true\n";
 
 fn with_plan() -> TempDir {
@@ -27,7 +28,11 @@ fn campaign(dir: &Path, words: &str) -> Ran {
 fn started(dir: &Path, out: &str) -> Child {
     let mut command = command(dir);
     command.args(["campaign", "plan.toml", "-o", out, "--quiet"]);
-    command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    command
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
 }
 
 fn reference(dir: &Path) -> Vec<u8> {
@@ -36,7 +41,10 @@ fn reference(dir: &Path) -> Vec<u8> {
 }
 
 fn signal(child: &Child, name: &str) {
-    Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status().unwrap();
+    Command::new("kill")
+        .args([&format!("-{name}"), &child.id().to_string()])
+        .status()
+        .unwrap();
 }
 
 fn shown(dir: &Path, store: &str) -> Option<Value> {
@@ -52,7 +60,11 @@ fn killed_at_random_moments_and_resumed_it_is_the_same_bytes() {
     let whole = from.elapsed();
     let mut random = Random(7);
     for out in ["file.parquet", "parts"] {
-        let store = if out == "parts" { "parts" } else { "file.parquet.parts" };
+        let store = if out == "parts" {
+            "parts"
+        } else {
+            "file.parquet.parts"
+        };
         let mut had = 0;
         for _ in 0..8 {
             let mut child = started(dir.path(), out);
@@ -72,8 +84,14 @@ fn killed_at_random_moments_and_resumed_it_is_the_same_bytes() {
                 had = muscles;
             }
         }
-        let last = campaign(dir.path(), &format!("plan.toml -o {out} --format json")).ok().json();
-        assert_eq!((&last["muscles"], &last["complete"]), (&120.into(), &true.into()), "{last}");
+        let last = campaign(dir.path(), &format!("plan.toml -o {out} --format json"))
+            .ok()
+            .json();
+        assert_eq!(
+            (&last["muscles"], &last["complete"]),
+            (&120.into(), &true.into()),
+            "{last}"
+        );
         assert!(last["muscles_resumed"].as_u64().unwrap() >= had, "{last}");
     }
     campaign(dir.path(), "merge parts -o merged.parquet").ok();
@@ -113,19 +131,41 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
     let limited = |blocks: usize, out: &str| {
         let program = env!("CARGO_BIN_EXE_mckibben");
         // Ignored, the signal of the limit becomes the error that a full disk gives.
-        let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec {program} campaign plan.toml -o {out}");
-        ran(Command::new("sh").args(["-c", &script]).current_dir(dir.path()).output().unwrap())
+        let script =
+            format!("trap '' XFSZ; ulimit -f {blocks}; exec {program} campaign plan.toml -o {out}");
+        ran(Command::new("sh")
+            .args(["-c", &script])
+            .current_dir(dir.path())
+            .output()
+            .unwrap())
     };
     // Not one part fits; parts fit and the file does not.
-    for (blocks, out, what) in
-        [(4, "parts/", "parts/part-"), (4, "c.parquet", "c.parquet"), (60, "c.parquet", "c.parquet")]
-    {
+    for (blocks, out, what) in [
+        (4, "parts/", "parts/part-"),
+        (4, "c.parquet", "c.parquet"),
+        (60, "c.parquet", "c.parquet"),
+    ] {
         let full = limited(blocks, out);
         assert_eq!(full.code, 2, "{full:?}");
-        assert!(full.err.contains(&format!("error: cannot write {what}")), "{}", full.err);
-        assert!(full.err.contains("the same command continues"), "{}", full.err);
-        assert!(!dir.path().join("c.parquet").exists(), "nothing half-written");
-        assert!(!names(dir.path()).iter().any(|name| name.starts_with(".unfinished")));
+        assert!(
+            full.err.contains(&format!("error: cannot write {what}")),
+            "{}",
+            full.err
+        );
+        assert!(
+            full.err.contains("the same command continues"),
+            "{}",
+            full.err
+        );
+        assert!(
+            !dir.path().join("c.parquet").exists(),
+            "nothing half-written"
+        );
+        assert!(
+            !names(dir.path())
+                .iter()
+                .any(|name| name.starts_with(".unfinished"))
+        );
     }
     campaign(dir.path(), "plan.toml -o c.parquet").ok();
     campaign(dir.path(), "plan.toml -o parts/").ok();
@@ -137,17 +177,30 @@ fn a_full_disk_ends_in_a_clear_error_with_a_valid_store() {
 #[test]
 fn damaged_parts_are_named() {
     let dir = with_plan();
-    std::fs::write(dir.path().join("small.toml"), PLAN.replace("120", "3").replace("true", "false")).unwrap();
+    std::fs::write(
+        dir.path().join("small.toml"),
+        PLAN.replace("120", "3").replace("true", "false"),
+    )
+    .unwrap();
     campaign(dir.path(), "small.toml -o parts").ok();
     let part = dir.path().join("parts/part-000001.parquet");
     let whole = std::fs::read(&part).unwrap();
     std::fs::write(&part, &whole[..1000]).unwrap();
     let merged = campaign(dir.path(), "merge parts -o m.parquet --format json");
-    assert_eq!((merged.code, &merged.error()["kind"]), (2, &"damaged".into()));
-    assert!(merged.err.contains("part-000001.parquet is damaged"), "{}", merged.err);
+    assert_eq!(
+        (merged.code, &merged.error()["kind"]),
+        (2, &"damaged".into())
+    );
+    assert!(
+        merged.err.contains("part-000001.parquet is damaged"),
+        "{}",
+        merged.err
+    );
     let again = campaign(dir.path(), "small.toml -o parts").ok();
     assert!(
-        again.err.contains("warning: parts/part-000001.parquet was damaged and is recomputed"),
+        again
+            .err
+            .contains("warning: parts/part-000001.parquet was damaged and is recomputed"),
         "{}",
         again.err
     );
@@ -156,8 +209,22 @@ fn damaged_parts_are_named() {
 
 fn shard(dir: &Path, plan: &str, out: &str, share: &str) -> Child {
     let mut command = command(dir);
-    command.args(["campaign", plan, "-o", out, "--shard", share, "--threads", "1", "--quiet"]);
-    command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+    command.args([
+        "campaign",
+        plan,
+        "-o",
+        out,
+        "--shard",
+        share,
+        "--threads",
+        "1",
+        "--quiet",
+    ]);
+    command
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
 }
 
 /// Four shards, two at once; a random one is killed twenty times, and started again.
@@ -169,7 +236,8 @@ fn shards_killed_twenty_times_give_the_same_bytes() {
     let mut killed = 0;
     for round in 0..20 {
         let shares = [1 + round % 4, 1 + (round + 1) % 4];
-        let [mut one, mut other] = shares.map(|i| shard(dir.path(), "plan.toml", "parts", &format!("{i}/4")));
+        let [mut one, mut other] =
+            shares.map(|i| shard(dir.path(), "plan.toml", "parts", &format!("{i}/4")));
         std::thread::sleep(Duration::from_millis(random.bits() % 150));
         one.kill().unwrap();
         killed += i32::from(!one.wait().unwrap().success());
@@ -178,18 +246,32 @@ fn shards_killed_twenty_times_give_the_same_bytes() {
     }
     assert!(killed > 5, "they were too fast to be killed");
     for i in 1..=4 {
-        assert!(shard(dir.path(), "plan.toml", "parts", &format!("{i}/4")).wait().unwrap().success());
+        assert!(
+            shard(dir.path(), "plan.toml", "parts", &format!("{i}/4"))
+                .wait()
+                .unwrap()
+                .success()
+        );
     }
     campaign(dir.path(), "merge parts -o merged.parquet").ok();
     assert!(std::fs::read(dir.path().join("merged.parquet")).unwrap() == expected);
     let left = names(&dir.path().join("parts"));
-    let left: Vec<&String> = left.iter().filter(|name| name.starts_with(".unfinished-part")).collect();
-    assert!(left.is_empty(), "what killed shards left is removed: {left:?}");
+    let left: Vec<&String> = left
+        .iter()
+        .filter(|name| name.starts_with(".unfinished-part"))
+        .collect();
+    assert!(
+        left.is_empty(),
+        "what killed shards left is removed: {left:?}"
+    );
 }
 
 fn state(status: &Value, share: usize) -> (&str, u64) {
     let shard = &status["shards"][share - 1];
-    (shard["state"].as_str().unwrap(), shard["parts"].as_u64().unwrap())
+    (
+        shard["state"].as_str().unwrap(),
+        shard["parts"].as_u64().unwrap(),
+    )
 }
 
 #[test]
@@ -200,40 +282,73 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
         assert_eq!(ran.code, code, "{ran:?}");
         ran.json()
     };
-    assert_eq!(campaign(dir.path(), "status parts").code, 2, "there is nothing yet");
-    assert!(shard(dir.path(), "plan.toml", "parts", "1/3").wait().unwrap().success());
+    assert_eq!(
+        campaign(dir.path(), "status parts").code,
+        2,
+        "there is nothing yet"
+    );
+    assert!(
+        shard(dir.path(), "plan.toml", "parts", "1/3")
+            .wait()
+            .unwrap()
+            .success()
+    );
     let first = status(1);
     assert_eq!(
         (state(&first, 1).0, state(&first, 2), state(&first, 3).0),
         ("done", ("missing", 0), "missing")
     );
-    assert_eq!((&first["parts_wanted"], &first["complete"]), (&120.into(), &false.into()));
+    assert_eq!(
+        (&first["parts_wanted"], &first["complete"]),
+        (&120.into(), &false.into())
+    );
 
     let mut child = shard(dir.path(), "plan.toml", "parts", "2/3");
     let from = Instant::now();
-    while !dir.path().join("parts/part-000001.parquet").exists() && from.elapsed() < Duration::from_secs(30) {
+    while !dir.path().join("parts/part-000001.parquet").exists()
+        && from.elapsed() < Duration::from_secs(30)
+    {
         std::thread::sleep(Duration::from_millis(5));
     }
     // It holds its lock and goes no further while it is looked at.
     signal(&child, "STOP");
     let running = campaign(dir.path(), "status parts --format json").json();
-    assert_eq!((state(&running, 2).0, &running["shards_running"]), ("running", &1.into()), "{running}");
+    assert_eq!(
+        (state(&running, 2).0, &running["shards_running"]),
+        ("running", &1.into()),
+        "{running}"
+    );
     // The same shard once more is refused, and the first is not disturbed.
     let second = campaign(dir.path(), "plan.toml -o parts --shard 2/3 --format json");
-    assert_eq!((second.code, &second.error()["kind"]), (2, &"locked".into()));
+    assert_eq!(
+        (second.code, &second.error()["kind"]),
+        (2, &"locked".into())
+    );
     child.kill().unwrap();
     child.wait().unwrap();
     let died = status(1);
-    assert_eq!((state(&died, 2).0, &died["shards_missing"]), ("missing", &2.into()), "{died}");
+    assert_eq!(
+        (state(&died, 2).0, &died["shards_missing"]),
+        ("missing", &2.into()),
+        "{died}"
+    );
 
     // A part that was cut on its way is missing, and is named.
     let part = dir.path().join("parts/part-000000.parquet");
     let whole = std::fs::read(&part).unwrap();
     std::fs::write(&part, &whole[..whole.len() / 2]).unwrap();
     let cut = status(1);
-    assert_eq!((state(&cut, 1), cut["damaged"].as_array().unwrap().len()), (("missing", 39), 1));
+    assert_eq!(
+        (state(&cut, 1), cut["damaged"].as_array().unwrap().len()),
+        (("missing", 39), 1)
+    );
     for i in 1..=3 {
-        assert!(shard(dir.path(), "plan.toml", "parts", &format!("{i}/3")).wait().unwrap().success());
+        assert!(
+            shard(dir.path(), "plan.toml", "parts", &format!("{i}/3"))
+                .wait()
+                .unwrap()
+                .success()
+        );
     }
     let last = status(0);
     assert_eq!(
@@ -246,17 +361,39 @@ fn the_status_names_a_shard_that_died_and_the_same_shard_fills_the_gap() {
 #[test]
 fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
     let dir = with_plan();
-    std::fs::write(dir.path().join("other.toml"), PLAN.replace("seed = 5", "seed = 6")).unwrap();
-    assert!(shard(dir.path(), "plan.toml", "parts", "1/60").wait().unwrap().success());
+    std::fs::write(
+        dir.path().join("other.toml"),
+        PLAN.replace("seed = 5", "seed = 6"),
+    )
+    .unwrap();
+    assert!(
+        shard(dir.path(), "plan.toml", "parts", "1/60")
+            .wait()
+            .unwrap()
+            .success()
+    );
     let other = campaign(dir.path(), "other.toml -o parts --shard 2/60 --format json");
-    assert_eq!((other.code, &other.error()["kind"]), (2, &"other_plan".into()));
+    assert_eq!(
+        (other.code, &other.error()["kind"]),
+        (2, &"other_plan".into())
+    );
     let marker = dir.path().join("parts/.campaign.json");
     let text = std::fs::read_to_string(&marker).unwrap();
     let version = concat!("\"version\":\"", env!("CARGO_PKG_VERSION"));
     assert!(text.contains(version), "{text}");
     std::fs::write(&marker, text.replace(version, "\"version\":\"9.9.9")).unwrap();
     let older = campaign(dir.path(), "plan.toml -o parts --shard 2/60 --format json");
-    assert!(older.err.contains("was written by mckibben 9.9.9"), "{}", older.err);
+    assert!(
+        older.err.contains("was written by mckibben 9.9.9"),
+        "{}",
+        older.err
+    );
     let parts = names(&dir.path().join("parts"));
-    assert_eq!(parts.iter().filter(|name| name.starts_with("part-")).count(), 2);
+    assert_eq!(
+        parts
+            .iter()
+            .filter(|name| name.starts_with("part-"))
+            .count(),
+        2
+    );
 }

@@ -10,7 +10,10 @@ pub const LIMIT: Duration = Duration::from_secs(60);
 
 /// The root of the repository.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .canonicalize()
+        .unwrap()
 }
 
 /// What a command ended with.
@@ -47,7 +50,11 @@ impl Ran {
 /// A command in a folder, not yet started.
 pub fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mckibben"));
-    command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE").env_remove("COLUMNS");
+    command
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .env_remove("RUST_BACKTRACE")
+        .env_remove("COLUMNS");
     command
 }
 
@@ -55,8 +62,15 @@ pub fn command(folder: &Path) -> Command {
 pub fn ran(output: Output) -> Ran {
     let err = String::from_utf8_lossy(&output.stderr).into_owned();
     let code = output.status.code().unwrap_or(-1);
-    assert!(code != 4 && !err.contains("panicked") && !err.contains("RUST_BACKTRACE"), "a panic: {err}");
-    Ran { code, out: output.stdout, err }
+    assert!(
+        code != 4 && !err.contains("panicked") && !err.contains("RUST_BACKTRACE"),
+        "a panic: {err}"
+    );
+    Ran {
+        code,
+        out: output.stdout,
+        err,
+    }
 }
 
 /// The words of a shell line, with quotes; pipes, comments and redirections end it.
@@ -107,18 +121,24 @@ pub fn json(line: &str) -> Value {
 
 /// A number that is there.
 pub fn number(value: &Value, key: &str) -> f64 {
-    value[key].as_f64().unwrap_or_else(|| panic!("{key} is not a number in {value:#}"))
+    value[key]
+        .as_f64()
+        .unwrap_or_else(|| panic!("{key} is not a number in {value:#}"))
 }
 
 pub fn assert_close(a: f64, b: f64, relative: f64) {
-    assert!((a - b).abs() <= relative * b.abs().max(1e-9), "{a} is not {b}");
+    assert!(
+        (a - b).abs() <= relative * b.abs().max(1e-9),
+        "{a} is not {b}"
+    );
 }
 
 pub fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
 
-/// A folder with the files of the repository, and beside them those of `tests/rows`, `bench` and `tension`.
+/// A folder with the files of the repository, and beside them those of `tests/rows`, `bench` and
+/// `tension`.
 pub fn copy() -> tempfile::TempDir {
     let dir = folder();
     for name in ["examples", "data", "plans"] {
@@ -147,7 +167,9 @@ fn copy_tree(from: &Path, to: &Path) {
 /// The names in a folder, sorted.
 pub fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().to_string_lossy().into()).collect();
+    let mut names: Vec<String> = entries
+        .map(|e| e.unwrap().file_name().to_string_lossy().into())
+        .collect();
     names.sort();
     names
 }
@@ -157,7 +179,10 @@ pub fn assert_finite(text: &str) {
     for line in text.lines() {
         for word in line.split(|c: char| !c.is_alphanumeric()) {
             let word = word.to_ascii_lowercase();
-            assert!(!["nan", "inf", "infinity"].contains(&word.as_str()), "{word} in: {line:.300}");
+            assert!(
+                !["nan", "inf", "infinity"].contains(&word.as_str()),
+                "{word} in: {line:.300}"
+            );
         }
     }
 }

@@ -21,11 +21,20 @@ fn works(folder: &Path, place: &str, line: &str) {
 fn helps(path: &[String], out: &mut Vec<(String, String)>) {
     // As on a terminal of the usual width: an example must not be wrapped there.
     let mut command = command(&root());
-    let help = ran(command.args(path).arg("--help").env("COLUMNS", "80").output().unwrap()).ok();
+    let help = ran(command
+        .args(path)
+        .arg("--help")
+        .env("COLUMNS", "80")
+        .output()
+        .unwrap())
+    .ok();
     let help = help.text().to_owned();
     if let Some((_, list)) = help.split_once("\nCommands:\n") {
         let names = list.lines().take_while(|l| l.starts_with("  "));
-        for name in names.filter(|l| !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next()) {
+        for name in names
+            .filter(|l| !l.starts_with("   "))
+            .filter_map(|l| l.split_whitespace().next())
+        {
             helps(&[path, &[name.to_owned()]].concat(), out);
         }
     }
@@ -39,11 +48,17 @@ fn shown_by_help() -> Vec<String> {
     let mut out = vec![];
     for (name, help) in list {
         let text = help.replace("\\\n", "");
-        let shown = text.lines().filter(|l| l.starts_with("  mckibben ")).map(|l| l.trim().to_owned());
+        let shown = text
+            .lines()
+            .filter(|l| l.starts_with("  mckibben "))
+            .map(|l| l.trim().to_owned());
         let before = out.len();
         out.extend(shown);
         let parent = help.contains("\nCommands:\n");
-        assert!(parent || out.len() > before, "the help of `{name}` shows no example");
+        assert!(
+            parent || out.len() > before,
+            "the help of `{name}` shows no example"
+        );
     }
     out
 }
@@ -80,7 +95,8 @@ fn shown(text: &str) -> Vec<String> {
 
 /// README.md, and where `MCKIBBEN_PAGES` is set all pages of docs/.
 fn pages() -> Vec<(String, Vec<String>)> {
-    let mut folders = Vec::from_iter(std::env::var_os("MCKIBBEN_PAGES").map(|_| root().join("docs")));
+    let mut folders =
+        Vec::from_iter(std::env::var_os("MCKIBBEN_PAGES").map(|_| root().join("docs")));
     let mut pages = vec![root().join("README.md")];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {
@@ -92,7 +108,12 @@ fn pages() -> Vec<(String, Vec<String>)> {
             }
         }
     }
-    let of = |page: PathBuf| (page.display().to_string(), shown(&std::fs::read_to_string(&page).unwrap()));
+    let of = |page: PathBuf| {
+        (
+            page.display().to_string(),
+            shown(&std::fs::read_to_string(&page).unwrap()),
+        )
+    };
     pages.into_iter().map(of).collect()
 }
 
@@ -104,16 +125,23 @@ fn the_commands_in_help_texts_and_pages_run() {
     let all = [pages(), vec![("help".to_owned(), help)]].concat();
     side_by_side(all, |(name, lines)| {
         let dir = copy();
-        for line in lines.iter().filter(|line| **line != format!("mckibben {}", crate::output::VALIDATE)) {
+        for line in lines
+            .iter()
+            .filter(|line| **line != format!("mckibben {}", crate::output::VALIDATE))
+        {
             works(dir.path(), &name, line);
         }
         for written in ["f.svg", "muscle.svg", "winner.toml"] {
-            assert!(name != "help" || dir.path().join(written).is_file(), "{written} is written");
+            assert!(
+                name != "help" || dir.path().join(written).is_file(),
+                "{written} is written"
+            );
         }
     });
 }
 
-/// Each of a list, on as many threads as there are processors; a failure of one is a failure of all.
+/// Each of a list, on as many threads as there are processors; a failure of one is a failure of
+/// all.
 fn side_by_side<T: Send>(list: Vec<T>, each: impl Fn(T) + Sync) {
     let left = Mutex::new(list);
     let next = || left.lock().unwrap().pop();
@@ -127,11 +155,21 @@ fn side_by_side<T: Send>(list: Vec<T>, each: impl Fn(T) + Sync) {
 
 #[test]
 fn shell_blocks_are_understood() {
-    let page = "```sh\n$ mckibben force \\\n  -p 0.2 # why\ncargo run --release -- models | head\n```\n\
+    let page = "```sh\n$ mckibben force \\\n  -p 0.2 # why\ncargo run --release -- models | \
+        head\n```\n\
                 mckibben no\n```toml\nmckibben neither\n```\n";
-    assert_eq!(shown(page), ["mckibben force -p 0.2 # why", "mckibben models | head"]);
-    assert_eq!(words("mckibben force -p 0.2 # why"), ["mckibben", "force", "-p", "0.2"]);
-    assert_eq!(words("mckibben x \"a b\" '' | head"), ["mckibben", "x", "a b", ""]);
+    assert_eq!(
+        shown(page),
+        ["mckibben force -p 0.2 # why", "mckibben models | head"]
+    );
+    assert_eq!(
+        words("mckibben force -p 0.2 # why"),
+        ["mckibben", "force", "-p", "0.2"]
+    );
+    assert_eq!(
+        words("mckibben x \"a b\" '' | head"),
+        ["mckibben", "x", "a b", ""]
+    );
 }
 
 #[test]
@@ -142,8 +180,16 @@ fn the_example_muscles_are_muscles() {
         if path.extension().is_some_and(|e| e == "toml") {
             let text = std::fs::read_to_string(&path).unwrap();
             if text.contains("[joint]") {
-                let pressures = if text.contains("[muscle_2]") { "2bar,1bar" } else { "2bar" };
-                mckibben(&format!("joint {} -p {pressures} --model thick-wall", path.display())).ok();
+                let pressures = if text.contains("[muscle_2]") {
+                    "2bar,1bar"
+                } else {
+                    "2bar"
+                };
+                mckibben(&format!(
+                    "joint {} -p {pressures} --model thick-wall",
+                    path.display()
+                ))
+                .ok();
                 continue;
             }
             if text.contains("[command]") {
@@ -158,7 +204,8 @@ fn the_example_muscles_are_muscles() {
     assert!(count >= 2);
 }
 
-/// B. Tondu (2012), Fig. 3: the ideal model is off by 92–95 N, the thick wall with two fitted constants by about 6 N.
+/// B. Tondu (2012), Fig. 3: the ideal model is off by 92–95 N, the thick wall with two fitted
+/// constants by about 6 N.
 #[test]
 fn the_thick_wall_meets_the_20_degree_muscle() {
     let identified = json(
@@ -168,35 +215,67 @@ fn the_thick_wall_meets_the_20_degree_muscle() {
     let (ideal, thick) = (&identified["models"][0], &identified["models"][1]);
     assert!((number(ideal, "rms_n") - 95.2).abs() < 0.5, "{ideal}");
     assert!((number(thick, "rms_n") - 5.95).abs() < 0.1, "{thick}");
-    assert!((number(thick, "fitted_end_factor") - 1.118).abs() < 0.003, "{thick}");
-    assert!(ideal.get("fitted_end_factor").is_none(), "the ideal model has no such constant");
+    assert!(
+        (number(thick, "fitted_end_factor") - 1.118).abs() < 0.003,
+        "{thick}"
+    );
+    assert!(
+        ideal.get("fitted_end_factor").is_none(),
+        "the ideal model has no such constant"
+    );
     // Its loops' half-widths alone give C 71.5 and β 0.560 (examples/tondu2012.toml).
-    let identified = json("identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv");
+    let identified =
+        json("identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv");
     for (name, alone) in [("friction.coefficient", 71.46), ("friction.exponent", 0.56)] {
-        let p = identified["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).unwrap();
-        assert!((number(p, "value") - alone).abs() <= number(p, "half_width_95"), "{p}");
+        let p = identified["parameters"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|p| p["name"] == name)
+            .unwrap();
+        assert!(
+            (number(p, "value") - alone).abs() <= number(p, "half_width_95"),
+            "{p}"
+        );
     }
-    assert!(identified["warnings"].to_string().contains("follow a pattern"), "{identified}");
+    assert!(
+        identified["warnings"]
+            .to_string()
+            .contains("follow a pattern"),
+        "{identified}"
+    );
 }
 
 /// A regression: the tables of pages are the answers to the commands above them.
 #[test]
 fn the_tables_of_pages_are_what_their_commands_print() {
     for (page, command) in [
-        ("README.md", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
+        (
+            "README.md",
+            "design --force 700N --contraction 15% --max-pressure 2.5bar",
+        ),
         (
             "docs/models.md",
-            "design -F 50N -e 15% --max-pressure 2.5bar --length 200 --liquid water --max-liquid 20mL",
+            "design -F 50N -e 15% --max-pressure 2.5bar --length 200 --liquid water --max-liquid \
+             20mL",
         ),
     ] {
         let text = std::fs::read_to_string(root().join(page)).unwrap();
         let below = text.split(&format!("mckibben {command}\n")).nth(1).unwrap();
-        let printed = below.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+        let printed = below
+            .split("```text\n")
+            .nth(1)
+            .and_then(|rest| rest.split("```").next())
+            .unwrap();
         let answer = mckibben(command).ok();
         let lines: Vec<&str> = printed.lines().filter(|l| !l.is_empty()).collect();
         assert!(lines.len() >= 8);
         for line in lines {
-            assert!(answer.text().lines().any(|l| l == line), "{line}\n{}", answer.text());
+            assert!(
+                answer.text().lines().any(|l| l == line),
+                "{line}\n{}",
+                answer.text()
+            );
         }
     }
 }
@@ -204,14 +283,26 @@ fn the_tables_of_pages_are_what_their_commands_print() {
 /// The friction of the example is the fit of the measured half-widths that its comment states.
 #[test]
 fn the_friction_of_the_example_is_the_fit_of_its_half_widths() {
-    let points = [(0.1, 19.6), (0.2, 29.1), (0.3, 37.6), (0.4, 41.0), (0.5, 49.2)];
-    let logs: Vec<(f64, f64)> = points.iter().map(|&(p, f): &(f64, f64)| (p.ln(), f.ln())).collect();
+    let points = [
+        (0.1, 19.6),
+        (0.2, 29.1),
+        (0.3, 37.6),
+        (0.4, 41.0),
+        (0.5, 49.2),
+    ];
+    let logs: Vec<(f64, f64)> = points
+        .iter()
+        .map(|&(p, f): &(f64, f64)| (p.ln(), f.ln()))
+        .collect();
     let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / 5.0;
     let (x, y) = (mean(|q| q.0), mean(|q| q.1));
     let slope = logs.iter().map(|q| (q.0 - x) * (q.1 - y)).sum::<f64>()
         / logs.iter().map(|q| (q.0 - x).powi(2)).sum::<f64>();
     let text = std::fs::read_to_string(root().join("examples/tondu2012.toml")).unwrap();
-    assert!(text.contains(&format!("\nexponent = {slope:.3}\n")), "β {slope}");
+    assert!(
+        text.contains(&format!("\nexponent = {slope:.3}\n")),
+        "β {slope}"
+    );
     assert!(
         text.contains(&format!("\ncoefficient = {:.2}\n", (y - slope * x).exp())),
         "C {}",

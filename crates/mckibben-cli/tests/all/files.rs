@@ -1,5 +1,5 @@
-//! Files as they should not be: devices, pipes, holes of twenty gigabytes, other people's work at `-o`, names that
-//! steer a terminal.
+//! Files as they should not be: devices, pipes, holes of twenty gigabytes, other people's work at
+//! `-o`, names that steer a terminal.
 #![cfg(unix)]
 
 use crate::common::{Ran, copy, folder, json, names, ran, root, run_in};
@@ -13,7 +13,11 @@ fn bounded(dir: &Path, line: &str) -> Ran {
     let program = env!("CARGO_BIN_EXE_mckibben");
     let script = format!("ulimit -v 4000000 && exec {program} {line}");
     let mut command = Command::new("sh");
-    command.args(["-c", &script]).current_dir(dir).stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command
+        .args(["-c", &script])
+        .current_dir(dir)
+        .stdin(Stdio::null())
+        .env_remove("RUST_BACKTRACE");
     ran(command.output().unwrap())
 }
 
@@ -40,7 +44,10 @@ fn are_refused(dir: &Path, name: &str, says: &str) {
         let message = error["message"].as_str().unwrap();
         assert!(message.contains(says), "{line}: {message}");
         // The message does not advise to remove a file that the system refused to read.
-        assert!(!error["hint"].as_str().unwrap().contains("remove"), "{line}: {error}");
+        assert!(
+            !error["hint"].as_str().unwrap().contains("remove"),
+            "{line}: {error}"
+        );
     }
 }
 
@@ -50,11 +57,25 @@ fn what_is_no_regular_file_is_refused_at_once() {
     for ending in ["csv", "parquet", "json", "toml"] {
         let at = |name: &str| dir.path().join(format!("{name}.{ending}"));
         symlink("/dev/zero", at("zero")).unwrap();
-        assert!(Command::new("mkfifo").arg(at("pipe")).status().unwrap().success());
+        assert!(
+            Command::new("mkfifo")
+                .arg(at("pipe"))
+                .status()
+                .unwrap()
+                .success()
+        );
         symlink("nowhere", at("dangling")).unwrap();
     }
-    are_refused(dir.path(), "zero", "is a device or a pipe; it must be a regular file");
-    are_refused(dir.path(), "pipe", "is a device or a pipe; it must be a regular file");
+    are_refused(
+        dir.path(),
+        "zero",
+        "is a device or a pipe; it must be a regular file",
+    );
+    are_refused(
+        dir.path(),
+        "pipe",
+        "is a device or a pipe; it must be a regular file",
+    );
     are_refused(dir.path(), "missing", "cannot be read: No such file");
     are_refused(dir.path(), "dangling", "cannot be read: No such file");
 }
@@ -76,38 +97,99 @@ fn a_file_that_claims_72_gigabytes_is_refused() {
     fs::copy(file, dir.path().join("c.parquet")).unwrap();
     for line in ["campaign show c.parquet", "fit c.parquet"] {
         let result = bounded(dir.path(), line);
-        assert!(result.code == 2 && result.err.contains("is not a campaign"), "{}", result.err);
+        assert!(
+            result.code == 2 && result.err.contains("is not a campaign"),
+            "{}",
+            result.err
+        );
     }
 }
 
 const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper -o ";
 
-/// What every command writes, and where: the flag with its folder or file, and the file that is in its way.
+/// What every command writes, and where: the flag with its folder or file, and the file that is in
+/// its way.
 const WRITERS: [(&str, &str, &str); 35] = [
-    ("design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper", "-o w.toml", "w.toml"),
+    (
+        "design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper",
+        "-o w.toml",
+        "w.toml",
+    ),
     ("force -p 0.1 --model ideal", "-o t.json", "t.json"),
-    ("pressure -F 100N -e 5% --model ideal", "-o t.json", "t.json"),
-    ("contraction -F 100N -p 0.1 --model ideal", "-o t.json", "t.json"),
-    ("fill --liquid water --volume 20mL --model ideal", "-o t.txt", "t.txt"),
-    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.csv", "t.csv"),
-    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.txt", "t.txt"),
-    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "-o t.json", "t.json"),
-    ("curve isobaric --model ideal -p 0.1 -e 0,0.1", "--plot t.svg", "t.svg"),
-    ("joint examples/elbow.toml --model ideal -p 2bar,1bar", "-o t.json", "t.json"),
-    ("motion examples/drive.toml --model ideal", "-o t.csv", "t.csv"),
+    (
+        "pressure -F 100N -e 5% --model ideal",
+        "-o t.json",
+        "t.json",
+    ),
+    (
+        "contraction -F 100N -p 0.1 --model ideal",
+        "-o t.json",
+        "t.json",
+    ),
+    (
+        "fill --liquid water --volume 20mL --model ideal",
+        "-o t.txt",
+        "t.txt",
+    ),
+    (
+        "curve isobaric --model ideal -p 0.1 -e 0,0.1",
+        "-o t.csv",
+        "t.csv",
+    ),
+    (
+        "curve isobaric --model ideal -p 0.1 -e 0,0.1",
+        "-o t.txt",
+        "t.txt",
+    ),
+    (
+        "curve isobaric --model ideal -p 0.1 -e 0,0.1",
+        "-o t.json",
+        "t.json",
+    ),
+    (
+        "curve isobaric --model ideal -p 0.1 -e 0,0.1",
+        "--plot t.svg",
+        "t.svg",
+    ),
+    (
+        "joint examples/elbow.toml --model ideal -p 2bar,1bar",
+        "-o t.json",
+        "t.json",
+    ),
+    (
+        "motion examples/drive.toml --model ideal",
+        "-o t.csv",
+        "t.csv",
+    ),
     ("simulate -p 0.1 -e 0.1", "-o t.csv", "t.csv"),
     ("simulate -p 0.1 -e 0.1", "--vtu out", "out/muscle.pvd"),
     ("simulate -p 0.1 -e 0.1", "--vtu out", "out/tube_0000.vtu"),
-    ("simulate --model fe3d --mesh 1x4 -p 0.1 -e 0.1", "--export-inp t.inp", "t.inp"),
-    ("check examples/prototype.toml --model ideal", "-o t.txt", "t.txt"),
+    (
+        "simulate --model fe3d --mesh 1x4 -p 0.1 -e 0.1",
+        "--export-inp t.inp",
+        "t.inp",
+    ),
+    (
+        "check examples/prototype.toml --model ideal",
+        "-o t.txt",
+        "t.txt",
+    ),
     ("check universal --latex", "-o t.tex", "t.tex"),
     ("build -D 30 -p 0.1", "--report report.html", "report.html"),
     ("build -D 30 -p 0.1", "-o out", "out/test.csv"),
-    ("export --model ideal --as c", "-o out", "out/muscle_loop.ino"),
+    (
+        "export --model ideal --as c",
+        "-o out",
+        "out/muscle_loop.ino",
+    ),
     ("campaign show c0.parquet", "-o t.txt", "t.txt"),
     ("campaign status parts", "-o t.txt", "t.txt"),
     ("campaign merge parts", "-o t.parquet", "t.parquet"),
-    ("validate --measured examples/measured --only bench", "-o t.txt", "t.txt"),
+    (
+        "validate --measured examples/measured --only bench",
+        "-o t.txt",
+        "t.txt",
+    ),
     ("compare --models ideal,paper", "-o t.csv", "t.csv"),
     (
         "identify examples/bench.toml --data examples/bench.csv --model thick-wall --free mu",
@@ -116,10 +198,18 @@ const WRITERS: [(&str, &str, &str); 35] = [
     ),
     ("fit paper.csv", "-o t.json", "t.json"),
     ("fit paper.csv", "--tables out", "out/tables.json"),
-    ("fit paper.csv", "--plots out", "out/figure_10_b_over_diameter.svg"),
+    (
+        "fit paper.csv",
+        "--plots out",
+        "out/figure_10_b_over_diameter.svg",
+    ),
     ("parts list models", "-o t.txt", "t.txt"),
     ("parts show latex", "-o t.txt", "t.txt"),
-    ("rubber tension.csv --law neo-hookean", "-o t.toml", "t.toml"),
+    (
+        "rubber tension.csv --law neo-hookean",
+        "-o t.toml",
+        "t.toml",
+    ),
     ("schema force", "-o t.json", "t.json"),
     ("schema", "-o out", "out/force.json"),
     ("man", "-o out", "out/mckibben-force.1"),
@@ -138,7 +228,8 @@ fn an_existing_file_is_overwritten_only_on_request() {
         let line = format!("{command} {flag}");
         let is_refused = || {
             let result = run_in(dir.path(), &line);
-            let said = result.err.contains("would be overwritten") && result.err.contains("--overwrite");
+            let said =
+                result.err.contains("would be overwritten") && result.err.contains("--overwrite");
             assert!(result.code == 2 && said, "{line}: {}", result.err);
         };
         fs::create_dir_all(at("out")).unwrap();
@@ -153,7 +244,10 @@ fn an_existing_file_is_overwritten_only_on_request() {
             symlink("../elsewhere", at(file)).unwrap();
             is_refused();
             run_in(dir.path(), &format!("{line} --overwrite")).ok();
-            assert!(!at(file).is_symlink() && !at("elsewhere").exists(), "{line}");
+            assert!(
+                !at(file).is_symlink() && !at("elsewhere").exists(),
+                "{line}"
+            );
         }
         fs::remove_dir_all(at("out")).unwrap();
         let _ = fs::remove_file(at("new.svg"));
@@ -162,8 +256,8 @@ fn an_existing_file_is_overwritten_only_on_request() {
 
 /// Flags with a file or folder that is read.
 const READ: [&str; 15] = [
-    "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers", "load",
-    "measured", "braid", "tube", "tubes",
+    "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers",
+    "load", "measured", "braid", "tube", "tubes",
 ];
 
 #[test]
@@ -171,16 +265,28 @@ fn no_flag_that_names_an_output_is_missing_from_that_test() {
     let dir = folder();
     run_in(dir.path(), "man -o man").ok();
     for page in names(&dir.path().join("man")) {
-        let name = page.trim_start_matches("mckibben").trim_start_matches('-').trim_end_matches(".1");
+        let name = page
+            .trim_start_matches("mckibben")
+            .trim_start_matches('-')
+            .trim_end_matches(".1");
         let command = name.replace('-', " ");
         let help = run_in(dir.path(), &format!("{command} --help")).ok();
-        let flags = help.text().lines().filter(|l| l.contains("FILE") || l.contains("DIR"));
+        let flags = help
+            .text()
+            .lines()
+            .filter(|l| l.contains("FILE") || l.contains("DIR"));
         let flags = flags.filter_map(|l| l.split_once("--")?.1.split(" <").next());
         for flag in flags.filter(|flag| !flag.contains(' ') && !READ.contains(flag)) {
-            let typed = if flag == "output" { "-o ".to_owned() } else { format!("--{flag} ") };
+            let typed = if flag == "output" {
+                "-o ".to_owned()
+            } else {
+                format!("--{flag} ")
+            };
             // Figures are of all commands alike, and a campaign has a separate test.
             let once = flag.starts_with("plot") && flag != "plots" || command == "campaign";
-            let has = |w: &(&str, &str, &str)| (once || w.0.starts_with(&command)) && w.1.starts_with(&typed);
+            let has = |w: &(&str, &str, &str)| {
+                (once || w.0.starts_with(&command)) && w.1.starts_with(&typed)
+            };
             assert!(WRITERS.iter().any(has), "{command} --{flag}");
         }
     }
@@ -197,7 +303,11 @@ fn a_campaign_of_another_plan_is_overwritten_only_on_request() {
     run_in(dir.path(), "campaign plan.toml -o c.parquet").ok();
     fs::write(dir.path().join("plan.toml"), PLAN.replace("0.1", "0.2")).unwrap();
     let result = run_in(dir.path(), "campaign plan.toml -o c.parquet");
-    assert!(result.code == 2 && result.err.contains("--overwrite"), "{}", result.err);
+    assert!(
+        result.code == 2 && result.err.contains("--overwrite"),
+        "{}",
+        result.err
+    );
     assert_eq!(fs::read(dir.path().join("c.parquet")).unwrap(), before);
     run_in(dir.path(), "campaign plan.toml -o c.parquet --overwrite").ok();
     assert_ne!(fs::read(dir.path().join("c.parquet")).unwrap(), before);
@@ -212,9 +322,16 @@ fn a_read_only_file_stays_and_a_link_is_followed() {
     let before = fs::metadata(at("w.toml")).unwrap().modified().unwrap();
     for flag in ["", " --overwrite"] {
         let result = run_in(dir.path(), &format!("{DESIGN}w.toml{flag}"));
-        assert!(result.code == 2 && result.err.contains("read-only"), "{}", result.err);
+        assert!(
+            result.code == 2 && result.err.contains("read-only"),
+            "{}",
+            result.err
+        );
     }
-    assert_eq!(fs::metadata(at("w.toml")).unwrap().modified().unwrap(), before);
+    assert_eq!(
+        fs::metadata(at("w.toml")).unwrap().modified().unwrap(),
+        before
+    );
     fs::create_dir(at("far")).unwrap();
     symlink("far/real.toml", at("link.toml")).unwrap();
     for flag in ["", " --overwrite"] {
@@ -259,58 +376,104 @@ fn names_do_not_steer_the_terminal() {
     }
     let result = run_in(dir.path(), &format!("check '{toml}'"));
     assert!(
-        result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
+        result
+            .err
+            .starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
         "{}",
         result.err
     );
     // Programs get the name as it is.
     let error = run_in(dir.path(), &format!("check '{toml}' --format json")).error();
-    assert!(error["message"].as_str().unwrap().starts_with(STEERS), "{error}");
+    assert!(
+        error["message"].as_str().unwrap().starts_with(STEERS),
+        "{error}"
+    );
 }
 
 #[test]
 fn a_formula_of_a_name_that_steers_the_terminal_is_refused() {
     let dir = copy();
-    let result = run_in(dir.path(), &format!("fit data/campaign/paper.csv --name '{STEERS}'"));
+    let result = run_in(
+        dir.path(),
+        &format!("fit data/campaign/paper.csv --name '{STEERS}'"),
+    );
     assert!(result.code == 2 && !steers(&result), "{result:?}");
-    run_in(dir.path(), "fit data/campaign/paper.csv --method paper -o f.json").ok();
+    run_in(
+        dir.path(),
+        "fit data/campaign/paper.csv --method paper -o f.json",
+    )
+    .ok();
     let path = dir.path().join("f.json");
-    let text = fs::read_to_string(&path).unwrap().replacen("\"paper-method\"", "\"a\\u001b[31mb\"", 1);
+    let text =
+        fs::read_to_string(&path)
+            .unwrap()
+            .replacen("\"paper-method\"", "\"a\\u001b[31mb\"", 1);
     fs::write(path, text).unwrap();
     let result = run_in(dir.path(), "check f.json");
-    assert!(result.code == 2 && result.err.contains("control characters") && !steers(&result), "{result:?}");
+    assert!(
+        result.code == 2 && result.err.contains("control characters") && !steers(&result),
+        "{result:?}"
+    );
 }
 
-/// A folder in a file cannot be made, and an existing file stays: for every target, nothing is written.
+/// A folder in a file cannot be made, and an existing file stays: for every target, nothing is
+/// written.
 #[test]
 fn an_export_that_cannot_be_written_whole_is_not_begun() {
     let line = "export examples/prototype.toml --model thick-wall --as";
     let listed = json("export --list");
     let listed = listed["targets"].as_array().unwrap().iter();
-    let mut targets: Vec<&str> = listed.map(|target| target["name"].as_str().unwrap()).collect();
+    let mut targets: Vec<&str> = listed
+        .map(|target| target["name"].as_str().unwrap())
+        .collect();
     for target in &targets {
         let dir = copy();
         fs::write(dir.path().join("file"), "mine").unwrap();
         let refused = run_in(dir.path(), &format!("{line} {target} -o file/folder"));
-        assert!(refused.code != 0 && refused.err.contains("cannot write"), "{target}: {}", refused.err);
+        assert!(
+            refused.code != 0 && refused.err.contains("cannot write"),
+            "{target}: {}",
+            refused.err
+        );
         run_in(dir.path(), &format!("{line} {target} -o whole")).ok();
         let all = names(&dir.path().join("whole"));
         let last = all.last().unwrap();
         // A second muscle stands beside the first; the same name for another is refused.
         let before = fs::read(dir.path().join("whole").join(last)).unwrap();
-        run_in(dir.path(), &format!("{line} {target} -o whole --name other")).ok();
+        run_in(
+            dir.path(),
+            &format!("{line} {target} -o whole --name other"),
+        )
+        .ok();
         let refused = run_in(dir.path(), &format!("{line} {target} -o whole -p 2bar"));
-        assert!(refused.code == 2 && refused.err.contains("muscle_prototype"), "{target}: {}", refused.err);
-        assert_eq!(fs::read(dir.path().join("whole").join(last)).unwrap(), before, "{target}");
-        assert!(names(&dir.path().join("whole")).len() > all.len(), "{target}");
+        assert!(
+            refused.code == 2 && refused.err.contains("muscle_prototype"),
+            "{target}: {}",
+            refused.err
+        );
+        assert_eq!(
+            fs::read(dir.path().join("whole").join(last)).unwrap(),
+            before,
+            "{target}"
+        );
+        assert!(
+            names(&dir.path().join("whole")).len() > all.len(),
+            "{target}"
+        );
         fs::create_dir(dir.path().join("inside")).unwrap();
         fs::write(dir.path().join("inside").join(last), "mine").unwrap();
         let refused = run_in(dir.path(), &format!("{line} {target} -o inside"));
-        assert!(refused.code == 2 && refused.err.contains(last), "{target}: {}", refused.err);
+        assert!(
+            refused.code == 2 && refused.err.contains(last),
+            "{target}: {}",
+            refused.err
+        );
         assert_eq!(names(&dir.path().join("inside")), [&**last], "{target}");
     }
     let text = fs::read_to_string(root().join("docs/exports.md")).unwrap();
-    let rows = text.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let rows = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split('`').next());
     let mut rows: Vec<&str> = rows.filter(|word| !word.starts_with('-')).collect();
     rows.sort_unstable();
     targets.sort_unstable();

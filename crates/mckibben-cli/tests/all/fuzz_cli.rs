@@ -27,7 +27,10 @@ const FLAGS: [(&str, &str); 18] = [
     ("force -p 0.2 --model thick-wall", "--grip"),
     ("force -p 0.2 --model tondu-lopez", "--end-factor"),
     ("force -p 0.2 --model conical-ends", "--cone-factor"),
-    ("force -p 0.2 --model belforte --turns 1.5", "--strand-length"),
+    (
+        "force -p 0.2 --model belforte --turns 1.5",
+        "--strand-length",
+    ),
     ("pressure -e 0.1 --extrapolate", "--force"),
     ("contraction -p 0.2 --two-sided --extrapolate", "--force"),
     ("curve isometric -e 0,0.1", "--pressure"),
@@ -66,7 +69,8 @@ proptest! {
     ) {
         let given = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };
         let line = format!(
-            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {given} --model {model} --end-factor 1.2 \
+            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {given} --model {model} --end-factor \
+             1.2 \
              --cone-factor 0.3 --extrapolate --two-sided --format json",
             10f64.powf(d), 10f64.powf(s), 10f64.powf(l), 10f64.powf(p)
         );

@@ -5,7 +5,11 @@ use std::path::Path;
 
 /// What a command prints in a terminal of 80 columns.
 fn at_80(words: &str) -> String {
-    let output = command(&root()).args(words.split(' ')).env("COLUMNS", "80").output().unwrap();
+    let output = command(&root())
+        .args(words.split(' '))
+        .env("COLUMNS", "80")
+        .output()
+        .unwrap();
     ran(output).ok().text().to_owned()
 }
 
@@ -19,12 +23,29 @@ fn headings(help: &str) -> Vec<&str> {
 fn the_short_help_of_force_pressure_and_contraction_fits_a_screen_of_40_lines() {
     for name in ["force", "pressure", "contraction"] {
         let help = at_80(&format!("{name} -h"));
-        assert!(help.lines().count() <= 40, "{name}: {} lines\n{help}", help.lines().count());
-        assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");
-        assert_eq!(headings(&help), ["Question", "Muscle", "Advanced", "Output"], "{help}");
-        assert!(help.contains(&format!("All flags, with details: mckibben {name} --help")), "{help}");
+        assert!(
+            help.lines().count() <= 40,
+            "{name}: {} lines\n{help}",
+            help.lines().count()
+        );
+        assert!(
+            help.lines().all(|line| line.chars().count() <= 80),
+            "{help}"
+        );
+        assert_eq!(
+            headings(&help),
+            ["Question", "Muscle", "Advanced", "Output"],
+            "{help}"
+        );
+        assert!(
+            help.contains(&format!("All flags, with details: mckibben {name} --help")),
+            "{help}"
+        );
         let before = help.split("\nMuscle:").next().unwrap();
-        assert!(before.contains("-e, --contraction") || name == "contraction", "{help}");
+        assert!(
+            before.contains("-e, --contraction") || name == "contraction",
+            "{help}"
+        );
     }
 }
 
@@ -33,7 +54,10 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
     for (name, groups) in [
         ("force", &["Question", "Muscle", "Advanced", "Output"][..]),
         ("curve", &["Question", "Muscle", "Advanced", "Output"]),
-        ("design", &["Question", "Limits", "Muscle", "Advanced", "Output"]),
+        (
+            "design",
+            &["Question", "Limits", "Muscle", "Advanced", "Output"],
+        ),
         ("simulate", &["Question", "Muscle", "Advanced", "Output"]),
         ("compare", &["Question", "Muscle", "Advanced", "Output"]),
         ("identify", &["Question", "Muscle", "Advanced", "Output"]),
@@ -46,7 +70,10 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
         assert_eq!(headings(&help), groups, "{name}: {help}");
         let short = at_80(&format!("{name} -h"));
         assert!(short.lines().count() < help.lines().count(), "{name}");
-        for flag in short.split_whitespace().filter(|word| word.starts_with("--")) {
+        for flag in short
+            .split_whitespace()
+            .filter(|word| word.starts_with("--"))
+        {
             assert!(help.contains(flag.trim_end_matches(',')), "{name}: {flag}");
         }
     }
@@ -55,7 +82,11 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
 #[test]
 fn help_and_a_command_print_the_help_of_the_command() {
     for name in ["force", "parts show", "rubber"] {
-        assert_eq!(at_80(&format!("help {name}")), at_80(&format!("{name} --help")), "{name}");
+        assert_eq!(
+            at_80(&format!("help {name}")),
+            at_80(&format!("{name} --help")),
+            "{name}"
+        );
     }
     assert_eq!(at_80("help"), at_80("--help"));
 }
@@ -66,7 +97,10 @@ fn every_command_has_a_manual_page_that_is_not_written_over_an_older_one() {
     let man = |dir: &Path| run_in(dir, "man -o man1");
     man(dir.path()).ok();
     let names = names(&dir.path().join("man1"));
-    assert!(names.len() > 20 && names.contains(&"mckibben.1".into()), "{names:?}");
+    assert!(
+        names.len() > 20 && names.contains(&"mckibben.1".into()),
+        "{names:?}"
+    );
     assert!(names.contains(&"mckibben-parts-show.1".into()), "{names:?}");
     let page = std::fs::read_to_string(dir.path().join("man1/mckibben-force.1")).unwrap();
     for part in [

@@ -1,22 +1,31 @@
 //! What an answer looks like: formats, units, columns, widths, figures, documents.
 
 use crate::common::{
-    Ran, assert_close, command, copy, folder, json, json_in, mckibben, names, number, ran, root, run_in,
+    Ran, assert_close, command, copy, folder, json, json_in, mckibben, names, number, ran, root,
+    run_in,
 };
 use serde_json::Value;
 
 #[test]
 fn bare_numbers_and_units_mean_the_same() {
     let bare = mckibben("force -D 40 -s 2 -L 285 --angle 28 -p 0.2 -e 0.1 --format json").ok();
-    let units = mckibben("force -D 4cm -s 2mm -L 0.285m --angle 28deg -p 2bar -e 10% --format json").ok();
+    let units =
+        mckibben("force -D 4cm -s 2mm -L 0.285m --angle 28deg -p 2bar -e 10% --format json").ok();
     assert_eq!(bare, units);
 }
 
 #[test]
 fn units_change_what_people_see_and_nothing_else() {
-    for line in ["force -p 0.2 -e 0.1", "curve isobaric -p 0.1,0.2", "design -F 300 -e 10% -p 0.25"] {
+    for line in [
+        "force -p 0.2 -e 0.1",
+        "curve isobaric -p 0.1,0.2",
+        "design -F 300 -e 10% -p 0.25",
+    ] {
         let bar = mckibben(&format!("{line} --units bar")).ok();
-        assert!(bar.text().contains("bar") && mckibben(line).ok().out != bar.out, "{line}");
+        assert!(
+            bar.text().contains("bar") && mckibben(line).ok().out != bar.out,
+            "{line}"
+        );
         for format in ["json", "csv"] {
             let of = |more| mckibben(&format!("{line} --format {format}{more}")).ok();
             assert_eq!(of(""), of(" --units psi"), "{line} {format}");
@@ -33,7 +42,12 @@ fn csv_columns_are_the_json_keys() {
         let csv = mckibben(&format!("{line} --format csv")).ok();
         let points = json(line)["points"].as_array().unwrap().clone();
         let mut reader = csv::Reader::from_reader(csv.text().as_bytes());
-        let columns: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        let columns: Vec<String> = reader
+            .headers()
+            .unwrap()
+            .iter()
+            .map(str::to_owned)
+            .collect();
         let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
         assert_eq!(records.len(), points.len());
         for (record, point) in records.iter().zip(&points) {
@@ -41,13 +55,18 @@ fn csv_columns_are_the_json_keys() {
                 match &point[key] {
                     Value::Null => assert_eq!(field, "", "{key}"),
                     Value::String(s) => assert_eq!(field, s, "{key}"),
-                    Value::Number(n) => assert_close(field.parse().unwrap(), n.as_f64().unwrap(), 1e-15),
+                    Value::Number(n) => {
+                        assert_close(field.parse().unwrap(), n.as_f64().unwrap(), 1e-15)
+                    }
                     other => assert_eq!(field, other.to_string(), "{key}"),
                 }
             }
             let lists = ["warnings", "uncertainty_parts_n"];
             let mut keys = point.as_object().unwrap().keys();
-            assert!(keys.all(|k| lists.contains(&k.as_str()) || columns.contains(k)), "{point}");
+            assert!(
+                keys.all(|k| lists.contains(&k.as_str()) || columns.contains(k)),
+                "{point}"
+            );
         }
     }
 }
@@ -56,32 +75,65 @@ fn csv_columns_are_the_json_keys() {
 fn points_without_answer_say_why() {
     let curve = json("curve isobaric -p 0.2,0.3 -e 0,0.1 --model paper");
     let points = curve["points"].as_array().unwrap();
-    let status: Vec<&str> = points.iter().map(|p| p["status"].as_str().unwrap()).collect();
+    let status: Vec<&str> = points
+        .iter()
+        .map(|p| p["status"].as_str().unwrap())
+        .collect();
     assert_eq!(status, ["ok", "ok", "out_of_range", "out_of_range"]);
-    assert!(points[2]["cause"].as_str().unwrap().contains("0.25") && points[2].get("force_n").is_none());
+    assert!(
+        points[2]["cause"].as_str().unwrap().contains("0.25") && points[2].get("force_n").is_none()
+    );
     let pressure = mckibben("pressure -F 9999 -e 0.1 --model paper --format json");
-    assert_eq!((pressure.code, &pressure.error()["kind"]), (1, &"no_answer".into()));
-    assert_close(number(&pressure.error()["nearest"], "pressure_mpa"), 0.25, 1e-9);
+    assert_eq!(
+        (pressure.code, &pressure.error()["kind"]),
+        (1, &"no_answer".into())
+    );
+    assert_close(
+        number(&pressure.error()["nearest"], "pressure_mpa"),
+        0.25,
+        1e-9,
+    );
 }
 
 /// Input of the user carries no ±.
 #[test]
 fn the_text_of_an_inverse_has_its_uncertainty_at_the_computed_quantity() {
     for (line, with, without) in [
-        ("pressure -F 500N -e 10% --units bar", "pressure", ["pull ", "contraction"]),
-        ("contraction -F 200N -p 2.5bar", "contraction", ["pull ", "pressure"]),
-        ("force -p 2.5bar -e 10%", "pull ", ["pressure", "contraction"]),
+        (
+            "pressure -F 500N -e 10% --units bar",
+            "pressure",
+            ["pull ", "contraction"],
+        ),
+        (
+            "contraction -F 200N -p 2.5bar",
+            "contraction",
+            ["pull ", "pressure"],
+        ),
+        (
+            "force -p 2.5bar -e 10%",
+            "pull ",
+            ["pressure", "contraction"],
+        ),
     ] {
         let ran = mckibben(&format!("{line} --model thick-wall")).ok();
         let has = |name: &str| {
-            let row = ran.text().lines().find(|l| l.trim_start().starts_with(name)).unwrap();
+            let row = ran
+                .text()
+                .lines()
+                .find(|l| l.trim_start().starts_with(name))
+                .unwrap();
             row.contains(" ± ")
         };
-        assert!(has(with) && !without.iter().any(|name| has(name)), "{}", ran.text());
+        assert!(
+            has(with) && !without.iter().any(|name| has(name)),
+            "{}",
+            ran.text()
+        );
     }
 }
 
-/// A result goes to a file whole, in the format of its ending; what fails leaves an older file as it was, whatever the terminal.
+/// A result goes to a file whole, in the format of its ending; what fails leaves an older file as
+/// it was, whatever the terminal.
 #[test]
 fn a_file_is_written_in_the_format_of_its_ending() {
     let dir = folder();
@@ -90,14 +142,32 @@ fn a_file_is_written_in_the_format_of_its_ending() {
     for format in ["csv", "json"] {
         let saved = run_in(dir.path(), &format!("{line} -o x.{format}")).ok();
         assert!(saved.out.is_empty());
-        assert_eq!(read(&format!("x.{format}")), mckibben(&format!("{line} --format {format}")).text());
+        assert_eq!(
+            read(&format!("x.{format}")),
+            mckibben(&format!("{line} --format {format}")).text()
+        );
     }
-    assert_eq!(run_in(dir.path(), "force -p 0.3 --model paper -o x.json --overwrite").code, 2);
-    assert_eq!(read("x.json"), mckibben(&format!("{line} --format json")).text());
+    assert_eq!(
+        run_in(
+            dir.path(),
+            "force -p 0.3 --model paper -o x.json --overwrite"
+        )
+        .code,
+        2
+    );
+    assert_eq!(
+        read("x.json"),
+        mckibben(&format!("{line} --format json")).text()
+    );
     let text = |columns: &str| {
         let line = "force -p 2.5bar -e 10% --model thick-wall --overwrite -o out.txt";
         let mut command = command(dir.path());
-        ran(command.args(line.split(' ')).env("COLUMNS", columns).output().unwrap()).ok();
+        ran(command
+            .args(line.split(' '))
+            .env("COLUMNS", columns)
+            .output()
+            .unwrap())
+        .ok();
         read("out.txt")
     };
     assert_eq!(text("60"), text("200"));
@@ -108,7 +178,8 @@ fn a_file_is_written_in_the_format_of_its_ending() {
 #[test]
 fn figures_are_whole() {
     let dir = folder();
-    let words = "curve isobaric -D 50 -s 1 -p 1bar,2bar -e 0..0.2:0.05 --model paper --overwrite --plot f.";
+    let words =
+        "curve isobaric -D 50 -s 1 -p 1bar,2bar -e 0..0.2:0.05 --model paper --overwrite --plot f.";
     let read = |ending: &str| {
         run_in(dir.path(), &format!("{words}{ending}")).ok();
         std::fs::read(dir.path().join(format!("f.{}", &ending[..3]))).unwrap()
@@ -117,21 +188,38 @@ fn figures_are_whole() {
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.ends_with(b"IEND\xaeB`\x82"));
     let svg = String::from_utf8(read("svg")).unwrap();
     assert!(svg.contains("<svg") && svg.trim_end().ends_with("</svg>"));
-    for (more, points) in [("pdf", 160.0 * 72.0 / 25.4), ("pdf --plot-width 88mm", 249.45)] {
+    for (more, points) in [
+        ("pdf", 160.0 * 72.0 / 25.4),
+        ("pdf --plot-width 88mm", 249.45),
+    ] {
         let pdf = read(more);
         assert!(pdf.starts_with(b"%PDF-1.") && pdf.ends_with(b"%%EOF"));
         let text = String::from_utf8_lossy(&pdf).into_owned();
-        let size = text.split("/MediaBox [0 0 ").nth(1).unwrap().split(' ').next().unwrap();
-        assert!((size.parse::<f64>().unwrap() - points).abs() < 0.01, "{size}");
+        let size = text
+            .split("/MediaBox [0 0 ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap();
+        assert!(
+            (size.parse::<f64>().unwrap() - points).abs() < 0.01,
+            "{size}"
+        );
     }
-    assert_eq!(names(dir.path()), ["f.pdf", "f.png", "f.svg"], "no temporary files");
+    assert_eq!(
+        names(dir.path()),
+        ["f.pdf", "f.png", "f.svg"],
+        "no temporary files"
+    );
 }
 
 /// The data of the view that a reader can rotate are not counted.
 #[test]
 fn a_report_has_a_title_block_and_at_most_300_kb() {
     let dir = copy();
-    let line = "build examples/bench.toml -p 2bar --number MK-012 --revision B --project 'Arm <2>' --report";
+    let line = "build examples/bench.toml -p 2bar --number MK-012 --revision B --project 'Arm <2>' \
+        --report";
     run_in(dir.path(), &format!("{line} r.html")).ok();
     let html = std::fs::read_to_string(dir.path().join("r.html")).unwrap();
     for field in [
@@ -152,7 +240,11 @@ fn a_report_has_a_title_block_and_at_most_300_kb() {
     let file = dir.path().join("r.pdf");
     match ran.code {
         0 => assert!(std::fs::read(&file).unwrap().starts_with(b"%PDF-")),
-        _ => assert!(ran.code == 2 && ran.err.contains("Chromium") && !file.exists(), "{}", ran.err),
+        _ => assert!(
+            ran.code == 2 && ran.err.contains("Chromium") && !file.exists(),
+            "{}",
+            ran.err
+        ),
     }
 }
 
@@ -162,8 +254,14 @@ fn the_schema_of_a_file_is_written_and_named() {
     run_in(dir.path(), "schema --file muscle -o muscle.schema.json").ok();
     let text = std::fs::read_to_string(dir.path().join("muscle.schema.json")).unwrap();
     let schema: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(schema["properties"]["tube"]["properties"]["outer_diameter"]["exclusiveMinimum"], 0.0);
-    json_in(dir.path(), "design -F 40N -e 10% -p 2.5bar --tube latex-1/4x3/8in -o m.toml");
+    assert_eq!(
+        schema["properties"]["tube"]["properties"]["outer_diameter"]["exclusiveMinimum"],
+        0.0
+    );
+    json_in(
+        dir.path(),
+        "design -F 40N -e 10% -p 2.5bar --tube latex-1/4x3/8in -o m.toml",
+    );
     let muscle = std::fs::read_to_string(dir.path().join("m.toml")).unwrap();
     assert_eq!(muscle.lines().nth(2), Some("#:schema muscle.schema.json"));
     // Of all commands, into a folder that is made for them.
@@ -181,7 +279,10 @@ fn with_columns(words: &str, columns: Option<&str>) -> Ran {
 }
 
 fn widest(text: &str) -> usize {
-    text.lines().map(|line| line.chars().count()).max().unwrap_or(0)
+    text.lines()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0)
 }
 
 const WIDE: [&str; 9] = [
@@ -200,11 +301,18 @@ const WIDE: [&str; 9] = [
 fn text_fits_a_terminal_of_80_columns_and_tables_in_files_100() {
     for words in WIDE {
         let ran = with_columns(words, Some("80"));
-        assert!(widest(ran.text()) <= 80, "{words}: {} columns\n{}", widest(ran.text()), ran.text());
+        assert!(
+            widest(ran.text()) <= 80,
+            "{words}: {} columns\n{}",
+            widest(ran.text()),
+            ran.text()
+        );
         let ran = with_columns(words, None);
         let wide = ran.text().lines().filter(|line| line.chars().count() > 100);
         // A sentence has no columns: no two blanks stand in it.
-        let tables: Vec<&str> = wide.filter(|line| line.trim_start().contains("  ")).collect();
+        let tables: Vec<&str> = wide
+            .filter(|line| line.trim_start().contains("  "))
+            .collect();
         assert!(tables.is_empty(), "{words}: {tables:#?}");
     }
 }
@@ -225,11 +333,20 @@ const HELD: [&str; 4] = [
 fn every_case_of_validate_holds_and_its_tables_fit_80_columns() {
     let ran = with_columns(VALIDATE, Some("80"));
     let (_, summary) = ran.text().split_once("\nSummary\n").unwrap_or_default();
-    assert!(ran.code == 0 && !summary.contains("FAILS"), "{summary}{}", ran.err);
+    assert!(
+        ran.code == 0 && !summary.contains("FAILS"),
+        "{summary}{}",
+        ran.err
+    );
     for held in HELD {
         assert!(summary.contains(held), "{held}: {summary}");
     }
-    assert!(widest(ran.text()) <= 80, "{} columns\n{}", widest(ran.text()), ran.text());
+    assert!(
+        widest(ran.text()) <= 80,
+        "{} columns\n{}",
+        widest(ran.text()),
+        ran.text()
+    );
 }
 
 /// In a terminal: one of 80 columns, made by `script`, which every Linux has.
@@ -245,9 +362,21 @@ fn in_a_terminal_no_progress_bar_appears_before_half_a_second() {
         .env("TERM", "xterm")
         .env_remove("COLUMNS")
         .output();
-    let Ok(output) = output else { return eprintln!("skipped: there is no `script`") };
+    let Ok(output) = output else {
+        return eprintln!("skipped: there is no `script`");
+    };
     let text = String::from_utf8_lossy(&output.stdout);
-    assert!(text.contains("F blocked") && !text.contains("left") && !text.contains("a second"), "{text}");
-    let shown = text.lines().map(|line| line.trim_end_matches('\r').replace("\u{1b}[0m", ""));
-    assert!(shown.filter(|l| !l.contains('\u{1b}')).all(|l| l.chars().count() <= 80), "{text}");
+    assert!(
+        text.contains("F blocked") && !text.contains("left") && !text.contains("a second"),
+        "{text}"
+    );
+    let shown = text
+        .lines()
+        .map(|line| line.trim_end_matches('\r').replace("\u{1b}[0m", ""));
+    assert!(
+        shown
+            .filter(|l| !l.contains('\u{1b}'))
+            .all(|l| l.chars().count() <= 80),
+        "{text}"
+    );
 }

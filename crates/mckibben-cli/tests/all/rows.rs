@@ -5,8 +5,9 @@ use serde_json::Value;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Words, exit code, kind of the error, parts of what is said (`!`: is not said; `^`: standard output begins with it), and the content of the file
-/// `bad.*` that the words name, in Latin-1. Kind `all`: also as JSON and CSV.
+/// Words, exit code, kind of the error, parts of what is said (`!`: is not said; `^`: standard
+/// output begins with it), and the content of the file `bad.*` that the words name, in Latin-1.
+/// Kind `all`: also as JSON and CSV.
 const ROWS: &str = include_str!("../rows/rows.tsv");
 
 fn flat(text: &str) -> String {
@@ -16,10 +17,16 @@ fn flat(text: &str) -> String {
 /// Whether a part is not said, or is although it is not to be.
 fn wrong(said: &str, out: &str, part: &str) -> bool {
     // Moduli have a fixed unit, and so has a power law of the pressure.
-    let is_fixed =
-        |l: &&str| ["modul", "1.2 MPa", "law ", "neo-hookean", "P/MPa"].iter().any(|w| l.contains(w));
+    let is_fixed = |l: &&str| {
+        ["modul", "1.2 MPa", "law ", "neo-hookean", "P/MPa"]
+            .iter()
+            .any(|w| l.contains(w))
+    };
     match (part.strip_prefix('!'), part.strip_prefix('^')) {
-        (Some(part), _) => said.lines().filter(|l| !is_fixed(l)).any(|l| l.contains(part)),
+        (Some(part), _) => said
+            .lines()
+            .filter(|l| !is_fixed(l))
+            .any(|l| l.contains(part)),
         (_, Some(part)) => !out.starts_with(part),
         // However it is broken into lines.
         _ => !flat(said).contains(&flat(part)),
@@ -28,10 +35,19 @@ fn wrong(said: &str, out: &str, part: &str) -> bool {
 
 fn judge(dir: &Path, row: &str) -> Result<(), String> {
     let cells: Vec<&str> = row.split('\t').collect();
-    let [line, code, kind, parts, ..] = cells[..] else { return Err("too few cells".into()) };
+    let [line, code, kind, parts, ..] = cells[..] else {
+        return Err("too few cells".into());
+    };
     if let Some(content) = cells.get(4) {
-        let name = line.split(' ').find(|word| word.starts_with("bad.")).unwrap();
-        let bytes: Vec<u8> = content.replace("\\n", "\n").chars().map(|c| c as u8).collect();
+        let name = line
+            .split(' ')
+            .find(|word| word.starts_with("bad."))
+            .unwrap();
+        let bytes: Vec<u8> = content
+            .replace("\\n", "\n")
+            .chars()
+            .map(|c| c as u8)
+            .collect();
         std::fs::write(dir.join(name), bytes).unwrap();
     }
     let (before, from) = (names(dir), Instant::now());
@@ -40,7 +56,9 @@ fn judge(dir: &Path, row: &str) -> Result<(), String> {
     let said = format!("{}{}", ran.text(), ran.err);
     assert_finite(ran.text());
     let answers = kind.is_empty() || kind == "all" || kind == "-";
-    let form = answers || line.contains("--format") || (ran.err.starts_with("error: ") && ran.out.is_empty());
+    let form = answers
+        || line.contains("--format")
+        || (ran.err.starts_with("error: ") && ran.out.is_empty());
     if ran.code.to_string() != code
         || !form
         || late
@@ -48,12 +66,19 @@ fn judge(dir: &Path, row: &str) -> Result<(), String> {
     {
         return Err(said);
     }
-    if let Some(part) = parts.split(";;").find(|part| !part.is_empty() && wrong(&said, ran.text(), part)) {
+    if let Some(part) = parts
+        .split(";;")
+        .find(|part| !part.is_empty() && wrong(&said, ran.text(), part))
+    {
         return Err(format!("{part}: {said}"));
     }
     if kind == "all" {
         for format in ["json", "csv"] {
-            assert_finite(run_in(dir, &format!("{line} --format {format}")).ok().text());
+            assert_finite(
+                run_in(dir, &format!("{line} --format {format}"))
+                    .ok()
+                    .text(),
+            );
         }
     } else if !answers && !line.contains("--format") {
         // A value that is missing stays the last word.
@@ -62,8 +87,16 @@ fn judge(dir: &Path, row: &str) -> Result<(), String> {
             None => format!("{line} --format json"),
         };
         let ran = run_in(dir, &json);
-        let points = |q: Value| q["points"].as_array().is_some_and(|p| p.iter().all(|q| q["status"] == kind));
-        if if ran.out.is_empty() { ran.error()["kind"] != kind } else { !points(ran.json()) } {
+        let points = |q: Value| {
+            q["points"]
+                .as_array()
+                .is_some_and(|p| p.iter().all(|q| q["status"] == kind))
+        };
+        if if ran.out.is_empty() {
+            ran.error()["kind"] != kind
+        } else {
+            !points(ran.json())
+        } {
             return Err(format!("{}{}", ran.text(), ran.err));
         }
     }
@@ -75,11 +108,21 @@ fn every_row_is_said() {
     let dir = copy();
     std::fs::create_dir_all(dir.path().join("folder.svg")).unwrap();
     std::fs::create_dir_all(dir.path().join("folder")).unwrap();
-    run_in(dir.path(), "fit data/campaign/paper.csv --method global --hold-out 35 -o g.json").ok();
+    run_in(
+        dir.path(),
+        "fit data/campaign/paper.csv --method global --hold-out 35 -o g.json",
+    )
+    .ok();
     let rows = ROWS.lines().filter(|row| !row.starts_with("# "));
-    let failed = rows.filter_map(|row| Some(format!("{row}\n    {}", judge(dir.path(), row).err()?)));
+    let failed =
+        rows.filter_map(|row| Some(format!("{row}\n    {}", judge(dir.path(), row).err()?)));
     let failed: Vec<String> = failed.collect();
-    assert!(failed.is_empty(), "{} rows:\n{}", failed.len(), failed.join("\n"));
+    assert!(
+        failed.is_empty(),
+        "{} rows:\n{}",
+        failed.len(),
+        failed.join("\n")
+    );
 }
 
 /// Groups of lines between blank lines. Constants of a rubber's law are separate columns.
@@ -88,48 +131,70 @@ fn tables_have_the_same_columns_whatever_the_values() {
     let dir = copy();
     for group in include_str!("../rows/same_columns.txt").split("\n\n") {
         let mut heads = group.lines().map(|line| {
-            let text = run_in(dir.path(), &format!("{line} --format csv")).ok().text().to_owned();
-            let columns = text.lines().next().unwrap_or_default().split(',').map(str::to_owned);
-            columns.filter(|c| !["c10", "c01", "mu"].contains(&c.as_str())).collect::<Vec<_>>()
+            let text = run_in(dir.path(), &format!("{line} --format csv"))
+                .ok()
+                .text()
+                .to_owned();
+            let columns = text
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .split(',')
+                .map(str::to_owned);
+            columns
+                .filter(|c| !["c10", "c01", "mu"].contains(&c.as_str()))
+                .collect::<Vec<_>>()
         });
         let first = heads.next().unwrap();
         assert!(heads.all(|head| head == first), "{group}");
     }
 }
 
-/// Every flag of a question, with a value and with the question in which it counts: the answer becomes another one, or the flag is refused.
+/// Every flag of a question, with a value and with the question in which it counts: the answer
+/// becomes another one, or the flag is refused.
 #[test]
 fn every_flag_of_a_question_counts_or_is_refused() {
     let dir = copy();
-    let counts: Vec<Vec<&str>> =
-        include_str!("../rows/counts.tsv").lines().map(|l| l.split('\t').collect()).collect();
+    let counts: Vec<Vec<&str>> = include_str!("../rows/counts.tsv")
+        .lines()
+        .map(|l| l.split('\t').collect())
+        .collect();
     let help = mckibben("force --help").ok();
     let flags = help.text().lines().filter_map(|l| {
-        let words =
-            l.trim_start().split_once("--").filter(|(short, _)| short.is_empty() || short.len() == 4)?;
+        let words = l
+            .trim_start()
+            .split_once("--")
+            .filter(|(short, _)| short.is_empty() || short.len() == 4)?;
         words.1.split([' ', '=']).next()
     });
     // The others say how an answer is shown.
-    let flags: Vec<&str> =
-        flags.filter(|f| !["format", "units", "output", "overwrite", "help"].contains(f)).collect();
+    let flags: Vec<&str> = flags
+        .filter(|f| !["format", "units", "output", "overwrite", "help"].contains(f))
+        .collect();
     assert!(flags.len() > 20, "{flags:?}");
     for flag in flags {
         let known = counts.iter().find(|c| c[0] == flag);
-        let [_, value, with] = known.unwrap_or_else(|| panic!("say in which question --{flag} counts"))[..]
+        let [_, value, with] =
+            known.unwrap_or_else(|| panic!("say in which question --{flag} counts"))[..]
         else {
             panic!("{flag}")
         };
         let mut base = format!("force my.toml --format json {with}");
-        for (given, usual) in
-            [("pressure", "-p 2bar"), ("contraction", "-e 5%"), ("model", "--model thick-wall")]
-        {
+        for (given, usual) in [
+            ("pressure", "-p 2bar"),
+            ("contraction", "-e 5%"),
+            ("model", "--model thick-wall"),
+        ] {
             if flag != given && !with.contains(usual.split(' ').next().unwrap()) {
                 base = format!("{base} {usual}");
             }
         }
         let more = format!("{base} --{flag} {value}");
         let (without, with) = (run_in(dir.path(), &base), run_in(dir.path(), &more));
-        assert!(with.code == 2 || (with.code == 0 && with.out != without.out), "changes nothing: {more}");
+        assert!(
+            with.code == 2 || (with.code == 0 && with.out != without.out),
+            "changes nothing: {more}"
+        );
     }
 }
 
@@ -150,11 +215,13 @@ const IN_BAR: [&str; 17] = [
     "build examples/bench.toml -p 1bar -o out",
     "export examples/prototype.toml --model thick-wall -p 6bar --as c",
     "compare --models ideal,paper -p 1,2bar --plot f.svg",
-    "identify examples/bench.toml --data examples/bench.csv --model thick-wall --units bar --plot f.svg",
+    "identify examples/bench.toml --data examples/bench.csv --model thick-wall --units bar --plot \
+     f.svg",
     "design -F 500N -e 5% -p 2.5bar -D 30 -s 2 --model paper --plot f.svg",
 ];
 
-/// After one pressure in bar every pressure is in bar, in texts, figures, drawings and steps; moduli, stresses and energies stay.
+/// After one pressure in bar every pressure is in bar, in texts, figures, drawings and steps;
+/// moduli, stresses and energies stay.
 #[test]
 fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
     let dir = copy();
@@ -179,13 +246,26 @@ fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
     for line in IN_BAR {
         let ran = run_in(dir.path(), line);
         let mut said = vec![format!("{}{}", ran.text(), ran.err)];
-        for name in ["f.svg", "out/README.md", "out/drawing.svg", "out/plugs.svg", "out/test.csv"] {
+        for name in [
+            "f.svg",
+            "out/README.md",
+            "out/drawing.svg",
+            "out/plugs.svg",
+            "out/test.csv",
+        ] {
             let path = dir.path().join(name);
             // A line for each text of a drawing.
-            said.extend(std::fs::read_to_string(&path).ok().map(|text| text.replace("</text>", "\n")));
+            said.extend(
+                std::fs::read_to_string(&path)
+                    .ok()
+                    .map(|text| text.replace("</text>", "\n")),
+            );
             let _ = std::fs::remove_file(path);
         }
-        let lines = said.iter().flat_map(|text| text.lines()).filter(|l| l.contains("MPa") && !is_fixed(l));
+        let lines = said
+            .iter()
+            .flat_map(|text| text.lines())
+            .filter(|l| l.contains("MPa") && !is_fixed(l));
         wrong.extend(lines.map(|said| format!("{line}: {said:.200}")));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -9,9 +9,16 @@ use std::time::{Duration, Instant};
 
 /// A server that has said where it is: the child and its line.
 fn started(folder: &Path, args: &[&str]) -> (Child, String) {
-    let mut child = command(folder).arg("serve").args(args).stdout(Stdio::piped()).spawn().unwrap();
+    let mut child = command(folder)
+        .arg("serve")
+        .args(args)
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
     let mut line = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    BufReader::new(child.stdout.take().unwrap())
+        .read_line(&mut line)
+        .unwrap();
     (child, line.trim_end().to_owned())
 }
 
@@ -43,7 +50,8 @@ fn answer(address: &str, request: &str) -> String {
     let length = body.len();
     write!(
         stream,
-        "{head} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+        "{head} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: \
+         {length}\r\n\
          Connection: close\r\n\r\n{body}"
     )
     .unwrap();
@@ -56,12 +64,21 @@ fn answer(address: &str, request: &str) -> String {
 fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
     let (child, address) = started(&root(), &["--port", "0"]);
     let page = answer(&address, "GET /");
-    assert!(page.starts_with("HTTP/1.1 200") && page.contains("<!doctype html>"), "{page}");
-    let force = answer(&address, "POST /api/force\n\n{\"pressure_mpa\": 0.2, \"contraction\": 0.1}");
+    assert!(
+        page.starts_with("HTTP/1.1 200") && page.contains("<!doctype html>"),
+        "{page}"
+    );
+    let force = answer(
+        &address,
+        "POST /api/force\n\n{\"pressure_mpa\": 0.2, \"contraction\": 0.1}",
+    );
     let (_, body) = force.split_once("\r\n\r\n").unwrap();
     let line: serde_json::Value = crate::common::json("force -p 0.2 -e 0.1");
     // Sentences of the server join a quantity to its unit by a no-break space.
-    assert_eq!(serde_json::from_str::<serde_json::Value>(&body.replace('\u{a0}', " ")).unwrap(), line);
+    assert_eq!(
+        serde_json::from_str::<serde_json::Value>(&body.replace('\u{a0}', " ")).unwrap(),
+        line
+    );
     let (code, took) = ended(child);
     assert!(took < Duration::from_secs(2), "{took:?}");
     assert!(cfg!(not(unix)) || code == Some(0), "{code:?}");
@@ -74,10 +91,20 @@ fn a_browser_is_opened_at_the_address() {
     use std::os::unix::fs::PermissionsExt;
     let folder = tempfile::tempdir().unwrap();
     let (opener, opened) = (folder.path().join("xdg-open"), folder.path().join("opened"));
-    std::fs::write(&opener, format!("#!/bin/sh\necho \"$1\" > {0}.new\nmv {0}.new {0}\n", opened.display()))
-        .unwrap();
+    std::fs::write(
+        &opener,
+        format!(
+            "#!/bin/sh\necho \"$1\" > {0}.new\nmv {0}.new {0}\n",
+            opened.display()
+        ),
+    )
+    .unwrap();
     std::fs::set_permissions(&opener, std::fs::Permissions::from_mode(0o755)).unwrap();
-    let path = format!("{}:{}", folder.path().display(), std::env::var("PATH").unwrap());
+    let path = format!(
+        "{}:{}",
+        folder.path().display(),
+        std::env::var("PATH").unwrap()
+    );
     let mut child = command(&root())
         .args(["serve", "--port", "0", "--open"])
         .env("PATH", path)
@@ -86,7 +113,9 @@ fn a_browser_is_opened_at_the_address() {
         .spawn()
         .unwrap();
     let mut line = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    BufReader::new(child.stdout.take().unwrap())
+        .read_line(&mut line)
+        .unwrap();
     let from = Instant::now();
     while !opened.exists() && from.elapsed() < Duration::from_secs(20) {
         std::thread::sleep(Duration::from_millis(20));
@@ -101,5 +130,8 @@ fn a_port_that_is_taken_is_said() {
     let port = taken.local_addr().unwrap().port().to_string();
     let run = mckibben(&format!("serve --port {port}"));
     let says = "hint: --port 0 takes any free port";
-    assert!(run.code == 2 && run.err.contains(says) && run.out.is_empty(), "{run:?}");
+    assert!(
+        run.code == 2 && run.err.contains(says) && run.out.is_empty(),
+        "{run:?}"
+    );
 }

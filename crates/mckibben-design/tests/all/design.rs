@@ -10,8 +10,8 @@ use mckibben::progress::Silent;
 use mckibben::units::Values;
 use mckibben_design::{
     Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
-    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, TorqueWanted, VALIDATED_STRAND_STRAIN, design,
-    design_joint,
+    OperatingPoint, Relaxation, SAFETY, Spec, SpecError, TorqueWanted, VALIDATED_STRAND_STRAIN,
+    design, design_joint,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -24,16 +24,30 @@ fn spec(force_n: f64, contraction: f64) -> Spec {
         wall_mm: Values::Interval(1.0, 5.0),
         limits: Limits::default(),
         objective: Objective::Diameter,
-        ..Spec::new(vec![OperatingPoint { force_n, contraction }], 0.25)
+        ..Spec::new(
+            vec![OperatingPoint {
+                force_n,
+                contraction,
+            }],
+            0.25,
+        )
     }
 }
 
 const BUILD: &Build<'_> = &thick;
-const MODELS: Models<'_> = Models { search: BUILD, settle: None };
+const MODELS: Models<'_> = Models {
+    search: BUILD,
+    settle: None,
+};
 
 #[test]
 fn lists_of_stock_sizes_agree_with_brute_force() {
-    for objective in [Objective::Diameter, Objective::Pressure, Objective::Margin, Objective::Air] {
+    for objective in [
+        Objective::Diameter,
+        Objective::Pressure,
+        Objective::Margin,
+        Objective::Air,
+    ] {
         let mut spec = spec(300.0, 0.1);
         spec.objective = objective;
         let diameters: Vec<f64> = (20..=40).step_by(2).map(f64::from).collect();
@@ -45,8 +59,10 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
         let mut fitting = 0;
         for &d0 in &diameters {
             for &s in &walls {
-                let (model, w) =
-                    (ThickWall::new(&spec.base.with_section(d0, s).unwrap()), &mut Workspace::new());
+                let (model, w) = (
+                    ThickWall::new(&spec.base.with_section(d0, s).unwrap()),
+                    &mut Workspace::new(),
+                );
                 let pull_n = model.force_n(w, 0.25, 0.1).unwrap();
                 if pull_n < 300.0 {
                     continue;
@@ -61,10 +77,16 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
                     Objective::BulgedDiameter | Objective::Length => unreachable!(),
                     Objective::Air => {
                         let air = evaluation.air_per_stroke(p, 0.1).unwrap();
-                        (best.largest(|q| q.air_normal_litres).unwrap(), air.normal_litres)
+                        (
+                            best.largest(|q| q.air_normal_litres).unwrap(),
+                            air.normal_litres,
+                        )
                     }
                 };
-                assert!(ours <= other + 1e-12, "{objective:?}: {ours} against {other} at {d0}, {s}");
+                assert!(
+                    ours <= other + 1e-12,
+                    "{objective:?}: {ours} against {other} at {d0}, {s}"
+                );
             }
         }
         assert_eq!(outcome.looked_at, (44, fitting));
@@ -75,41 +97,63 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
 fn with_oil() -> Spec {
     let liquid = Liquid::named("oil", 0.02).unwrap();
     Spec {
-        liquid: Some(LiquidSupply { liquid, dead_volume_mm3: 5000.0 }),
+        liquid: Some(LiquidSupply {
+            liquid,
+            dead_volume_mm3: 5000.0,
+        }),
         outer_diameter_mm: Values::List(vec![30.0]),
         wall_mm: Values::List(vec![2.0]),
         ..spec(300.0, 0.1)
     }
 }
 
-/// The equation with cavities of the model: ΔV = (V + Vd)/φ − V0 − Vd, which is V − V0 of a liquid that keeps its volume; its mass fills both.
+/// The equation with cavities of the model: ΔV = (V + Vd)/φ − V0 − Vd, which is V − V0 of a liquid
+/// that keeps its volume; its mass fills both.
 #[test]
 fn a_liquid_takes_the_place_of_the_air_and_its_volume_is_that_of_the_equation() {
     let mut spec = with_oil();
-    let stiff = Liquid::named("water", 0.0).unwrap().with_bulk_modulus(1e12).unwrap();
-    for liquid in [spec.liquid.clone().unwrap(), LiquidSupply { liquid: stiff, dead_volume_mm3: 700.0 }] {
+    let stiff = Liquid::named("water", 0.0)
+        .unwrap()
+        .with_bulk_modulus(1e12)
+        .unwrap();
+    for liquid in [
+        spec.liquid.clone().unwrap(),
+        LiquidSupply {
+            liquid: stiff,
+            dead_volume_mm3: 700.0,
+        },
+    ] {
         spec.liquid = Some(liquid.clone());
         let outcome = design(&spec, BUILD).unwrap();
         let (best, w) = (&outcome.candidates[0], &mut Workspace::new());
         let model = ThickWall::new(&best.muscle);
         let mut cavity = |p: f64, e: f64| model.response(w, p, e).unwrap().volume_mm3.unwrap();
-        let (there, rest, dead) = (cavity(best.pressure_mpa, 0.1), cavity(0.0, 0.0), liquid.dead_volume_mm3);
+        let (there, rest, dead) = (
+            cavity(best.pressure_mpa, 0.1),
+            cavity(0.0, 0.0),
+            liquid.dead_volume_mm3,
+        );
         let l = &liquid.liquid;
         let shrunk = l.relative_volume(best.pressure_mpa);
-        let pushed =
-            if l.bulk_modulus_mpa == 1e12 { there - rest } else { (there + dead) / shrunk - rest - dead };
+        let pushed = if l.bulk_modulus_mpa == 1e12 {
+            there - rest
+        } else {
+            (there + dead) / shrunk - rest - dead
+        };
         let found = best.largest(|q| q.liquid_volume_mm3).unwrap();
         assert!((found / pushed - 1.0).abs() < 1e-9, "{found} {pushed}");
         assert!(best.largest(|q| q.air_normal_litres).is_none());
     }
 }
 
-/// The volume that a muscle takes is the edge of the limit: a millionth more and it fits, a millionth less and it is refused for it; what is promised to
-/// help does.
+/// The volume that a muscle takes is the edge of the limit: a millionth more and it fits, a
+/// millionth less and it is refused for it; what is promised to help does.
 #[test]
 fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     let mut spec = with_oil();
-    let volume_mm3 = design(&spec, BUILD).unwrap().candidates[0].largest(|q| q.liquid_volume_mm3).unwrap();
+    let volume_mm3 = design(&spec, BUILD).unwrap().candidates[0]
+        .largest(|q| q.liquid_volume_mm3)
+        .unwrap();
     spec.limits.liquid_volume_mm3 = Some(volume_mm3 * (1.0 + 1e-6));
     let outcome = design(&spec, BUILD).unwrap();
     assert_eq!(outcome.candidates.len(), 1);
@@ -118,12 +162,22 @@ fn the_largest_liquid_volume_binds_at_the_volume_that_is_found() {
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
     let closest = outcome.closest.unwrap();
-    assert_eq!(closest.rejected.reason.check().unwrap().limit, Limit::LiquidVolume);
-    let &Check { value: needs, bound: limit_mm3, .. } = closest.rejected.reason.check().unwrap();
+    assert_eq!(
+        closest.rejected.reason.check().unwrap().limit,
+        Limit::LiquidVolume
+    );
+    let &Check {
+        value: needs,
+        bound: limit_mm3,
+        ..
+    } = closest.rejected.reason.check().unwrap();
     assert!((needs / volume_mm3 - 1.0).abs() < 1e-12 && limit_mm3 < volume_mm3);
     // Without a liquid the limit has no meaning.
     spec.liquid = None;
-    assert_eq!(design(&spec, BUILD).unwrap_err(), SpecError::NoLiquid(limit_mm3));
+    assert_eq!(
+        design(&spec, BUILD).unwrap_err(),
+        SpecError::NoLiquid(limit_mm3)
+    );
 }
 
 /// Against all muscles of a list: none that pulls enough takes less liquid than the first.
@@ -137,9 +191,14 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
         ..with_oil()
     };
     let outcome = design(&spec, BUILD).unwrap();
-    let best = outcome.candidates[0].largest(|q| q.liquid_volume_mm3).unwrap();
+    let best = outcome.candidates[0]
+        .largest(|q| q.liquid_volume_mm3)
+        .unwrap();
     let (w, mut least) = (&mut Workspace::new(), f64::INFINITY);
-    for (d0, s) in diameters.iter().flat_map(|d0| walls.iter().map(move |s| (*d0, *s))) {
+    for (d0, s) in diameters
+        .iter()
+        .flat_map(|d0| walls.iter().map(move |s| (*d0, *s)))
+    {
         let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
         if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
             continue;
@@ -152,7 +211,8 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
     assert!((best / least - 1.0).abs() < 1e-9, "{best} {least}");
 }
 
-/// By search, of muscles in lists: each change makes one of them fit, and none fits with 98 % of it.
+/// By search, of muscles in lists: each change makes one of them fit, and none fits with 98 % of
+/// it.
 #[test]
 fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
     let lists = |spec: Spec| Spec {
@@ -164,11 +224,23 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
     narrow.limits.bulged_diameter_mm = Some(50.0);
     let mut stiff = lists(spec(100.0, 0.15));
     stiff.limits.stretch = Some(1.05);
-    let load = Demand::Load { load: Load::Mass { mass_kg: 120.0, level: false }, way: Lift::Stroke(57.0) };
+    let load = Demand::Load {
+        load: Load::Mass {
+            mass_kg: 120.0,
+            level: false,
+        },
+        way: Lift::Stroke(57.0),
+    };
     let specs = [
         lists(spec(1200.0, 0.2)),
-        Spec { wanted: load, ..lists(spec(1.0, 0.1)) },
-        Spec { max_pressure_mpa: 2.0, ..lists(spec(12e3, 0.1)) },
+        Spec {
+            wanted: load,
+            ..lists(spec(1.0, 0.1))
+        },
+        Spec {
+            max_pressure_mpa: 2.0,
+            ..lists(spec(12e3, 0.1))
+        },
         narrow,
         stiff,
     ];
@@ -187,12 +259,15 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
                 Relaxation::MaxPressure { pressure_mpa, .. } => {
                     changed.max_pressure_mpa = towards(*pressure_mpa, spec.max_pressure_mpa);
                 }
-                Relaxation::Force { share, .. } => changed.wanted = spec.wanted.times(towards(*share, 1.0)),
+                Relaxation::Force { share, .. } => {
+                    changed.wanted = spec.wanted.times(towards(*share, 1.0))
+                }
                 Relaxation::MinBurstMargin { burst_margin } => {
                     changed.limits.burst_margin = Some(towards(*burst_margin, SAFETY));
                 }
                 Relaxation::MaxStrandStrain { strand_strain } => {
-                    changed.limits.strand_strain = Some(towards(*strand_strain, VALIDATED_STRAND_STRAIN));
+                    changed.limits.strand_strain =
+                        Some(towards(*strand_strain, VALIDATED_STRAND_STRAIN));
                 }
                 Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
                     changed.limits.bulged_diameter_mm = Some(towards(*bulged_diameter_mm, 50.0));
@@ -203,7 +278,11 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
                 Relaxation::Contraction { share, .. } => {
                     // The whole way again, and the shorter one.
                     let back = towards(*share, 1.0) / share;
-                    Relaxation::Contraction { share: back, points: vec![] }.apply(&mut changed);
+                    Relaxation::Contraction {
+                        share: back,
+                        points: vec![],
+                    }
+                    .apply(&mut changed);
                 }
                 // Of the closest muscle alone.
                 Relaxation::OuterDiameter { .. } => continue,
@@ -232,14 +311,19 @@ fn a_bought_sleeve_takes_its_angle_from_the_diameter() {
     }
 }
 
-/// By hand: the allowed pressure is the least failure over its factor, and a muscle is used no further.
+/// By hand: the allowed pressure is the least failure over its factor, and a muscle is used no
+/// further.
 #[test]
 fn a_muscle_is_used_up_to_its_allowed_pressure() {
     let mut spec = spec(300.0, 0.1);
     spec.limits.burst_margin = Some(3.0);
     let braid = Braid {
         stiffness: BraidStiffness::OfStrands,
-        strands: Some(Strands { count: 96, section: Some((0.3, 2500.0)), strength_n: Some(60.0) }),
+        strands: Some(Strands {
+            count: 96,
+            section: Some((0.3, 2500.0)),
+            strength_n: Some(60.0),
+        }),
         ..Braid::paper()
     };
     spec.base = spec.base.with_braid(braid).unwrap();
@@ -257,14 +341,20 @@ fn a_muscle_is_used_up_to_its_allowed_pressure() {
     let outcome = design(&spec, BUILD).unwrap();
     assert!(outcome.candidates.is_empty());
     let reason = outcome.closest.unwrap().rejected.reason;
-    assert!(matches!(reason.check().unwrap().by, Some(Below::Failure(FailureMode::Strands, _))));
+    assert!(matches!(
+        reason.check().unwrap().by,
+        Some(Below::Failure(FailureMode::Strands, _))
+    ));
 }
 
 #[test]
 fn the_answer_does_not_depend_on_the_number_of_threads() {
     let spec = spec(700.0, 0.15);
     let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         format!("{:?}", pool.install(|| design(&spec, BUILD).unwrap()))
     };
     assert_eq!(run(1), run(4));
@@ -276,47 +366,78 @@ fn combinations_that_are_no_muscle_say_why() {
     spec.outer_diameter_mm = Values::List(vec![5.0]);
     spec.wall_mm = Values::List(vec![3.0]);
     let error = design(&spec, BUILD).unwrap_err().to_string();
-    assert!(error.contains("the wall must be thinner than the radius"), "{error}");
+    assert!(
+        error.contains("the wall must be thinner than the radius"),
+        "{error}"
+    );
 }
 
-/// Virtual work: the muscles that a design finds for torques, put on the pulley that it names, give these torques by the joint's own
-/// equations; a grid of radii holds no smaller muscle.
+/// Virtual work: the muscles that a design finds for torques, put on the pulley that it names, give
+/// these torques by the joint's own equations; a grid of radii holds no smaller muscle.
 #[test]
 fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
     use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
-    let torque = |(torque_nm, angle_deg)| TorqueWanted { torque_nm, angle_deg };
+    let torque = |(torque_nm, angle_deg)| TorqueWanted {
+        torque_nm,
+        angle_deg,
+    };
     let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
-    let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
+    let joint = JointDemand {
+        torques: torques.clone(),
+        largest_angle_deg: 60.0,
+        radius_mm: 20.0,
+    };
     let spec = Spec {
         wanted: Demand::Joint(joint),
         max_pressure_mpa: 0.6,
-        limits: Limits { bulged_diameter_mm: Some(50.0), ..Limits::default() },
+        limits: Limits {
+            bulged_diameter_mm: Some(50.0),
+            ..Limits::default()
+        },
         ..spec(1.0, 0.0)
     };
-    let (chosen, outcome) = design_joint(&spec, &Values::Interval(5.0, 40.0), MODELS, &Silent).unwrap();
-    let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else { panic!() };
+    let (chosen, outcome) =
+        design_joint(&spec, &Values::Interval(5.0, 40.0), MODELS, &Silent).unwrap();
+    let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else {
+        panic!()
+    };
     let best = &outcome.candidates[0];
     let on = |radius_mm: f64| JointMuscle {
         muscle: best.muscle.clone(),
         path: Path::Pulley { radius_mm },
         contraction_at_neutral: radius_mm.abs() * 60f64.to_radians() / best.muscle.length_mm(),
     };
-    let built =
-        Joint::new(vec![on(radius_mm), on(-radius_mm)], None, Link::default(), (-60.0, 60.0)).unwrap();
+    let built = Joint::new(
+        vec![on(radius_mm), on(-radius_mm)],
+        None,
+        Link::default(),
+        (-60.0, 60.0),
+    )
+    .unwrap();
     let model = ThickWall::new(&best.muscle);
     let model = JointModel::new(&built, vec![&model, &model], true).unwrap();
     let w = &mut [Workspace::new(), Workspace::new()][..];
-    let least = torques.iter().map(|&TorqueWanted { torque_nm: torque, angle_deg: angle }| {
-        let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
-        assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
-        there.torque_nm / torque
-    });
+    let least = torques.iter().map(
+        |&TorqueWanted {
+             torque_nm: torque,
+             angle_deg: angle,
+         }| {
+            let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
+            assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
+            there.torque_nm / torque
+        },
+    );
     let least = least.fold(f64::INFINITY, f64::min);
     // A hundredth of a millimetre of D0 is worth a thousandth of the pull.
     assert!((1.0..1.002).contains(&least), "{least}");
     for i in 0..36 {
-        let (_, other) =
-            design_joint(&spec, &Values::List(vec![5.0 + f64::from(i)]), MODELS, &Silent).unwrap();
+        let (_, other) = design_joint(
+            &spec,
+            &Values::List(vec![5.0 + f64::from(i)]),
+            MODELS,
+            &Silent,
+        )
+        .unwrap();
         if let Some(other) = other.candidates.first() {
             assert!(best.muscle.outer_diameter_mm() <= other.muscle.outer_diameter_mm() + 0.011);
         }

@@ -8,7 +8,8 @@ use mckibben::random::{Random, rounds};
 use mckibben::sleeve::library;
 use mckibben::units::Values;
 use mckibben_design::{
-    BraidChoice, Candidate, Limits, Models, Objective, OperatingPoint, Spec, design, design_with, fits, tubes,
+    BraidChoice, Candidate, Limits, Models, Objective, OperatingPoint, Spec, design, design_with,
+    fits, tubes,
 };
 use rayon::prelude::*;
 
@@ -18,12 +19,21 @@ fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 
 fn muscle(d0: f64, s: f64, angle: f64, length: f64) -> Option<Muscle> {
     let base = Muscle::prototype();
-    let braid = Braid { angle_deg: angle, ..base.braid().clone() };
-    let tube = Tube { outer_diameter_mm: d0, wall_mm: s, length_mm: length, ..base.tube().clone() };
+    let braid = Braid {
+        angle_deg: angle,
+        ..base.braid().clone()
+    };
+    let tube = Tube {
+        outer_diameter_mm: d0,
+        wall_mm: s,
+        length_mm: length,
+        ..base.tube().clone()
+    };
     Muscle::new(tube, braid, base.terminals().clone(), None).ok()
 }
 
-/// A specification that one muscle of its space just meets, with the space's grid: walls, angles and lengths.
+/// A specification that one muscle of its space just meets, with the space's grid: walls, angles
+/// and lengths.
 struct Case {
     spec: Spec,
     walls: Vec<f64>,
@@ -34,7 +44,9 @@ struct Case {
 fn case(seed: u64) -> Option<Case> {
     let r = &mut Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
     let grid = |low: f64, high: f64, n: usize| -> Vec<f64> {
-        (0..=n).map(|i| low + (high - low) * i as f64 / n as f64).collect()
+        (0..=n)
+            .map(|i| low + (high - low) * i as f64 / n as f64)
+            .collect()
     };
     // The space.
     let (wall_mm, walls) = if r.unit() < 0.5 {
@@ -69,13 +81,20 @@ fn case(seed: u64) -> Option<Case> {
         if force_n < 1.0 {
             return None;
         }
-        let p =
-            Evaluation::new(model.as_ref(), w, Options::default()).pressure_at(force_n, contraction).ok()?;
+        let p = Evaluation::new(model.as_ref(), w, Options::default())
+            .pressure_at(force_n, contraction)
+            .ok()?;
         bulge = bulge.max(model.response(w, p, contraction).ok()?.bulged_diameter_mm?);
-        points.push(OperatingPoint { force_n, contraction });
+        points.push(OperatingPoint {
+            force_n,
+            contraction,
+        });
     }
     let bulged_diameter_mm = (r.unit() < 0.7).then(|| bulge * (1.0 + 0.2 * r.unit().powi(2)));
-    let limits = Limits { bulged_diameter_mm, ..Limits::safe() };
+    let limits = Limits {
+        bulged_diameter_mm,
+        ..Limits::safe()
+    };
     let outer_diameter_mm = if r.unit() < 0.75 {
         Values::Interval(5.0, 80.0)
     } else {
@@ -87,17 +106,25 @@ fn case(seed: u64) -> Option<Case> {
     spec.braid = BraidChoice::Angle(angle);
     (spec.wall_mm, spec.outer_diameter_mm, spec.limits) = (wall_mm, outer_diameter_mm, limits);
     spec.extrapolate = true;
-    Some(Case { spec, walls, angles, lengths })
+    Some(Case {
+        spec,
+        walls,
+        angles,
+        lengths,
+    })
 }
 
-/// The smallest D0 of the grid that meets a specification; it is half a percent fine up to a tenth below `found`.
+/// The smallest D0 of the grid that meets a specification; it is half a percent fine up to a tenth
+/// below `found`.
 fn smallest(case: &Case, spec: &Spec, found: Option<f64>) -> Option<f64> {
     let diameters: Vec<f64> = match &spec.outer_diameter_mm {
         Values::List(list) => list.clone(),
         Values::Interval(low, high) => {
             let fine = found.map_or(0.0, |d0| 0.9 * d0);
             let next = |d0: &f64| Some(d0 * if *d0 < fine { 1.02 } else { 1.005 });
-            std::iter::successors(Some(*low), next).take_while(|d0| d0 <= high).collect()
+            std::iter::successors(Some(*low), next)
+                .take_while(|d0| d0 <= high)
+                .collect()
         }
     };
     let fit = |d0: f64| {
@@ -114,11 +141,18 @@ fn smallest(case: &Case, spec: &Spec, found: Option<f64>) -> Option<f64> {
 
 #[test]
 fn random_specifications_against_a_grid() {
-    let cases: Vec<_> = (0..).filter_map(|seed| Some((seed, case(seed)?))).take(rounds(30)).collect();
+    let cases: Vec<_> = (0..)
+        .filter_map(|seed| Some((seed, case(seed)?)))
+        .take(rounds(30))
+        .collect();
     let wrong: Vec<String> = cases
         .par_iter()
         .filter_map(|(seed, case)| {
-            let winner = design(&case.spec, &universal).unwrap().candidates.first().cloned();
+            let winner = design(&case.spec, &universal)
+                .unwrap()
+                .candidates
+                .first()
+                .cloned();
             let found = winner.as_ref().map(|c| c.muscle.outer_diameter_mm());
             // With 1 % to spare.
             let mut tight = case.spec.clone();
@@ -126,36 +160,63 @@ fn random_specifications_against_a_grid() {
             points.iter_mut().for_each(|q| q.force_n *= 1.01);
             tight.wanted = points.into();
             tight.limits.bulged_diameter_mm = tight.limits.bulged_diameter_mm.map(|d| d / 1.01);
-            let (grid, surely) = (smallest(case, &case.spec, found), smallest(case, &tight, found));
+            let (grid, surely) = (
+                smallest(case, &case.spec, found),
+                smallest(case, &tight, found),
+            );
             let good = match (found, grid) {
-                (Some(_), _) if winner.is_some_and(|c| !fits(&case.spec, &universal, &c.muscle)) => false,
+                (Some(_), _)
+                    if winner.is_some_and(|c| !fits(&case.spec, &universal, &c.muscle)) =>
+                {
+                    false
+                }
                 (Some(found), Some(grid)) => found <= 1.005 * grid,
                 (None, _) => surely.is_none(),
                 (Some(_), None) => true,
             };
-            (!good).then(|| format!("{seed}: found {found:?}, grid {grid:?}, with headroom {surely:?}"))
+            (!good).then(|| {
+                format!("{seed}: found {found:?}, grid {grid:?}, with headroom {surely:?}")
+            })
         })
         .collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Some tubes and sleeves as sold, for 5 N to 50 kN, 3 to 35 % and 0.5 to 10 bar, with and without a second point, a length, a stroke, a largest diameter.
+/// Some tubes and sleeves as sold, for 5 N to 50 kN, 3 to 35 % and 0.5 to 10 bar, with and without
+/// a second point, a length, a stroke, a largest diameter.
 fn of_parts(seed: u64) -> Spec {
     let r = &mut Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
-    let (force_n, contraction, supply_mpa) = (r.log(5.0, 50e3), r.between(0.03, 0.35), r.log(0.05, 1.0));
-    let point = |force_n, contraction| OperatingPoint { force_n, contraction };
+    let (force_n, contraction, supply_mpa) =
+        (r.log(5.0, 50e3), r.between(0.03, 0.35), r.log(0.05, 1.0));
+    let point = |force_n, contraction| OperatingPoint {
+        force_n,
+        contraction,
+    };
     let mut points = vec![point(force_n, contraction)];
     if r.unit() < 0.3 {
         points.push(point(1.5 * force_n, 0.5 * contraction));
     }
     let (given_mm, stroke_mm) = (r.log(60.0, 1000.0), r.log(5.0, 150.0));
     let length_mm = r.one_of(&[285.0, given_mm, stroke_mm / contraction]);
-    let mut spec = Spec { top: 1000, extrapolate: true, ..Spec::new(points, supply_mpa) };
+    let mut spec = Spec {
+        top: 1000,
+        extrapolate: true,
+        ..Spec::new(points, supply_mpa)
+    };
     spec.base = muscle(30.0, 3.0, 28.0, length_mm).unwrap();
     let ideal_mm = (4.0 * force_n / (std::f64::consts::PI * supply_mpa)).sqrt();
     spec.limits.bulged_diameter_mm = (r.unit() < 0.4).then(|| ideal_mm * r.log(0.3, 3.0));
-    spec.tubes = tubes::catalogue().unwrap().iter().step_by(4).cloned().collect();
-    let sleeves = library::entries().unwrap().iter().step_by(4).map(|entry| &entry.sleeve);
+    spec.tubes = tubes::catalogue()
+        .unwrap()
+        .iter()
+        .step_by(4)
+        .cloned()
+        .collect();
+    let sleeves = library::entries()
+        .unwrap()
+        .iter()
+        .step_by(4)
+        .map(|entry| &entry.sleeve);
     spec.braid = BraidChoice::Sleeves(sleeves.map(|s| s.on(s.diameters().0).unwrap()).collect());
     spec
 }
@@ -165,21 +226,39 @@ fn of_parts(seed: u64) -> Spec {
 fn a_larger_supply_removes_no_muscle_and_makes_the_best_one_no_wider() {
     let thick_wall = |muscle: &Muscle| ModelKind::ThickWall.build(muscle);
     let is_good = |muscle: &Muscle| muscle.length_mm() > 5.0 * muscle.outer_diameter_mm();
-    let models = Models { search: &thick_wall, settle: Some((&thick_wall, is_good)) };
+    let models = Models {
+        search: &thick_wall,
+        settle: Some((&thick_wall, is_good)),
+    };
     let found = |spec: &Spec| design_with(spec, models, &Silent).unwrap().candidates;
-    let width = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.bulged_diameter_mm().unwrap());
+    let width = |list: &[Candidate]| {
+        list.first()
+            .map_or(f64::INFINITY, |c| c.bulged_diameter_mm().unwrap())
+    };
     let one = |seed: &u64| {
         let mut spec = of_parts(*seed);
         let few = found(&spec);
         spec.max_pressure_mpa *= 1.0 + 3.0 * Random(*seed).unit();
         let more = found(&spec);
-        assert!(width(&more) <= width(&few) * (1.0 + 1e-6), "{seed}: {} {}", width(&more), width(&few));
+        assert!(
+            width(&more) <= width(&few) * (1.0 + 1e-6),
+            "{seed}: {} {}",
+            width(&more),
+            width(&few)
+        );
         for c in &few {
-            assert!(more.iter().any(|other| other.muscle == c.muscle), "{seed}: {:?}", c.tube);
+            assert!(
+                more.iter().any(|other| other.muscle == c.muscle),
+                "{seed}: {:?}",
+                c.tube
+            );
         }
         few.len()
     };
     let seeds: Vec<u64> = (0..rounds(300) as u64).collect();
     let counts: Vec<usize> = seeds.par_iter().map(one).collect();
-    assert!(counts.iter().filter(|count| **count > 0).count() >= seeds.len() / 5, "{counts:?}");
+    assert!(
+        counts.iter().filter(|count| **count > 0).count() >= seeds.len() / 5,
+        "{counts:?}"
+    );
 }

@@ -12,7 +12,10 @@ use mckibben_design::{
 const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::new(muscle)));
 
 fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
-    let point = OperatingPoint { force_n, contraction };
+    let point = OperatingPoint {
+        force_n,
+        contraction,
+    };
     Spec {
         outer_diameter_mm: Values::Interval(8.0, 60.0),
         wall_mm: Values::List(vec![1.0, 2.0]),
@@ -24,7 +27,9 @@ fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
 }
 
 fn push_n(muscle: &Muscle) -> f64 {
-    -ThickWall::new(muscle).force_n(&mut Workspace::new(), 0.25, -0.1).unwrap()
+    -ThickWall::new(muscle)
+        .force_n(&mut Workspace::new(), 0.25, -0.1)
+        .unwrap()
 }
 
 /// The first diameter that pushes enough; a hundredth less does not.
@@ -34,44 +39,84 @@ fn the_smallest_diameter_just_pushes_enough_at_the_maximum_pressure() {
     let best = &outcome.candidates[0];
     let (d0, s) = (best.muscle.outer_diameter_mm(), best.muscle.wall_mm());
     let thinner = best.muscle.with_section(d0 - 0.011, s).unwrap();
-    assert!(push_n(&best.muscle) >= 30.0 && push_n(&thinner) < 30.0, "{d0} {s}");
-    assert!((best.margin - (push_n(&best.muscle) / 30.0 - 1.0)).abs() < 1e-9 && best.pressure_mpa <= 0.25);
-    assert!(best.free_contraction.is_some_and(|e| e < -0.1), "{:?}", best.free_contraction);
+    assert!(
+        push_n(&best.muscle) >= 30.0 && push_n(&thinner) < 30.0,
+        "{d0} {s}"
+    );
+    assert!(
+        (best.margin - (push_n(&best.muscle) / 30.0 - 1.0)).abs() < 1e-9
+            && best.pressure_mpa <= 0.25
+    );
+    assert!(
+        best.free_contraction.is_some_and(|e| e < -0.1),
+        "{:?}",
+        best.free_contraction
+    );
     // Against the way and with the push: the work is positive.
     assert!(best.work_j.is_some_and(|work| work > 0.0));
 }
 
-/// Between two joints a push is at most the load of Euler's column; a muscle that is guided may be thinner, and the other is told how.
+/// Between two joints a push is at most the load of Euler's column; a muscle that is guided may be
+/// thinner, and the other is told how.
 #[test]
 fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
-    let limits = Limits { buckling: true, ..Limits::default() };
+    let limits = Limits {
+        buckling: true,
+        ..Limits::default()
+    };
     let free = design(&spec(-30.0, -0.1, limits), BUILD).unwrap();
     let guided = design(&spec(-30.0, -0.1, Limits::default()), BUILD).unwrap();
     let d0 = |outcome: &mckibben_design::Outcome| outcome.candidates[0].muscle.outer_diameter_mm();
-    assert!(d0(&free) > d0(&guided) + 1.0, "{} {}", d0(&free), d0(&guided));
+    assert!(
+        d0(&free) > d0(&guided) + 1.0,
+        "{} {}",
+        d0(&free),
+        d0(&guided)
+    );
     for candidate in &free.candidates {
         let q = &candidate.points[0].response;
-        let least_n = ThickWall::new(&candidate.muscle).buckling_n(q.pressure_mpa, q.contraction).unwrap();
+        let least_n = ThickWall::new(&candidate.muscle)
+            .buckling_n(q.pressure_mpa, q.contraction)
+            .unwrap();
         assert!(30.0 <= least_n * (1.0 + 1e-9), "{least_n}");
     }
     // Thin tubes alone: the closest would do if it were guided.
-    let thin = Spec { outer_diameter_mm: Values::List(vec![d0(&guided) + 0.5]), ..spec(-30.0, -0.1, limits) };
+    let thin = Spec {
+        outer_diameter_mm: Values::List(vec![d0(&guided) + 0.5]),
+        ..spec(-30.0, -0.1, limits)
+    };
     let closest = design(&thin, BUILD).unwrap().closest.unwrap();
-    assert_eq!(closest.rejected.reason.check().unwrap().limit, Limit::Buckling);
+    assert_eq!(
+        closest.rejected.reason.check().unwrap().limit,
+        Limit::Buckling
+    );
     assert!(closest.rejected.misses_by.unwrap() > 0.0);
-    let changes = closest.relaxations(&thin, Models { search: BUILD, settle: None }, &Silent);
+    let changes = closest.relaxations(
+        &thin,
+        Models {
+            search: BUILD,
+            settle: None,
+        },
+        &Silent,
+    );
     assert!(changes.contains(&Relaxation::Guided {}), "{changes:?}");
 }
 
 /// The lower end of the ± is on the side of zero.
 #[test]
 fn a_guaranteed_push_leaves_its_half_width() {
-    let sure = Spec { guaranteed: Some(0.95), ..spec(-30.0, -0.1, Limits::default()) };
+    let sure = Spec {
+        guaranteed: Some(0.95),
+        ..spec(-30.0, -0.1, Limits::default())
+    };
     let outcome = design(&sure, BUILD).unwrap();
     let best = &outcome.candidates[0];
     let (model, workspace) = (ThickWall::new(&best.muscle), &mut Workspace::new());
-    let half =
-        Evaluation::new(&model, workspace, Options::default()).uncertainty(0.25, -0.1, -push_n(&best.muscle));
+    let half = Evaluation::new(&model, workspace, Options::default()).uncertainty(
+        0.25,
+        -0.1,
+        -push_n(&best.muscle),
+    );
     assert!(push_n(&best.muscle) - half.unwrap().total() >= 30.0 - 1e-6);
 }
 
@@ -79,7 +124,10 @@ fn a_guaranteed_push_leaves_its_half_width() {
 fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
     let mixed = Spec {
         wanted: [(-30.0, -0.1), (30.0, 0.1)]
-            .map(|(force_n, contraction)| OperatingPoint { force_n, contraction })
+            .map(|(force_n, contraction)| OperatingPoint {
+                force_n,
+                contraction,
+            })
             .to_vec()
             .into(),
         ..spec(-30.0, -0.1, Limits::default())
@@ -89,9 +137,19 @@ fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
         design(&spec(-30.0, 0.1, Limits::default()), BUILD),
         Err(SpecError::Refused(said)) if said.contains("-30\u{a0}N")
     ));
-    let steep =
-        Spec { braid: BraidChoice::Angle(Values::List(vec![30.0])), ..spec(-30.0, -0.1, Limits::default()) };
+    let steep = Spec {
+        braid: BraidChoice::Angle(Values::List(vec![30.0])),
+        ..spec(-30.0, -0.1, Limits::default())
+    };
     let error = design(&steep, BUILD).unwrap_err();
-    assert!(error.to_string().contains("braid.angle is 30 deg; this muscle contracts"), "{error}");
-    assert!(error.to_string().contains("take an angle above 54.7"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("braid.angle is 30 deg; this muscle contracts"),
+        "{error}"
+    );
+    assert!(
+        error.to_string().contains("take an angle above 54.7"),
+        "{error}"
+    );
 }

@@ -1,4 +1,5 @@
-//! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs nothing else.
+//! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs
+//! nothing else.
 
 use super::common;
 use crate::template::{list, lists, number, render};
@@ -17,10 +18,26 @@ pub(super) const TARGET: Target = Target {
 type Source = (&'static str, &'static str, &'static str);
 
 const SOURCES: [Source; 4] = [
-    ("mckibben.h", "the functions, the same for all muscles", include_str!("../../templates/mckibben.h")),
-    ("mckibben.c", "their source", include_str!("../../templates/mckibben.c")),
-    ("mckibben_memory.h", "friction with memory", include_str!("../../templates/mckibben_memory.h")),
-    ("@{id}.h", "the numbers of the muscle", include_str!("../../templates/muscle.h")),
+    (
+        "mckibben.h",
+        "the functions, the same for all muscles",
+        include_str!("../../templates/mckibben.h"),
+    ),
+    (
+        "mckibben.c",
+        "their source",
+        include_str!("../../templates/mckibben.c"),
+    ),
+    (
+        "mckibben_memory.h",
+        "friction with memory",
+        include_str!("../../templates/mckibben_memory.h"),
+    ),
+    (
+        "@{id}.h",
+        "the numbers of the muscle",
+        include_str!("../../templates/muscle.h"),
+    ),
 ];
 
 const EXAMPLES: [Source; 4] = [
@@ -47,11 +64,18 @@ const EXAMPLES: [Source; 4] = [
 ];
 
 /// The functions of joints.
-pub(super) const MCKIBBEN_JOINT: Source =
-    ("mckibben_joint.h", "the functions of joints", include_str!("../../templates/mckibben_joint.h"));
+pub(super) const MCKIBBEN_JOINT: Source = (
+    "mckibben_joint.h",
+    "the functions of joints",
+    include_str!("../../templates/mckibben_joint.h"),
+);
 
 const JOINT: [Source; 3] = [
-    ("@{id}.h", "the numbers of the joint", include_str!("../../templates/joint.h")),
+    (
+        "@{id}.h",
+        "the numbers of the joint",
+        include_str!("../../templates/joint.h"),
+    ),
     MCKIBBEN_JOINT,
     (
         "@{id}_example.c",
@@ -61,23 +85,40 @@ const JOINT: [Source; 3] = [
 ];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    Ok(Artefact { files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()), notes: vec![] })
+    Ok(Artefact {
+        files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()),
+        notes: vec![],
+    })
 }
 
 /// The files of its muscles, and its own.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
-    let names: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
-    let each =
-        |one: fn(&String) -> String, between: &str| names.iter().map(one).collect::<Vec<_>>().join(between);
+    let names: Vec<String> = joint
+        .muscles
+        .iter()
+        .map(ExportedMuscle::identifier)
+        .collect();
+    let each = |one: fn(&String) -> String, between: &str| {
+        names.iter().map(one).collect::<Vec<_>>().join(between)
+    };
     let mut values = joint.values(["{", "}"], |v| format!("MCKIBBEN_R({})", number(v)));
-    values.push(("includes", each(|name| format!("#include \"{name}.h\""), "\n")));
+    values.push((
+        "includes",
+        each(|name| format!("#include \"{name}.h\""), "\n"),
+    ));
     values.push(("addresses", each(|name| format!("&{name}"), ", ")));
     let own = JOINT.map(|(name, about, template)| {
         let text = render(template, &joint.facts(), &values);
         File::text(render(name, &[], &values).trim_end(), about, text)
     });
-    let muscles = joint.muscles.iter().flat_map(|muscle| files(muscle, &SOURCES));
-    Ok(Artefact { files: own.into_iter().chain(muscles).collect(), notes: vec![] })
+    let muscles = joint
+        .muscles
+        .iter()
+        .flat_map(|muscle| files(muscle, &SOURCES));
+    Ok(Artefact {
+        files: own.into_iter().chain(muscles).collect(),
+        notes: vec![],
+    })
 }
 
 /// The functions with the muscle's numbers.
@@ -89,7 +130,11 @@ fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
     sources
         .iter()
         .map(|(name, about, template)| {
-            File::text(rendered(name, muscle).trim_end(), about, rendered(template, muscle))
+            File::text(
+                rendered(name, muscle).trim_end(),
+                about,
+                rendered(template, muscle),
+            )
         })
         .collect()
 }
@@ -108,7 +153,14 @@ pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
         ("c_a", lists(&f.a, braces, one)),
         ("c_b", lists(&f.b, braces, one)),
         ("c_v", list(&f.v, braces, one)),
-        ("c_friction", list(&[&f.friction_n[..], &[f.presliding_m]].concat(), braces, one)),
+        (
+            "c_friction",
+            list(
+                &[&f.friction_n[..], &[f.presliding_m]].concat(),
+                braces,
+                one,
+            ),
+        ),
     ]);
     render(template, &muscle.facts(), &values)
 }

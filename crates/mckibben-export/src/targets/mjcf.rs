@@ -1,29 +1,38 @@
-//! MuJoCo: a muscle of native actuators in MJCF, and the form itself as a plugin around the C target, each with a scene that includes it.
+//! MuJoCo: a muscle of native actuators in MJCF, and the form itself as a plugin around the C
+//! target, each with a scene that includes it.
 //!
-//! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and the pressure P as the control of both:
+//! MuJoCo has no actuator F(P, L). Two of its actuators on one tendon make one, with x = L/L0 and
+//! the pressure P as the control of both:
 //!
 //! ```text
 //! muscle: − (k2 P + m2) x²        gaintype and biastype "muscle" on their first quarters, which are parabolas
 //! affine: − (k0 + k1 x) P − (m0 + m1 x)
 //! ```
 //!
-//! The gain of a muscle is −force · 2 L² for 0 ≤ L ≤ 1/2 with `lmin` 0, and L = length/span with `range` 0 1 and `lengthrange` 0 span; where k2
-//! is negative it is −force (1 − (L − 1)²/2) for 1 ≤ L ≤ 2 with `lmax` 3, whose constant the affine actuator takes back. Its bias
-//! is −force · fpmax (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo, "Computation",
-//! section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all actuators at the tendon makes it slack.
+//! The gain of a muscle is −force · 2 L² for 0 ≤ L ≤ 1/2 with `lmin` 0, and L = length/span with
+//! `range` 0 1 and `lengthrange` 0 span; where k2 is negative it is −force (1 − (L − 1)²/2) for 1 ≤
+//! L ≤ 2 with `lmax` 3, whose constant the affine actuator takes back. Its bias is −force · fpmax
+//! (L − 1)²/2 for 1 ≤ L ≤ 2 with `lmax` 3, and L − 1 = length/span with `range` 1 2. (MuJoCo,
+//! "Computation", section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all
+//! actuators at the tendon makes it slack.
 
 use super::c::{rendered, sources};
 use super::fit;
 use crate::muscle::LIMIT;
 use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedJoint, ExportedMuscle, File, HostError, Result, Target};
+use crate::{
+    Artefact, ExportError, ExportedJoint, ExportedMuscle, File, HostError, Result, Target,
+};
 use mckibben::joint::{JointSpring, Path};
 
 pub(super) const TARGET: Target = Target {
     name: "mjcf",
-    about: "MuJoCo: native actuators on a tendon, without plugin or callback; beside them the form itself as a plugin in C; each as a part of any model, and a scene",
-    needs: "MuJoCo 3.3.1 or later; for the plugin its headers (the Python package has them) and a C compiler",
-    loses: "without the plugin friction and the form: pull is linear in the pressure and of second degree in the length, from the length at rest to the free contraction; no volume",
+    about: "MuJoCo: native actuators on a tendon, without plugin or callback; beside them the form \
+        itself as a plugin in C; each as a part of any model, and a scene",
+    needs: "MuJoCo 3.3.1 or later; for the plugin its headers (the Python package has them) and a \
+        C compiler",
+    loses: "without the plugin friction and the form: pull is linear in the pressure and of second \
+        degree in the length, from the length at rest to the free contraction; no volume",
     make,
     joint: Some(joint),
 };
@@ -33,7 +42,8 @@ const REACH: f64 = 1.25;
 /// Largest share of the pull beyond the blocked force at the supply.
 const STRONGEST: f64 = 3.0;
 
-/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the muscle slack. MuJoCo has no m2 below zero: without it then.
+/// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the
+/// muscle slack. MuJoCo has no m2 below zero: without it then.
 fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
     let all = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)?;
     if all.0[5] > 0.0 {
@@ -65,25 +75,39 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
 fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> {
     let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
     let refused = || {
-        ExportError::Host("the pull of this muscle is not of the form that MuJoCo's actuators have; the targets c and python have all of it".into())
+        ExportError::Host(
+            "the pull of this muscle is not of the form that MuJoCo's actuators \
+            have; the targets c and python have all of it"
+                .into(),
+        )
     };
-    let (k, error) = fitted(muscle).filter(|(_, error)| error.worst <= LIMIT).ok_or_else(refused)?;
+    let (k, error) = fitted(muscle)
+        .filter(|(_, error)| error.worst <= LIMIT)
+        .ok_or_else(refused)?;
     let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
     let (span, cord) = (2.0 * REACH * length, muscle.cord_m / length);
     let per_square = (span / length).powi(2);
-    // A parabola that opens upwards lies on the first quarter, one that opens downwards on the third, which begins at 1.
+    // A parabola that opens upwards lies on the first quarter, one that opens downwards on the
+    // third, which begins at 1.
     let (gain_range, gain_ends, gain_square, offset) = if k[2] >= 0.0 {
-        ("0 1", "0 1.6", (0.5 * k[2] * per_pa * per_square).max(f64::MIN_POSITIVE), 0.0)
+        (
+            "0 1",
+            "0 1.6",
+            (0.5 * k[2] * per_pa * per_square).max(f64::MIN_POSITIVE),
+            0.0,
+        )
     } else {
         let square = -2.0 * k[2] * per_pa * per_square;
         ("1 2", "0.5 3", square, square)
     };
     let reach = format!(
-        "Pull of the actuators against the model, from the length at rest to the free contraction: {error}, of the blocked force."
+        "Pull of the actuators against the model, from the length at rest to the free contraction: \
+         {error}, of the blocked force."
     );
     let slope = stiffness_error(muscle, &k);
     let slope = format!(
-        "Stiffness of the actuators against the form, there: {:.1} % rms, {:.1} % worst, of the mean stiffness at the supply of {:.0} N/m.",
+        "Stiffness of the actuators against the form, there: {:.1} % rms, {:.1} % worst, of the \
+         mean stiffness at the supply of {:.0} N/m.",
         100.0 * slope.rms,
         100.0 * slope.worst,
         blocked_n / (f.contraction_high * f.length_m)
@@ -97,8 +121,14 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
         ("gain_range", gain_range.into()),
         ("gain_ends", gain_ends.into()),
         // MuJoCo requires more than zero.
-        ("bias_square", number((2.0 * k[5] * blocked_n * per_square).max(f64::MIN_POSITIVE))),
-        ("gain_0", number(offset - k[0] * per_pa + k[1] * per_pa * cord)),
+        (
+            "bias_square",
+            number((2.0 * k[5] * blocked_n * per_square).max(f64::MIN_POSITIVE)),
+        ),
+        (
+            "gain_0",
+            number(offset - k[0] * per_pa + k[1] * per_pa * cord),
+        ),
         ("gain_1", number(-k[1] * per_pa / length)),
         ("bias_0", number((k[4] * cord - k[3]) * blocked_n)),
         ("bias_1", number(-k[4] * blocked_n / length)),
@@ -106,7 +136,16 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
     let actuators = include_str!("../../templates/muscle_native.xml");
     let places = [("limit", number(-STRONGEST * blocked_n))];
     let facts = [muscle.facts(), notes.clone()].concat();
-    Ok((part(muscle, &facts, way, [NATIVE, &render(actuators, &[], &values)], &places), notes))
+    Ok((
+        part(
+            muscle,
+            &facts,
+            way,
+            [NATIVE, &render(actuators, &[], &values)],
+            &places,
+        ),
+        notes,
+    ))
 }
 
 /// The form itself with one control for a muscle, as a part of any model.
@@ -118,7 +157,13 @@ fn plugin(muscle: &ExportedMuscle, way: Way<'_>) -> Vec<File> {
         &[("id", id.clone()), ("supply", supply)],
     );
     let places = [("extension", String::new())];
-    let mut files = vec![part(muscle, &muscle.facts(), way, [PLUGIN, &actuator], &places)];
+    let mut files = vec![part(
+        muscle,
+        &muscle.facts(),
+        way,
+        [PLUGIN, &actuator],
+        &places,
+    )];
     for (name, about, template) in [
         (
             id + "_plugin.c",
@@ -144,7 +189,8 @@ const PLUGIN: &str = "_plugin";
 /// A place in a template, and its text.
 type Place = (&'static str, String);
 
-/// The path of a muscle about a joint, and the name of the hinge; none between two sites of any model.
+/// The path of a muscle about a joint, and the name of the hinge; none between two sites of any
+/// model.
 type Way<'a> = Option<(&'a Path, &'a str)>;
 
 /// A tendon: over a pulley it follows the hinge.
@@ -155,7 +201,8 @@ fn tendon(name: &str, class: &str, way: Way<'_>) -> String {
             number(-1e-3 * radius_mm)
         ),
         _ => format!(
-            "<spatial name=\"{name}\"{class}> <site site=\"{name}_origin\"/> <site site=\"{name}_insertion\"/> </spatial>"
+            "<spatial name=\"{name}\"{class}> <site site=\"{name}_origin\"/> <site \
+             site=\"{name}_insertion\"/> </spatial>"
         ),
     }
 }
@@ -171,7 +218,10 @@ fn part(
     let id = muscle.identifier();
     let file = format!("{id}{kind}_part.xml");
     let (class, about) = match kind {
-        NATIVE => (format!(" class=\"{id}\""), "the muscle as a part of any model"),
+        NATIVE => (
+            format!(" class=\"{id}\""),
+            "the muscle as a part of any model",
+        ),
         _ => (String::new(), "the same by the plugin"),
     };
     let held = tendon(&id, &class, way);
@@ -188,8 +238,11 @@ fn part(
         ("actuators", actuators.trim_end().to_owned()),
         ("id", id),
     ];
-    let text =
-        render(include_str!("../../templates/muscle_part.xml"), facts, &[&common[..], places].concat());
+    let text = render(
+        include_str!("../../templates/muscle_part.xml"),
+        facts,
+        &[&common[..], places].concat(),
+    );
     File::text(file, about, text)
 }
 
@@ -198,7 +251,10 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     let facts = [muscle.facts(), notes.clone()].concat();
     notes.push("both actuators of a muscle take the same control: its gauge pressure in Pa".into());
     let half = number(0.5 * muscle.form.supply_pa);
-    let mut files = vec![scene(muscle, &facts, NATIVE, &format!("{half} {half}")), part];
+    let mut files = vec![
+        scene(muscle, &facts, NATIVE, &format!("{half} {half}")),
+        part,
+    ];
     files.push(scene(muscle, &muscle.facts(), PLUGIN, &half));
     files.extend(plugin(muscle, None));
     Ok(Artefact { files, notes })
@@ -206,7 +262,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
 
 /// A scene in which a mass hangs from the muscle.
 fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> File {
-    let (length, blocked_n, id) = (muscle.form.length_m, muscle.blocked_force_n, muscle.identifier());
+    let (length, blocked_n, id) = (
+        muscle.form.length_m,
+        muscle.blocked_force_n,
+        muscle.identifier(),
+    );
     let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
     let places = [
         ("part", format!("{id}{kind}_part.xml")),
@@ -230,7 +290,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let (mut parts, mut plugins, mut notes) = (vec![], vec![], vec![]);
     for (muscle, path) in joint.muscles.iter().zip(&paths) {
         let (part, said) = native(muscle, Some((path, &id)))?;
-        notes.extend(said.into_iter().map(|said| format!("{}: {said}", muscle.name)));
+        notes.extend(
+            said.into_iter()
+                .map(|said| format!("{}: {said}", muscle.name)),
+        );
         parts.push(part);
         plugins.extend(plugin(muscle, Some((path, &id))));
     }
@@ -240,17 +303,25 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let (inertia, least) = (link.whole_inertia_kg_m2(), moment * centre);
     if inertia < (1.0 - 1e-9) * least {
         return Err(ExportError::Host(format!(
-            "[joint] inertia: {inertia:.3e} kg m2 with the payload is less than {least:.3e} kg m2, that of a point of this mass at its centre; MuJoCo has no such body"
+            "[joint] inertia: {inertia:.3e} kg m2 with the payload is less than {least:.3e} kg m2, \
+             that of a point of this mass at its centre; MuJoCo has no such body"
         )));
     }
     let along = link.inclination_deg.to_radians().sin_cos();
     let at = |r: f64| format!("{:.9} {:.9} 0", r * along.1, r * along.0);
     let spring = format!("{id}_spring");
-    let names: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
+    let names: Vec<String> = joint
+        .muscles
+        .iter()
+        .map(ExportedMuscle::identifier)
+        .collect();
     let ends = |end: usize| {
         let of = |name: &str, path: &Path| match path {
             Path::Pulley { .. } => String::new(),
-            Path::Points { origin_mm, insertion_mm } => {
+            Path::Points {
+                origin_mm,
+                insertion_mm,
+            } => {
                 let ([x, y], word) = ([origin_mm, insertion_mm][end], ["origin", "insertion"][end]);
                 format!(
                     "<site name=\"{name}_{word}\" pos=\"{} {} 0\" size=\"0.005\"/>",
@@ -272,10 +343,15 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         ("armature", number((inertia - least).max(0.0))),
         ("mass", number(mass.max(1e-6))),
         ("centre", at(centre)),
-        ("end", at(1e-3 * link.centre_mm.max(link.payload_at_mm).max(50.0))),
+        (
+            "end",
+            at(1e-3 * link.centre_mm.max(link.payload_at_mm).max(50.0)),
+        ),
     ];
     places.extend(
-        [("fixed_sites", ends(0)), ("moving_sites", ends(1))].into_iter().filter(|p| !p.1.is_empty()),
+        [("fixed_sites", ends(0)), ("moving_sites", ends(1))]
+            .into_iter()
+            .filter(|p| !p.1.is_empty()),
     );
     let (torsion, rope) = joint.springs();
     let bias = |k: [f64; 2]| ("bias", k.map(|v| number(-v)).join(" "));
@@ -287,7 +363,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         Some(JointSpring::Rope { .. }) => places.extend([
             ("rope", tendon(&spring, "", Some((&paths[2], &id)))),
             // It pulls or is slack.
-            ("spring", format!("tendon=\"{spring}\" forcelimited=\"true\" forcerange=\"-1e12 0\"")),
+            (
+                "spring",
+                format!("tendon=\"{spring}\" forcelimited=\"true\" forcerange=\"-1e12 0\""),
+            ),
             bias(rope),
         ]),
     }
@@ -298,7 +377,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         let half = |m: &ExportedMuscle| vec![number(0.5 * m.form.supply_pa); controls];
         let mut halves: Vec<String> = joint.muscles.iter().flat_map(half).collect();
         halves.extend(joint.joint.spring().map(|_| "0".into()));
-        let own = [("includes", names.iter().map(include).collect()), ("half", halves.join(" "))];
+        let own = [
+            ("includes", names.iter().map(include).collect()),
+            ("half", halves.join(" ")),
+        ];
         let text = include_str!("../../templates/joint.xml");
         File::text(
             format!("{id}{kind}.xml"),
@@ -306,7 +388,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
             render(text, &joint.facts(), &[&own[..], &places].concat()),
         )
     };
-    let mut files = vec![scene(NATIVE, "the joint with its link, with native actuators")];
+    let mut files = vec![scene(
+        NATIVE,
+        "the joint with its link, with native actuators",
+    )];
     files.extend(parts);
     files.push(scene(PLUGIN, "the same by the plugins"));
     files.extend(plugins);

@@ -14,22 +14,43 @@ pub(super) const TARGET: Target = Target {
 };
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    Ok(Artefact { files: vec![module(muscle)], notes: vec![] })
+    Ok(Artefact {
+        files: vec![module(muscle)],
+        notes: vec![],
+    })
 }
 
 /// The joint, and a module of each of its muscles beside it.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
-    let modules: Vec<String> = joint.muscles.iter().map(ExportedMuscle::identifier).collect();
+    let modules: Vec<String> = joint
+        .muscles
+        .iter()
+        .map(ExportedMuscle::identifier)
+        .collect();
     let mut values = joint.values(["(", ")"], number);
     values.push((
         "imports",
-        modules.iter().map(|name| format!("import {name}")).collect::<Vec<_>>().join("\n"),
+        modules
+            .iter()
+            .map(|name| format!("import {name}"))
+            .collect::<Vec<_>>()
+            .join("\n"),
     ));
     values.push(("modules", modules.join(", ")));
-    let text = render(include_str!("../../templates/joint.py"), &joint.facts(), &values);
-    let own = File::text(joint.identifier() + ".py", "torque, stiffness and pressures of the joint", text);
+    let text = render(
+        include_str!("../../templates/joint.py"),
+        &joint.facts(),
+        &values,
+    );
+    let own = File::text(
+        joint.identifier() + ".py",
+        "torque, stiffness and pressures of the joint",
+        text,
+    );
     Ok(Artefact {
-        files: std::iter::once(own).chain(joint.muscles.iter().map(module)).collect(),
+        files: std::iter::once(own)
+            .chain(joint.muscles.iter().map(module))
+            .collect(),
         notes: vec![],
     })
 }
@@ -44,6 +65,14 @@ fn module(muscle: &ExportedMuscle) -> File {
         ("py_v", list(&f.v, round, number)),
         ("py_friction", list(&f.friction_n, round, number)),
     ]);
-    let file = render(include_str!("../../templates/muscle.py"), &muscle.facts(), &values);
-    File::text(muscle.identifier() + ".py", "the functions of a muscle", file)
+    let file = render(
+        include_str!("../../templates/muscle.py"),
+        &muscle.facts(),
+        &values,
+    );
+    File::text(
+        muscle.identifier() + ".py",
+        "the functions of a muscle",
+        file,
+    )
 }

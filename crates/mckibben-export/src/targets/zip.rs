@@ -7,8 +7,9 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// The bytes of an archive with these files, whose date is the first of 1980.
 pub(super) fn zip(files: impl Iterator<Item = (String, Vec<u8>)>) -> Result<Vec<u8>> {
-    let fails =
-        |error: &dyn std::fmt::Display| ExportError::Host(format!("the archive cannot be made: {error}"));
+    let fails = |error: &dyn std::fmt::Display| {
+        ExportError::Host(format!("the archive cannot be made: {error}"))
+    };
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .last_modified_time(DateTime::default())

@@ -10,7 +10,8 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::LazyLock;
 
-static PROTOTYPE: LazyLock<ExportedMuscle> = LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());
+static PROTOTYPE: LazyLock<ExportedMuscle> =
+    LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());
 /// With a rope, which adds to each length.
 static ROPED: LazyLock<ExportedMuscle> = LazyLock::new(|| {
     let mut muscle = PROTOTYPE.clone();
@@ -27,31 +28,69 @@ fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
 /// What a program prints, compiled in a folder as C99 without a warning.
 pub fn compiled_and_run(folder: &Path, main: &str, arguments: &[&str]) -> String {
     std::fs::write(folder.join("main.c"), main).unwrap();
-    let strict =
-        ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-o", "main", "main.c"];
-    let done =
-        Command::new("cc").args(strict).args(arguments).arg("-lm").current_dir(folder).output().unwrap();
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let strict = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-o",
+        "main",
+        "main.c",
+    ];
+    let done = Command::new("cc")
+        .args(strict)
+        .args(arguments)
+        .arg("-lm")
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    assert!(
+        done.status.success(),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
     let out = Command::new(folder.join("main")).output().unwrap();
-    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    assert!(
+        out.status.success(),
+        "{}",
+        String::from_utf8_lossy(&out.stderr)
+    );
     String::from_utf8(out.stdout).unwrap()
 }
 
 /// What a script prints, where Python has a module.
 pub fn python(folder: &Path, module: &str, script: &str) -> Option<Vec<Vec<f64>>> {
-    let run = |script: &str| Command::new("python3").args(["-c", script]).current_dir(folder).output();
-    run(&format!("import {module}")).ok().filter(|out| out.status.success())?;
+    let run = |script: &str| {
+        Command::new("python3")
+            .args(["-c", script])
+            .current_dir(folder)
+            .output()
+    };
+    run(&format!("import {module}"))
+        .ok()
+        .filter(|out| out.status.success())?;
     let out = run(script).unwrap();
-    assert!(out.status.success(), "{module}: {}", String::from_utf8_lossy(&out.stderr));
+    assert!(
+        out.status.success(),
+        "{module}: {}",
+        String::from_utf8_lossy(&out.stderr)
+    );
     Some(numbers(&String::from_utf8(out.stdout).unwrap()))
 }
 
 pub fn numbers(text: &str) -> Vec<Vec<f64>> {
-    text.lines().map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect()).collect()
+    text.lines()
+        .map(|line| line.split(' ').map(|v| v.parse().unwrap()).collect())
+        .collect()
 }
 
 pub fn runs(program: &str) -> bool {
-    Command::new(program).arg("--version").output().is_ok_and(|o| o.status.success())
+    Command::new(program)
+        .arg("--version")
+        .output()
+        .is_ok_and(|o| o.status.success())
 }
 
 /// Points in the box, outside of it, and slack.
@@ -63,7 +102,10 @@ fn points() -> Vec<(f64, f64)> {
             // Not on the ends of the box, where rounding decides.
             let share = (f64::from(k) + 1e-4) / 12.0;
             let e = form.contraction_low + (form.contraction_high - form.contraction_low) * share;
-            out.push((f64::from(i) * 0.1 * form.supply_pa, (1.0 - e) * form.length_m));
+            out.push((
+                f64::from(i) * 0.1 * form.supply_pa,
+                (1.0 - e) * form.length_m,
+            ));
         }
     }
     out
@@ -83,7 +125,14 @@ fn text_of(bytes: &[u8]) -> String {
 
 /// Files that are the same for all muscles, so that two muscles of one folder share them.
 fn is_shared(name: &str) -> bool {
-    ["mckibben.h", "mckibben.c", "mckibben_branch.h", "mckibben_memory.h", "mckibben_air.h"].contains(&name)
+    [
+        "mckibben.h",
+        "mckibben.c",
+        "mckibben_branch.h",
+        "mckibben_memory.h",
+        "mckibben_air.h",
+    ]
+    .contains(&name)
 }
 
 #[test]
@@ -94,21 +143,43 @@ fn every_file_names_muscle_version_hash_and_error() {
         assert!(!made.files.is_empty());
         for file in made.files {
             let text = text_of(file.content.bytes());
-            let facts = [&PROTOTYPE.hash, "prototype", "exported by mckibben", "% worst", "+-"];
-            let facts = if is_shared(&file.name) { &[][..] } else { &facts };
+            let facts = [
+                &PROTOTYPE.hash,
+                "prototype",
+                "exported by mckibben",
+                "% worst",
+                "+-",
+            ];
+            let facts = if is_shared(&file.name) {
+                &[][..]
+            } else {
+                &facts
+            };
             assert!(text.contains(env!("CARGO_PKG_VERSION")));
             for word in facts {
                 assert!(text.contains(word), "{target:?} {}: {word}", file.name);
             }
-            assert!(is_shared(&file.name) || file.name.starts_with("muscle_prototype"), "{}", file.name);
+            assert!(
+                is_shared(&file.name) || file.name.starts_with("muscle_prototype"),
+                "{}",
+                file.name
+            );
             assert!(
                 !text.contains(&usize::MAX.to_string()),
                 "{target:?}: a variable that fmu2.c does not have"
             );
             let is_text = matches!(file.content, Content::Text(_));
-            assert!(!is_text || !text.contains("@{"), "{target:?} {}: a place without a value", file.name);
+            assert!(
+                !is_text || !text.contains("@{"),
+                "{target:?} {}: a place without a value",
+                file.name
+            );
             let numbers = file.name.ends_with(".xml") || file.name == "muscle_prototype.h";
-            assert!(!numbers || !text.contains("NaN") && !text.contains("inf,"), "{target:?} {}", file.name);
+            assert!(
+                !numbers || !text.contains("NaN") && !text.contains("inf,"),
+                "{target:?} {}",
+                file.name
+            );
         }
     }
 }
@@ -117,7 +188,10 @@ fn every_file_names_muscle_version_hash_and_error() {
 fn an_unknown_target_is_named_with_those_that_there_are() {
     let error = Target::named("csv").unwrap_err();
     assert!(matches!(error, ExportError::Target { .. }));
-    assert!(error.to_string().contains("c, python, mjcf, fmu, opensim"), "{error}");
+    assert!(
+        error.to_string().contains("c, python, mjcf, fmu, opensim"),
+        "{error}"
+    );
 }
 
 /// `checks/fmu-binaries.sh` writes the hashes: a source that was changed needs it again.
@@ -125,63 +199,114 @@ fn an_unknown_target_is_named_with_those_that_there_are() {
 fn libraries_of_the_fmu_have_the_hashes_recorded_with_those_of_their_sources() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut names = vec![];
-    for line in std::fs::read_to_string(folder.join("binaries/hashes.txt")).unwrap().lines() {
+    for line in std::fs::read_to_string(folder.join("binaries/hashes.txt"))
+        .unwrap()
+        .lines()
+    {
         let (recorded, name) = line.split_once("  ").unwrap();
         let digest = Sha256::digest(std::fs::read(folder.join(name)).unwrap());
         let hash: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(hash, recorded, "{name}: run checks/fmu-binaries.sh");
         names.push(name.to_owned());
     }
-    let templates =
-        ["air.c", "fmu2.c", "fmu3.c", "mckibben.c", "mckibben.h", "mckibben_joint.h", "mckibben_memory.h"]
-            .map(|name| format!("templates/{name}"));
-    let libraries = ["aarch64-darwin", "aarch64-linux", "x86_64-darwin", "x86_64-linux", "x86_64-windows"];
-    assert_eq!(names, [&templates[..], &libraries.map(|name| format!("binaries/{name}"))[..]].concat());
-    let size: u64 =
-        libraries.iter().map(|name| folder.join("binaries").join(name).metadata().unwrap().len()).sum();
+    let templates = [
+        "air.c",
+        "fmu2.c",
+        "fmu3.c",
+        "mckibben.c",
+        "mckibben.h",
+        "mckibben_joint.h",
+        "mckibben_memory.h",
+    ]
+    .map(|name| format!("templates/{name}"));
+    let libraries = [
+        "aarch64-darwin",
+        "aarch64-linux",
+        "x86_64-darwin",
+        "x86_64-linux",
+        "x86_64-windows",
+    ];
+    assert_eq!(
+        names,
+        [
+            &templates[..],
+            &libraries.map(|name| format!("binaries/{name}"))[..]
+        ]
+        .concat()
+    );
+    let size: u64 = libraries
+        .iter()
+        .map(|name| folder.join("binaries").join(name).metadata().unwrap().len())
+        .sum();
     assert!(size <= 200_000, "{size} bytes");
 }
 
-/// Pull, stiffness, dF/dP, volume, pressure of the pull and status of C: of the box, or along the tangents beyond it.
+/// Pull, stiffness, dF/dP, volume, pressure of the pull and status of C: of the box, or along the
+/// tangents beyond it.
 fn compare_with_c(flags: &[&str], tolerance: f64) {
     if !runs("cc") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
     write(&ROPED, "c", folder.path());
-    for (beyond, at) in [(0, Form::at as fn(&Form, f64, f64) -> Point), (1, Form::beyond)] {
+    for (beyond, at) in [
+        (0, Form::at as fn(&Form, f64, f64) -> Point),
+        (1, Form::beyond),
+    ] {
         let mut main = format!(
-            "#include \"muscle_prototype.h\"\n#include <stdio.h>\nint main(void) {{\nunsigned s;\nmckibben_muscle own = muscle_prototype;\nconst mckibben_muscle *m = &own;\nown.beyond = {beyond};\n"
+            "#include \"muscle_prototype.h\"\n#include <stdio.h>\nint main(void) {{\nunsigned \
+             s;\nmckibben_muscle own = muscle_prototype;\nconst mckibben_muscle *m = \
+             &own;\nown.beyond = {beyond};\n"
         );
         for (p, l) in points() {
             let _ = writeln!(
                 main,
-                "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){:e}, f = mckibben_force(m, p, l, &s);",
+                "{{ mckibben_real p = (mckibben_real){p:e}, l = (mckibben_real){:e}, f = \
+                 mckibben_force(m, p, l, &s);",
                 l + ROPED.cord_m
             );
-            main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, (double)mckibben_stiffness(m, p, l, 0), (double)mckibben_force_per_pressure(m, p, l, 0), (double)mckibben_volume(m, p, l, 0), (double)mckibben_pressure(m, f, l, 0), s); }\n";
+            main += "printf(\"%.17g %.17g %.17g %.17g %.17g %u\\n\", (double)f, \
+                (double)mckibben_stiffness(m, p, l, 0), (double)mckibben_force_per_pressure(m, p, \
+                l, 0), (double)mckibben_volume(m, p, l, 0), (double)mckibben_pressure(m, f, l, 0), \
+                s); }\n";
         }
         main += "return 0; }\n";
         let arguments = [&["-ffp-contract=off", "-O1", "mckibben.c"], flags].concat();
-        compare_rows(&numbers(&compiled_and_run(folder.path(), &main, &arguments)), tolerance, at);
+        compare_rows(
+            &numbers(&compiled_and_run(folder.path(), &main, &arguments)),
+            tolerance,
+            at,
+        );
     }
 }
 
 fn compare_rows(rows: &[Vec<f64>], tolerance: f64, at: fn(&Form, f64, f64) -> Point) {
     let form = &PROTOTYPE.form;
     let full = form.at(form.supply_pa, 0.0);
-    let scales =
-        [full.force_n, full.stiffness_n_per_m, full.force_per_pressure_m2, full.volume_m3, form.supply_pa];
+    let scales = [
+        full.force_n,
+        full.stiffness_n_per_m,
+        full.force_per_pressure_m2,
+        full.volume_m3,
+        form.supply_pa,
+    ];
     assert_eq!(rows.len(), points().len());
     let mut largest = [0.0_f64; 5];
     for (row, (p, l)) in rows.iter().zip(points()) {
         let e = 1.0 - l / form.length_m;
         let point = at(form, p, e);
-        // Derivatives jump where the muscle becomes slack: single precision may lie on the other side.
+        // Derivatives jump where the muscle becomes slack: single precision may lie on the other
+        // side.
         if tolerance > 1e-6 && form.two_sided_n(p, e).0.abs() < 1e-3 * full.force_n {
             continue;
         }
-        let ours = [point.force_n, point.stiffness_n_per_m, point.force_per_pressure_m2, point.volume_m3, p];
+        let ours = [
+            point.force_n,
+            point.stiffness_n_per_m,
+            point.force_per_pressure_m2,
+            point.volume_m3,
+            p,
+        ];
         // The inverse returns the pressure of a pull, where there is one.
         let last = if point.status == OK { 5 } else { 4 };
         assert_eq!(row[5], f64::from(point.status), "{p} {e}");
@@ -202,8 +327,8 @@ fn c_in_single_precision_errs_by_less_than_1e_4() {
     compare_with_c(&["-DMCKIBBEN_FLOAT"], 1e-4);
 }
 
-/// The unit on a valve, with laws by hand: the choked flow C p ρ0 √(T0/T), p Vⁿ constant while the valve is closed, T = p V/(m R), and the pressure
-/// of the supply at the end of filling.
+/// The unit on a valve, with laws by hand: the choked flow C p ρ0 √(T0/T), p Vⁿ constant while the
+/// valve is closed, T = p V/(m R), and the pressure of the supply at the end of filling.
 #[test]
 fn the_fmu_on_a_valve_obeys_the_laws_of_the_gas() {
     if !runs("cc") {
@@ -246,18 +371,35 @@ int main(void) {
 }
 "#;
     let token = format!("{{mckibben-air-{}}}", PROTOTYPE.hash);
-    let main = main.replace("TOKEN", &token).replace("FOLDER", &folder.path().to_string_lossy());
+    let main = main
+        .replace("TOKEN", &token)
+        .replace("FOLDER", &folder.path().to_string_lossy());
     let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1"]));
-    let [start, filled, moved, full] = &rows[..] else { panic!("{rows:?}") };
+    let [start, filled, moved, full] = &rows[..] else {
+        panic!("{rows:?}")
+    };
     let (p0, supply_pa) = (101_325.0, PROTOTYPE.form.supply_pa);
     let near = |a: f64, b: f64, share: f64| assert!((a / b - 1.0).abs() < share, "{a} {b}");
-    // Choked: 101325 Pa are less than 0.3 of the supply of 351325 Pa only nearly; so the shape ψ of ISO 6358 at this ratio.
+    // Choked: 101325 Pa are less than 0.3 of the supply of 351325 Pa only nearly; so the shape ψ of
+    // ISO 6358 at this ratio.
     let (ratio, b) = (p0 / (p0 + supply_pa), 0.3_f64);
-    let shape = if ratio <= b { 1.0 } else { (1.0 - ((ratio - b) / (1.0 - b)).powi(2)).sqrt() };
-    near(start[3], 0.5 * 5e-9 * (p0 + supply_pa) * 1.185 * (293.15_f64 / 300.0).sqrt() * shape, 1e-9);
+    let shape = if ratio <= b {
+        1.0
+    } else {
+        (1.0 - ((ratio - b) / (1.0 - b)).powi(2)).sqrt()
+    };
+    near(
+        start[3],
+        0.5 * 5e-9 * (p0 + supply_pa) * 1.185 * (293.15_f64 / 300.0).sqrt() * shape,
+        1e-9,
+    );
     near(start[4], 300.0, 1e-12);
     for row in [start, filled, moved, full] {
-        near(row[4], (p0 + row[0]) * (row[1] + 1e-5) / (row[2] * 287.05), 1e-12);
+        near(
+            row[4],
+            (p0 + row[0]) * (row[1] + 1e-5) / (row[2] * 287.05),
+            1e-12,
+        );
     }
     assert!(filled[0] > 1e4 && moved[1] > filled[1], "{rows:?}");
     near(moved[2], filled[2], 1e-15);
@@ -272,18 +414,25 @@ fn python_with_numpy_is_the_form_to_1e_12() {
     write(&ROPED, "python", folder.path());
     let (p, l): (Vec<f64>, Vec<f64>) = points().into_iter().unzip();
     let script = format!(
-        "import numpy as n, muscle_prototype as m\np, l = n.array({p:?}), n.array({l:?}) + m.CORD\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.force_per_pressure(p, l), m.volume(p, l), m.pressure(f, l), m.status(p, l)): print(*(repr(float(v)) for v in row))\n"
+        "import numpy as n, muscle_prototype as m\np, l = n.array({p:?}), n.array({l:?}) + \
+         m.CORD\nf = m.force(p, l)\nfor row in zip(f, m.stiffness(p, l), m.force_per_pressure(p, \
+         l), m.volume(p, l), m.pressure(f, l), m.status(p, l)): print(*(repr(float(v)) for v in \
+         row))\n"
     );
     if let Some(rows) = python(folder.path(), "numpy", &script) {
         compare_rows(&rows, 1e-12, Form::at);
     }
 }
 
-/// An identity: at the pressure of a branch, by C and Python where they run here, the pull with the friction is the given one; a pull
-/// that the supply does not give on the branch of shortening has none.
+/// An identity: at the pressure of a branch, by C and Python where they run here, the pull with the
+/// friction is the given one; a pull that the supply does not give on the branch of shortening has
+/// none.
 #[test]
 fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
-    let friction = Friction { lever_mm: 0.8, ..Friction::power_law(20.0, 0.7) };
+    let friction = Friction {
+        lever_mm: 0.8,
+        ..Friction::power_law(20.0, 0.7)
+    };
     let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
     let muscle = exported(&muscle, 0.25).unwrap();
     let (form, folder) = (&muscle.form, tempfile::tempdir().unwrap());
@@ -296,9 +445,13 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
             let length = (1.0 - e) * form.length_m;
             let _ = writeln!(
                 main,
-                "p = mckibben_pressure_on(&muscle_prototype, {force:e}, {length:e}, {sign}, &s); printf(\"%.17g %u\\n\", p, s);"
+                "p = mckibben_pressure_on(&muscle_prototype, {force:e}, {length:e}, {sign}, &s); \
+                 printf(\"%.17g %u\\n\", p, s);"
             );
-            let _ = writeln!(script, "print(repr(float(m.pressure_on({force:e}, {length:e}, {sign}))))");
+            let _ = writeln!(
+                script,
+                "print(repr(float(m.pressure_on({force:e}, {length:e}, {sign}))))"
+            );
             given.push((force, e, f64::from(sign)));
         }
     }
@@ -308,33 +461,51 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         let half_n = form.friction_n[0] * q.sqrt() + form.friction_n[1] * q;
         let pull_n = form.at(pressure_pa, e).force_n + sign * half_n;
         let (off_n, status) = ((pull_n - force_n).abs(), printed.get(1).unwrap_or(&0.0));
-        assert!(off_n < 1e-6 && *status == 0.0, "{force_n} {e} {sign}: {pull_n} {printed:?}");
+        assert!(
+            off_n < 1e-6 && *status == 0.0,
+            "{force_n} {e} {sign}: {pull_n} {printed:?}"
+        );
     };
     // What the supply gives in the mean of both branches, and not while the muscle shortens.
     let most_n = form.at(form.supply_pa, 0.0).force_n - 0.5 * form.friction_n.iter().sum::<f64>();
     if runs("cc") {
         let main = format!(
-            "#include \"muscle_prototype.h\"\n#include \"mckibben_branch.h\"\n#include <stdio.h>\nint main(void) {{ double p; unsigned s;\n{main}(void)mckibben_pressure_on(&muscle_prototype, {most_n:e}, muscle_prototype.length, -1, &s); return s == MCKIBBEN_NO_ANSWER ? 0 : 1; }}\n"
+            "#include \"muscle_prototype.h\"\n#include \"mckibben_branch.h\"\n#include \
+             <stdio.h>\nint main(void) {{ double p; unsigned \
+             s;\n{main}(void)mckibben_pressure_on(&muscle_prototype, {most_n:e}, \
+             muscle_prototype.length, -1, &s); return s == MCKIBBEN_NO_ANSWER ? 0 : 1; }}\n"
         );
-        let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1", "mckibben.c"]));
+        let rows = numbers(&compiled_and_run(
+            folder.path(),
+            &main,
+            &["-O1", "mckibben.c"],
+        ));
         assert_eq!(rows.len(), given.len());
-        rows.iter().zip(&given).for_each(|(row, given)| gives(row, *given));
+        rows.iter()
+            .zip(&given)
+            .for_each(|(row, given)| gives(row, *given));
     }
     let script = format!(
-        "import muscle_prototype as m\n{script}assert m.pressure_on({most_n:e}, m.LENGTH, -1) == m.SUPPLY\nassert m.pressure_status({most_n:e}, m.LENGTH, -1) == m.NO_ANSWER\n"
+        "import muscle_prototype as m\n{script}assert m.pressure_on({most_n:e}, m.LENGTH, -1) == \
+         m.SUPPLY\nassert m.pressure_status({most_n:e}, m.LENGTH, -1) == m.NO_ANSWER\n"
     );
     if let Some(rows) = python(folder.path(), "numpy", &script) {
         assert_eq!(rows.len(), given.len());
-        rows.iter().zip(given).for_each(|(row, given)| gives(row, given));
+        rows.iter()
+            .zip(given)
+            .for_each(|(row, given)| gives(row, given));
     }
 }
 
 fn with_friction() -> ExportedMuscle {
-    let muscle = Muscle::prototype().with_friction(Some(Friction::power_law(71.5, 0.56))).unwrap();
+    let muscle = Muscle::prototype()
+        .with_friction(Some(Friction::power_law(71.5, 0.56)))
+        .unwrap();
     exported(&muscle, 0.25).unwrap()
 }
 
-/// An identity: what friction adds in C is −F_c z of the core's elements that stick and slip in parallel, over a random way with loops in loops.
+/// An identity: what friction adds in C is −F_c z of the core's elements that stick and slip in
+/// parallel, over a random way with loops in loops.
 #[test]
 fn friction_with_memory_in_c_is_that_of_a_motion() {
     if !runs("cc") {
@@ -353,17 +524,30 @@ fn friction_with_memory_in_c_is_that_of_a_motion() {
         given.push(-half_n * memory.travel(way_mm));
     }
     let main = format!(
-        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(double l) {{ printf(\"%.17g\\n\", mckibben_friction_after(&muscle_prototype, &memory, {pressure_pa:e}, l, 0)); mckibben_moved(&muscle_prototype, &memory, l); }}\nint main(void) {{ mckibben_rest(&memory, {:e});\n{main}return 0; }}\n",
+        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include \
+         <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(double l) {{ \
+         printf(\"%.17g\\n\", mckibben_friction_after(&muscle_prototype, &memory, {pressure_pa:e}, \
+         l, 0)); mckibben_moved(&muscle_prototype, &memory, l); }}\nint main(void) {{ \
+         mckibben_rest(&memory, {:e});\n{main}return 0; }}\n",
         0.95 * form.length_m
     );
-    let rows = numbers(&compiled_and_run(folder.path(), &main, &["-O1", "mckibben.c"]));
+    let rows = numbers(&compiled_and_run(
+        folder.path(),
+        &main,
+        &["-O1", "mckibben.c"],
+    ));
     for (row, wanted) in rows.iter().zip(&given) {
         assert!((row[0] - wanted).abs() < 1e-7, "{row:?} {wanted}");
     }
-    assert!(rows.len() == given.len() && given.iter().any(|n| *n > 5.0) && given.iter().any(|n| *n < -5.0));
+    assert!(
+        rows.len() == given.len()
+            && given.iter().any(|n| *n > 5.0)
+            && given.iter().any(|n| *n < -5.0)
+    );
 }
 
-/// Outside of the box, of numbers that are none and of pulls that cannot be: never above the supply, and a status that says so.
+/// Outside of the box, of numbers that are none and of pulls that cannot be: never above the
+/// supply, and a status that says so.
 #[test]
 fn no_answer_lies_outside_of_the_box_and_each_has_a_status() {
     if !runs("cc") {
@@ -392,9 +576,15 @@ int main(void) {
     return 0;
 }
 "#;
-    let rows = numbers(&compiled_and_run(folder.path(), main, &["-O1", "mckibben.c"]));
+    let rows = numbers(&compiled_and_run(
+        folder.path(),
+        main,
+        &["-O1", "mckibben.c"],
+    ));
     let answers: Vec<(f64, u32)> = rows.iter().map(|row| (row[0], row[1] as u32)).collect();
-    let (form, near) = (&muscle.form, |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs().max(1.0));
+    let (form, near) = (&muscle.form, |a: f64, b: f64| {
+        (a - b).abs() < 1e-9 * b.abs().max(1.0)
+    });
     let (supply, low) = (form.supply_pa, form.contraction_low);
     let (pull, free) = (form.at(supply, 0.0), form.contraction(0.0, 0.5 * supply));
     let in_box = |value: f64, low: f64, high: f64| value > low && value < high;
@@ -402,7 +592,15 @@ int main(void) {
     let expected = [(supply, 12), (0.0, 8), (0.0, 12), (0.0, 8), (supply, 8)];
     for (k, (value, status)) in expected
         .into_iter()
-        .chain([(f64::NAN, 0), (0.0, 8), (0.0, 8), (supply, 8), (low, 8), (low, 8), (free, 8)])
+        .chain([
+            (f64::NAN, 0),
+            (0.0, 8),
+            (0.0, 8),
+            (supply, 8),
+            (low, 8),
+            (low, 8),
+            (free, 8),
+        ])
         .enumerate()
     {
         assert!(
@@ -415,7 +613,10 @@ int main(void) {
         in_box(answers[5].0, 0.0, supply) && answers[12] == (form.contraction(200.0, supply), 2),
         "{answers:?}"
     );
-    assert!(in_box(answers[13].0, 0.0, form.contraction_high) && answers[13].1 == 0, "{answers:?}");
+    assert!(
+        in_box(answers[13].0, 0.0, form.contraction_high) && answers[13].1 == 0,
+        "{answers:?}"
+    );
     assert!(
         answers[14].0.is_nan()
             && answers[14].1 == 2
@@ -423,11 +624,15 @@ int main(void) {
             && answers[15].1 == 2,
         "{answers:?}"
     );
-    assert!(answers[16].1 & 4 == 4 && answers[17].1 & 2 == 2, "{answers:?}");
+    assert!(
+        answers[16].1 & 4 == 4 && answers[17].1 & 2 == 2,
+        "{answers:?}"
+    );
     assert_eq!(answers[18], (0.0, 1));
 }
 
-/// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are the derivatives of.
+/// The same by Python; and derivatives by JAX, where it runs here, by differences of what they are
+/// the derivatives of.
 #[test]
 fn python_has_the_same_statuses_and_its_inverses_have_derivatives() {
     let folder = tempfile::tempdir().unwrap();
@@ -462,11 +667,12 @@ assert abs(jax.grad(m.contraction)(200., 1.5e5) + 4.888e-4) < 1e-5 and abs(jax.g
     }
 }
 
-/// Names that would be code in each of the languages: every file is read by its language, and none of them is there.
+/// Names that would be code in each of the languages: every file is read by its language, and none
+/// of them is there.
 #[test]
 fn names_are_code_in_no_language() {
-    const NAME: &str =
-        "x\"\"\";import os;os.mkdir('ran')\n*/ #error ran\n/* --> <script>ran</script> \u{202e}${y} \\ '#";
+    const NAME: &str = "x\"\"\";import os;os.mkdir('ran')\n*/ #error ran\n/* --> \
+        <script>ran</script> \u{202e}${y} \\ '#";
     let mut hostile = PROTOTYPE.clone();
     (hostile.name, hostile.model, hostile.muscle_file) = (NAME.into(), NAME.into(), NAME.into());
     for target in Target::ALL {
@@ -475,19 +681,42 @@ fn names_are_code_in_no_language() {
         for file in hostile.to(target).unwrap().files {
             let text = text_of(file.content.bytes());
             for code in [";import", "#error", "<script", "\u{202e}", "${"] {
-                assert!(!text.contains(code), "{} {}: {code}", target.name, file.name);
+                assert!(
+                    !text.contains(code),
+                    "{} {}: {code}",
+                    target.name,
+                    file.name
+                );
             }
-            let reads = "import sys,xml.dom.minidom as x,zipfile as z\nf=sys.argv[1]\nif f.endswith('.py'): compile(open(f).read(),f,'exec'); __import__(f[:-3])\nelif f.endswith('.fmu'): x.parseString(z.ZipFile(f).read('modelDescription.xml'))\nelse: x.parse(f)";
+            let reads = "import sys,xml.dom.minidom as x,zipfile as z\nf=sys.argv[1]\nif \
+                f.endswith('.py'): compile(open(f).read(),f,'exec'); __import__(f[:-3])\nelif \
+                f.endswith('.fmu'): \
+                x.parseString(z.ZipFile(f).read('modelDescription.xml'))\nelse: x.parse(f)";
             let read = |program: &str, words: &[&str]| {
                 let mut command = Command::new(program);
-                let done = command.args(words).arg(&file.name).current_dir(folder.path()).output().unwrap();
-                assert!(done.status.success(), "{}: {}", file.name, String::from_utf8_lossy(&done.stderr));
+                let done = command
+                    .args(words)
+                    .arg(&file.name)
+                    .current_dir(folder.path())
+                    .output()
+                    .unwrap();
+                assert!(
+                    done.status.success(),
+                    "{}: {}",
+                    file.name,
+                    String::from_utf8_lossy(&done.stderr)
+                );
             };
-            match Path::new(&file.name).extension().and_then(|ending| ending.to_str()) {
+            match Path::new(&file.name)
+                .extension()
+                .and_then(|ending| ending.to_str())
+            {
                 Some("c") if !text.contains("mujoco/") && runs("cc") => {
                     read("cc", &["-std=c99", "-fsyntax-only"])
                 }
-                Some("py" | "fmu" | "xml" | "osim") if runs("python3") => read("python3", &["-c", reads]),
+                Some("py" | "fmu" | "xml" | "osim") if runs("python3") => {
+                    read("python3", &["-c", reads])
+                }
                 _ => {}
             }
         }
@@ -501,8 +730,9 @@ fn names_of_languages_and_libraries_are_names_of_muscles() {
     if !runs("cc") {
         return;
     }
-    for name in ["default", "length", "force", "new", "main", "linux", "sqrt", "N", "", "1", "muscle", "own"]
-    {
+    for name in [
+        "default", "length", "force", "new", "main", "linux", "sqrt", "N", "", "1", "muscle", "own",
+    ] {
         let mut muscle = PROTOTYPE.clone();
         muscle.name = name.into();
         let folder = tempfile::tempdir().unwrap();
@@ -514,22 +744,49 @@ fn names_of_languages_and_libraries_are_names_of_muscles() {
     }
 }
 
-/// MuJoCo reads `fpmax` above zero alone (its compiler: "positive scale, vmax, fpmax, fvmax required"), for muscles of all kinds; what misses 5 % is not written.
+/// MuJoCo reads `fpmax` above zero alone (its compiler: "positive scale, vmax, fpmax, fvmax
+/// required"), for muscles of all kinds; what misses 5 % is not written.
 #[test]
 fn scenes_have_values_that_mujoco_reads() {
     let rubber = mckibben::rubber::library::find("ecoflex-00-30").unwrap();
-    let braid = Braid { angle_deg: 18.6, stiffness: BraidStiffness::NewtonPerMm(684.0), ..Braid::paper() };
-    let narrow = Muscle::new(Tube::new(27.3, 2.9, 269.0, rubber), braid, Terminals::default(), None).unwrap();
+    let braid = Braid {
+        angle_deg: 18.6,
+        stiffness: BraidStiffness::NewtonPerMm(684.0),
+        ..Braid::paper()
+    };
+    let narrow = Muscle::new(
+        Tube::new(27.3, 2.9, 269.0, rubber),
+        braid,
+        Terminals::default(),
+        None,
+    )
+    .unwrap();
     for (muscle, supply_mpa) in [(narrow, 0.6), (super::form::prestretched(), 0.25)] {
-        let made = exported(&muscle, supply_mpa).unwrap().to(Target::named("mjcf").unwrap()).unwrap();
+        let made = exported(&muscle, supply_mpa)
+            .unwrap()
+            .to(Target::named("mjcf").unwrap())
+            .unwrap();
         let text = text_of(made.files[1].content.bytes());
-        for (key, places) in [("gainprm=\"", &[3, 6, 7, 8][..]), ("biasprm=\"", &[3, 6, 7, 8])] {
+        for (key, places) in [
+            ("gainprm=\"", &[3, 6, 7, 8][..]),
+            ("biasprm=\"", &[3, 6, 7, 8]),
+        ] {
             let numbers = text.split(key).nth(1).unwrap().split('"').next().unwrap();
             let numbers: Vec<f64> = numbers.split(' ').map(|n| n.parse().unwrap()).collect();
-            assert!(numbers.len() == 9 && places.iter().all(|k| numbers[*k] > 0.0), "{numbers:?}");
+            assert!(
+                numbers.len() == 9 && places.iter().all(|k| numbers[*k] > 0.0),
+                "{numbers:?}"
+            );
         }
-        let worst: f64 =
-            made.notes[0].split("% rms, ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        let worst: f64 = made.notes[0]
+            .split("% rms, ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
         assert!(worst <= 5.0, "{}", made.notes[0]);
     }
 }

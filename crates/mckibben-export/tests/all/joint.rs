@@ -8,46 +8,79 @@ use mckibben::muscle::{Muscle, file::parse_muscle};
 use mckibben::random::{Random, rounds};
 use mckibben_export::{ExportError, ExportedJoint, Target};
 
-/// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope; one on a pulley against a torsion spring.
+/// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope;
+/// one on a pulley against a torsion spring.
 const JOINTS: [&str; 3] = [
-    "[joint]\nradius = '25 mm'\nrange = '-60..60 deg'\n[link]\nmass = '1.2 kg'\ncentre = '150 mm'\ninclination = '-70 deg'\npayload = '0.5 kg'\npayload_at = '300 mm'\n\
-     [muscle_1]\nfile = 'm'\ncontraction_at_neutral = '12%'\n[muscle_2]\nfile = 'm'\ncontraction_at_neutral = '10%'\nradius = '20 mm'\n",
-    "[joint]\nrange = '-20..30 deg'\n[link]\nmass = '0.4 kg'\ncentre = '90 mm'\n[muscle_1]\nfile = 'm'\norigin = ['-20 mm', '250 mm']\ninsertion = ['-35 mm', '5 mm']\ncontraction_at_neutral = '9%'\n\
-     [muscle_2]\nfile = 'm'\norigin = ['25 mm', '250 mm']\ninsertion = ['30 mm', '5 mm']\ncontraction_at_neutral = '9%'\n[spring]\nrate = '2 N/mm'\npreload = '30 N'\norigin = ['40 mm', '100 mm']\ninsertion = ['25 mm', '10 mm']\n",
-    "[joint]\nradius = '15 mm'\nrange = '0..80 deg'\n[muscle_1]\nfile = 'm'\ncontraction_at_neutral = '2%'\n[spring]\nangular_rate = '2 N m/rad'\npreload_torque = '0.7 N m'\n",
+    "[joint]\nradius = '25 mm'\nrange = '-60..60 deg'\n[link]\nmass = '1.2 kg'\ncentre = '150 \
+     mm'\ninclination = '-70 deg'\npayload = '0.5 kg'\npayload_at = '300 mm'\n\
+     [muscle_1]\nfile = 'm'\ncontraction_at_neutral = '12%'\n[muscle_2]\nfile = \
+     'm'\ncontraction_at_neutral = '10%'\nradius = '20 mm'\n",
+    "[joint]\nrange = '-20..30 deg'\n[link]\nmass = '0.4 kg'\ncentre = '90 mm'\n[muscle_1]\nfile = \
+     'm'\norigin = ['-20 mm', '250 mm']\ninsertion = ['-35 mm', '5 mm']\ncontraction_at_neutral = \
+     '9%'\n\
+     [muscle_2]\nfile = 'm'\norigin = ['25 mm', '250 mm']\ninsertion = ['30 mm', '5 \
+     mm']\ncontraction_at_neutral = '9%'\n[spring]\nrate = '2 N/mm'\npreload = '30 N'\norigin = \
+     ['40 mm', '100 mm']\ninsertion = ['25 mm', '10 mm']\n",
+    "[joint]\nradius = '15 mm'\nrange = '0..80 deg'\n[muscle_1]\nfile = \
+     'm'\ncontraction_at_neutral = '2%'\n[spring]\nangular_rate = '2 N m/rad'\npreload_torque = \
+     '0.7 N m'\n",
 ];
 const SUPPLY_MPA: f64 = 0.3;
 
-/// Torque, stiffness, slopes in the pressures, and least and largest torque; or pressures for a torque and a stiffness, and whether there are some.
+/// Torque, stiffness, slopes in the pressures, and least and largest torque; or pressures for a
+/// torque and a stiffness, and whether there are some.
 type Rows = [Vec<Vec<f64>>; 2];
 
 fn by_c(folder: &std::path::Path, states: &[[f64; 3]], wanted: &[[f64; 3]]) -> Rows {
-    let mut main = "#include \"joint_elbow.h\"\n#include <stdio.h>\nstatic void at(double a, double p1, double p2) { double k, d[2] = {0}, t[2]; const double p[2] = {p1, p2}; unsigned s; const double q = mckibben_joint_torque(&joint_elbow, p, a, &k, d, &s); mckibben_joint_limits(&joint_elbow, a, t); printf(\"%.17g %.17g %.17g %.17g %.17g %.17g %u\\n\", q, k, d[0], d[1], t[0], t[1], s); }\nstatic void sought(double a, double t, double k) { double p[2]; unsigned s; mckibben_joint_pressures(&joint_elbow, a, t, k, p, 0, &s); printf(\"%.17g %.17g %u\\n\", p[0], p[1], s); }\nint main(void) {\n".to_owned();
+    let mut main = "#include \"joint_elbow.h\"\n#include <stdio.h>\nstatic void at(double a, \
+        double p1, double p2) { double k, d[2] = {0}, t[2]; const double p[2] = {p1, p2}; unsigned \
+        s; const double q = mckibben_joint_torque(&joint_elbow, p, a, &k, d, &s); \
+        mckibben_joint_limits(&joint_elbow, a, t); printf(\"%.17g %.17g %.17g %.17g %.17g %.17g \
+        %u\\n\", q, k, d[0], d[1], t[0], t[1], s); }\nstatic void sought(double a, double t, \
+        double k) { double p[2]; unsigned s; mckibben_joint_pressures(&joint_elbow, a, t, k, p, 0, \
+        &s); printf(\"%.17g %.17g %u\\n\", p[0], p[1], s); }\nint main(void) {\n"
+        .to_owned();
     for (name, rows) in [("at", states), ("sought", wanted)] {
-        main.extend(rows.iter().map(|[a, b, c]| format!("{name}({a:e}, {b:e}, {c:e});\n")));
+        main.extend(
+            rows.iter()
+                .map(|[a, b, c]| format!("{name}({a:e}, {b:e}, {c:e});\n")),
+        );
     }
-    let rows = numbers(&compiled_and_run(folder, &(main + "return 0; }\n"), &["-O1", "mckibben.c"]));
+    let rows = numbers(&compiled_and_run(
+        folder,
+        &(main + "return 0; }\n"),
+        &["-O1", "mckibben.c"],
+    ));
     let (first, second) = rows.split_at(states.len());
     [first.to_vec(), second.to_vec()]
 }
 
 fn by_python(folder: &std::path::Path, states: &[[f64; 3]], wanted: &[[f64; 3]]) -> Option<Rows> {
     let script = format!(
-        "import numpy as n, joint_elbow as j\na, *p = n.array({states:?}).T\np = p[:len(j.MUSCLES)]\nd = [*j.torque_per_pressure(p, a), 0 * a][:2]\nfor r in zip(j.torque(p, a), j.stiffness(p, a), *d, *j.limits(a), j.status(p, a)): print(*map(float, r))\na, t, k = n.array({wanted:?}).T\nk = None if k[0] == 0 else k\nfor r in zip(*[*j.pressures(t, a, k), 0 * a][:2], j.pressures_status(t, a, k)): print(*map(float, r))\n"
+        "import numpy as n, joint_elbow as j\na, *p = n.array({states:?}).T\np = \
+         p[:len(j.MUSCLES)]\nd = [*j.torque_per_pressure(p, a), 0 * a][:2]\nfor r in \
+         zip(j.torque(p, a), j.stiffness(p, a), *d, *j.limits(a), j.status(p, a)): \
+         print(*map(float, r))\na, t, k = n.array({wanted:?}).T\nk = None if k[0] == 0 else k\nfor \
+         r in zip(*[*j.pressures(t, a, k), 0 * a][:2], j.pressures_status(t, a, k)): \
+         print(*map(float, r))\n"
     );
     let rows = python(folder, "numpy", &script)?;
     let (first, second) = rows.split_at(states.len());
     Some([first.to_vec(), second.to_vec()])
 }
 
-/// At random states (1000 with `MCKIBBEN_TIMES=10`) torque and stiffness of C and Python are those of `joint` by finite elements within the stated errors,
-/// slopes in the pressures by differences; the pressures for a torque and a stiffness give them in `joint`.
+/// At random states (1000 with `MCKIBBEN_TIMES=10`) torque and stiffness of C and Python are those
+/// of `joint` by finite elements within the stated errors, slopes in the pressures by differences;
+/// the pressures for a torque and a stiffness give them in `joint`.
 #[test]
 fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
     for (i, text) in JOINTS.iter().enumerate() {
-        let muscle: Muscle = parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
+        let muscle: Muscle =
+            parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
         let file = parse_joint(text).unwrap();
-        let joint: Joint = file.with(file.files().map(|_| muscle.clone()).collect()).unwrap();
+        let joint: Joint = file
+            .with(file.files().map(|_| muscle.clone()).collect())
+            .unwrap();
         let model = fe(&muscle);
         let models: Vec<&dyn ForceModel> = joint.muscles().iter().map(|_| &*model).collect();
         let exported = ExportedJoint::fit(&joint, &models, "elbow", SUPPLY_MPA).unwrap();
@@ -63,20 +96,41 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let count = core.joint().muscles().len();
         let states = Vec::from_iter((0..rounds(100)).map(|_| {
             let p = [0, 1].map(|_| SUPPLY_MPA * random.between(0.0, 1.0));
-            [random.between(low, high).to_radians(), 1e6 * p[0], 1e6 * p[1]]
+            [
+                random.between(low, high).to_radians(),
+                1e6 * p[0],
+                1e6 * p[1],
+            ]
         }));
         let at = |[a, p1, p2]: [f64; 3], w: &mut _| {
-            core.at(w, &[1e-6 * p1, 1e-6 * p2][..count], a.to_degrees(), Turning::Mean).unwrap()
+            core.at(
+                w,
+                &[1e-6 * p1, 1e-6 * p2][..count],
+                a.to_degrees(),
+                Turning::Mean,
+            )
+            .unwrap()
         };
         let points = Vec::from_iter(states.iter().map(|state| at(*state, w)));
         // What is sought is what a state has, with one muscle its torque alone.
         let wanted = Vec::from_iter(states.iter().zip(&points).map(|(state, point)| {
-            [state[0], point.torque_nm, if count == 1 { 0.0 } else { point.stiffness_nm_per_rad }]
+            [
+                state[0],
+                point.torque_nm,
+                if count == 1 {
+                    0.0
+                } else {
+                    point.stiffness_nm_per_rad
+                },
+            ]
         }));
         let mut hosts = vec![];
         hosts.extend(runs("cc").then(|| by_c(folder.path(), &states, &wanted)));
         hosts.extend(by_python(folder.path(), &states, &wanted));
-        let (torque_nm, stiffness) = (exported.torque_error_nm, exported.stiffness_error_nm_per_rad);
+        let (torque_nm, stiffness) = (
+            exported.torque_error_nm,
+            exported.stiffness_error_nm_per_rad,
+        );
         let blocked_n = exported.muscles[0].blocked_force_n;
         let smooth = |point: &mckibben::joint::JointPoint| {
             let pulls = |m: &mckibben::joint::MuscleState| {
@@ -92,7 +146,10 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
                     "{i} {k}: {row:?} {}",
                     point.torque_nm
                 );
-                assert!(row[4] <= row[0] + 1e-9 && row[0] <= row[5] + 1e-9, "{i} {k}: {row:?}");
+                assert!(
+                    row[4] <= row[0] + 1e-9 && row[0] <= row[5] + 1e-9,
+                    "{i} {k}: {row:?}"
+                );
                 if smooth(point) {
                     let off = (row[1] - point.stiffness_nm_per_rad).abs();
                     assert!(off <= stiffness, "{i} {k}: {off} {stiffness} {row:?}");
@@ -100,7 +157,8 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
                 }
             }
             for (k, (row, [angle, torque, sought])) in found.iter().zip(&wanted).enumerate() {
-                // What the program's joint does at the pressures. A torque at the edge of the reach may lie beyond that of the form.
+                // What the program's joint does at the pressures. A torque at the edge of the reach
+                // may lie beyond that of the form.
                 let there = at([*angle, row[0], row[1]], w);
                 if row[2] == 0.0 {
                     assert!(
@@ -109,7 +167,10 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
                         there.torque_nm
                     );
                     let off = (there.stiffness_nm_per_rad - sought).abs();
-                    assert!(count == 1 || !smooth(&there) || off <= stiffness, "{i} {k}: {off} {row:?}");
+                    assert!(
+                        count == 1 || !smooth(&there) || off <= stiffness,
+                        "{i} {k}: {off} {row:?}"
+                    );
                     compared[1] += 1;
                 }
             }

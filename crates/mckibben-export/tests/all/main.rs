@@ -15,12 +15,24 @@ use mckibben_fem::elements::section;
 
 /// A muscle by finite elements.
 pub fn fe(muscle: &Muscle) -> Box<dyn ForceModel> {
-    section(muscle, &MeshSpec { through: None, along: None, grading: None }).unwrap()
+    section(
+        muscle,
+        &MeshSpec {
+            through: None,
+            along: None,
+            grading: None,
+        },
+    )
+    .unwrap()
 }
 
 /// A muscle by finite elements, exported over the box that is usual.
 pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, ExportError> {
     let model = fe(muscle);
-    let wanted = BoxRequest { supply_mpa, contraction_low: None, contraction_high: None };
+    let wanted = BoxRequest {
+        supply_mpa,
+        contraction_low: None,
+        contraction_high: None,
+    };
     ExportedMuscle::fit(&*model, "prototype", wanted)
 }

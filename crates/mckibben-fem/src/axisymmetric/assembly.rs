@@ -11,7 +11,8 @@ use crate::solver::body::{State, Totals};
 use crate::solver::chain::Chain;
 use crate::solver::newton::{Result, Stopped};
 
-/// Below this strain a strand that carries no compression is slack. At rest a strand counts as taut.
+/// Below this strain a strand that carries no compression is slack. At rest a strand counts as
+/// taut.
 const SLACK: f64 = -1e-9;
 
 /// Memory for assembling and solving; made once.
@@ -48,9 +49,17 @@ impl Assembled {
 /// Assembles residual and, where `TANGENT`, the factorised chain.
 ///
 /// # Errors
-/// [`Stopped`] where an element is turned inside out, a stress is not finite or the tangent is singular.
-pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, w: &mut Assembled) -> Result<Totals> {
-    let totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
+/// [`Stopped`] where an element is turned inside out, a stress is not finite or the tangent is
+/// singular.
+pub fn assemble<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    w: &mut Assembled,
+) -> Result<Totals> {
+    let totals = Totals {
+        smallest_j: f64::INFINITY,
+        ..Totals::default()
+    };
     let mut work = Assembly { d, s, w, totals };
     law::with(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
     Ok(work.totals)
@@ -91,8 +100,14 @@ impl Assembly<'_> {
             self.measure(slab, share)?;
         }
         let end = d.layout.end();
-        self.totals.pull = (0..d.layout.nodes()).map(|i| self.w.residual[end + 2 * i + 1]).sum();
-        if self.totals.pull.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
+        self.totals.pull = (0..d.layout.nodes())
+            .map(|i| self.w.residual[end + 2 * i + 1])
+            .sum();
+        if self.totals.pull.is_finite() {
+            Ok(())
+        } else {
+            Err(Stopped::NotFinite)
+        }
     }
 
     /// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
@@ -126,12 +141,26 @@ impl Assembly<'_> {
             }
         }
         self.totals.defect = self.totals.defect.max(largest * share).max(defect);
-        if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite) }
+        if sum.is_finite() {
+            Ok(())
+        } else {
+            Err(Stopped::NotFinite)
+        }
     }
 
     #[inline(always)]
-    fn solid<const TANGENT: bool>(&mut self, law: &dyn AnyPlaneLaw, slab: usize, i: usize) -> Result<()> {
-        let Self { d, s, ref mut w, ref mut totals } = *self;
+    fn solid<const TANGENT: bool>(
+        &mut self,
+        law: &dyn AnyPlaneLaw,
+        slab: usize,
+        i: usize,
+    ) -> Result<()> {
+        let Self {
+            d,
+            s,
+            ref mut w,
+            ref mut totals,
+        } = *self;
         let at = Places::new(d, slab, 2 * i);
         let pressure = d.layout.pressure(slab, i);
         let index = slab * d.layout.through + i;
@@ -139,7 +168,11 @@ impl Assembly<'_> {
         let u = d.layout.element(&s.u, slab, i);
         let c = &mut w.element;
         let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-        let material = Material { law, compliance: d.compliance, memory };
+        let material = Material {
+            law,
+            compliance: d.compliance,
+            memory,
+        };
         if !solid::contribute::<TANGENT>(geometry, &u, &material, c) {
             return Err(Stopped::Inverted);
         }
@@ -171,7 +204,12 @@ impl Assembly<'_> {
 
     #[inline(always)]
     fn strands<const TANGENT: bool>(&mut self, slab: usize) {
-        let Self { d, s, ref mut w, ref mut totals } = *self;
+        let Self {
+            d,
+            s,
+            ref mut w,
+            ref mut totals,
+        } = *self;
         let Some(braid) = d.problem.braid else { return };
         let l = d.layout;
         let outer = 2 * l.through;
@@ -191,8 +229,11 @@ impl Assembly<'_> {
             let taut = k > 0.0;
             if l.multipliers {
                 // Taut: ∂Π/∂q = 2w c. Slack: q must vanish.
-                w.residual[unknown] =
-                    if taut { both * strain } else { -both / d.augment_strand * multiplier };
+                w.residual[unknown] = if taut {
+                    both * strain
+                } else {
+                    -both / d.augment_strand * multiplier
+                };
             } else {
                 totals.braid += match (&braid.crimp, braid.stiffness) {
                     (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => both * k * crimp.at(strain)[0],
@@ -231,7 +272,12 @@ impl Assembly<'_> {
 
     #[inline(always)]
     fn cavity<const TANGENT: bool>(&mut self, slab: usize) {
-        let Self { d, s, ref mut w, ref mut totals } = *self;
+        let Self {
+            d,
+            s,
+            ref mut w,
+            ref mut totals,
+        } = *self;
         let at = Places::new(d, slab, 0);
         let mut x = d.layout.line(&s.u, slab, 0);
         for (x, rest) in x.iter_mut().zip(d.mesh.line(slab, 0).as_flattened()) {
@@ -246,7 +292,9 @@ impl Assembly<'_> {
         }
         if TANGENT {
             let size = w.chain.size();
-            add_line(w.chain.slab_mut(slab), size, &at.matrix, |i, j| -s.pressure * v.second[i][j]);
+            add_line(w.chain.slab_mut(slab), size, &at.matrix, |i, j| {
+                -s.pressure * v.second[i][j]
+            });
         }
     }
 }
@@ -315,7 +363,8 @@ fn scatter(d: &Discretisation, w: &mut Assembled, at: &Places, i: usize, volume:
     }
 }
 
-/// Adds a 6 × 6 block of a line element (middle, left, right), of which the upper triangle is given.
+/// Adds a 6 × 6 block of a line element (middle, left, right), of which the upper triangle is
+/// given.
 #[inline(always)]
 fn add_line(matrix: &mut [f64], size: usize, at: &[usize; 3], value: impl Fn(usize, usize) -> f64) {
     for i in 0..6 {
@@ -326,7 +375,8 @@ fn add_line(matrix: &mut [f64], size: usize, at: &[usize; 3], value: impl Fn(usi
     }
 }
 
-/// Tension per width q at a strand point and the stiffness behind it; zero where the strand is slack.
+/// Tension per width q at a strand point and the stiffness behind it; zero where the strand is
+/// slack.
 #[inline]
 pub fn tension(braid: &BraidSpec, strain: f64, multiplier: f64, augment: f64) -> (f64, f64) {
     match braid.stiffness {

@@ -1,13 +1,14 @@
-//! Equilibrium of a body at given pressure and length, at given pressure and pull, or at given length and pull.
+//! Equilibrium of a body at given pressure and length, at given pressure and pull, or at given
+//! length and pull.
 //!
-//! All unknowns but those of the last station are condensed along the chain; what remains is the terminal's
-//! displacement w with
+//! All unknowns but those of the last station are condensed along the chain; what remains is the
+//! terminal's displacement w with
 //!
 //!   F(w + dw) = S dw − b,
 //!
-//! S = dF/dw from the factorised tangent, b the condensed right-hand side. Length control prescribes dw, so the end moves
-//! together with everything behind it; force control takes dw = (F + b)/S from it; pressure control the same with the
-//! condensed ∂V/∂x.
+//! S = dF/dw from the factorised tangent, b the condensed right-hand side. Length control
+//! prescribes dw, so the end moves together with everything behind it; force control takes dw =
+//! (F + b)/S from it; pressure control the same with the condensed ∂V/∂x.
 
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, Ends};
@@ -43,7 +44,12 @@ impl EndSystem {
             Ends::Pole => (z, vec![]),
         };
         let size = free.len() + 1;
-        Self { free, tied, matrix: vec![0.0; size * size], y: vec![0.0; size] }
+        Self {
+            free,
+            tied,
+            matrix: vec![0.0; size * size],
+            y: vec![0.0; size],
+        }
     }
 
     /// Condenses the Schur complement of the last station; gives the number of negative pivots.
@@ -56,8 +62,11 @@ impl EndSystem {
             }
             self.matrix[i * size + n] = self.tied.iter().map(|&q| at(p, q)).sum();
         }
-        self.matrix[n * size + n] =
-            self.tied.iter().flat_map(|&p| self.tied.iter().map(move |&q| at(p, q))).sum();
+        self.matrix[n * size + n] = self
+            .tied
+            .iter()
+            .flat_map(|&p| self.tied.iter().map(move |&q| at(p, q)))
+            .sum();
         dense::eliminate(&mut self.matrix, size, n)
     }
 
@@ -140,7 +149,10 @@ impl Body {
 
     /// A muscle at rest, and the infinitely long muscle of the same rubber and braid.
     pub fn of_muscle(discretisation: Arc<Discretisation>, endless: Arc<ThickWall>) -> Self {
-        Self { endless: Some(endless), ..Self::new(discretisation) }
+        Self {
+            endless: Some(endless),
+            ..Self::new(discretisation)
+        }
     }
 
     /// Residual and factorised tangent of the present state.
@@ -148,38 +160,48 @@ impl Body {
         self.linearised = false;
         self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         let m = self.discretisation.layout.station();
-        self.end.factorise(&self.assembled.chain.end, m).map_err(|_| Stopped::Singular)?;
+        self.end
+            .factorise(&self.assembled.chain.end, m)
+            .map_err(|_| Stopped::Singular)?;
         self.linearised = true;
         Ok(self.totals)
     }
 
-    /// The same of an equilibrium; nothing is done where the last tangent is that of the present state.
+    /// The same of an equilibrium; nothing is done where the last tangent is that of the present
+    /// state.
     pub(super) fn tangent(&mut self) -> Result<()> {
         if !self.linearised {
-            self.factorise().map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
+            self.factorise()
+                .map_err(|reason| FemError::at_force(self.totals.pull, reason))?;
         }
         Ok(())
     }
 
-    /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`crate::solver::body::Body::force_per_pressure`] has it.
+    /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as
+    /// [`crate::solver::body::Body::force_per_pressure`] has it.
     pub fn by_pressure(&mut self) -> (f64, f64) {
         let mut rhs = std::mem::take(&mut self.second);
         rhs.copy_from_slice(&self.assembled.volume);
         let b = self.condense(&mut rhs);
         self.backward(&mut rhs, 0.0);
-        let volume = rhs.iter().zip(&self.assembled.volume).map(|(u, v)| u * v).sum();
+        let volume = rhs
+            .iter()
+            .zip(&self.assembled.volume)
+            .map(|(u, v)| u * v)
+            .sum();
         self.second = rhs;
         (volume, -b)
     }
 
-    /// ∂F at fixed length for a change of the residual: `change` = ∂(∂Π/∂x); its last station counts as a change of the
-    /// reaction. Overwrites `change`.
+    /// ∂F at fixed length for a change of the residual: `change` = ∂(∂Π/∂x); its last station
+    /// counts as a change of the reaction. Overwrites `change`.
     pub fn force_change(&mut self, change: &mut [f64]) -> f64 {
         change.iter_mut().for_each(|x| *x = -*x);
         -self.condense(change)
     }
 
-    /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the solution.
+    /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the
+    /// solution.
     pub fn solve_linear(&mut self, rhs: &mut [f64], dw: f64) {
         self.condense(rhs);
         self.backward(rhs, dw);
@@ -215,8 +237,10 @@ impl Body {
                 for k in 0..MODES {
                     let value = share * rhs[at + k];
                     rhs[at + k] *= beta;
-                    let [br, bz] =
-                        [&self.assembled.coupling[index][0][k], &self.assembled.coupling[index][1][k]];
+                    let [br, bz] = [
+                        &self.assembled.coupling[index][0][k],
+                        &self.assembled.coupling[index][1][k],
+                    ];
                     for a in 0..NODES {
                         let place = stations[a / 3] + 2 * (2 * i + a % 3);
                         rhs[place] += value * br[a];
@@ -241,8 +265,15 @@ impl Body {
         let d = &self.discretisation;
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
-        let free = self.end.free.iter().map(|&i| self.assembled.residual[last + i].abs()).fold(0.0, f64::max);
-        let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
+        let free = self
+            .end
+            .free
+            .iter()
+            .map(|&i| self.assembled.residual[last + i].abs())
+            .fold(0.0, f64::max);
+        let held = self
+            .control
+            .missed(&self.state, self.totals.pull, d.radius, scale);
         self.totals.defect.max(free / scale).max(held)
     }
 
@@ -252,18 +283,22 @@ impl Body {
         self.state.add(share, &self.step);
     }
 
-    /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with the derivatives of the last tangent.
+    /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with
+    /// the derivatives of the last tangent.
     fn extrapolate_tensions(&mut self) {
         let (d, l) = (&self.discretisation, self.discretisation.layout);
-        let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else { return };
+        let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else {
+            return;
+        };
         for (slab, points) in d.strands.iter().enumerate() {
             let u = l.line(&self.state.u, slab, 2 * l.through);
             let stations = l.stations(slab);
             for (g, point) in points.iter().enumerate() {
                 let index = slab * STRAND_POINTS + g;
                 let first = &self.assembled.strand[index];
-                let change: f64 =
-                    (0..6).map(|i| first[i] * self.step.u[stations[i / 2] + 4 * l.through + i % 2]).sum();
+                let change: f64 = (0..6)
+                    .map(|i| first[i] * self.step.u[stations[i / 2] + 4 * l.through + i % 2])
+                    .sum();
                 let strain = point.stretch(&u).value - 1.0 + change;
                 let q = k * Crimp::force(braid.crimp.as_ref(), strain);
                 self.step.q[index] = q - self.state.q[index];
@@ -322,7 +357,11 @@ impl NewtonSystem for Body {
             .flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m])
             .fold(0.0_f64, |a, x| a.max(x.abs()));
         let size = largest / self.discretisation.radius;
-        if size.is_finite() && dw.is_finite() && dp.is_finite() { Ok(size) } else { Err(Stopped::Diverged) }
+        if size.is_finite() && dw.is_finite() && dp.is_finite() {
+            Ok(size)
+        } else {
+            Err(Stopped::Diverged)
+        }
     }
 
     fn retreat(&mut self, keep: f64) {

@@ -1,19 +1,22 @@
 //! How the strands press on the tube and turn against each other, and what friction follows.
 //!
-//! A strand of tension T presses on what it lies over with T κn per length, κn = sin²θ cosφ/rb + cos²θ κm: the curvature of its line normal to
-//! the tube (Meusnier and Euler), with θ its angle to the meridian, φ the slope of the meridian, κm its curvature, rb the radius of the
-//! midline. Both families together press with pc on the tube; per area of the sleeve as made
+//! A strand of tension T presses on what it lies over with T κn per length, κn = sin²θ cosφ/rb +
+//! cos²θ κm: the curvature of its line normal to the tube (Meusnier and Euler), with θ its angle to
+//! the meridian, φ the slope of the meridian, κm its curvature, rb the radius of the midline. Both
+//! families together press with pc on the tube; per area of the sleeve as made
 //!
 //!   pc dA = 2 q λf κn dA0,
 //!
-//! q the tension per width of a family. As the muscle's length L changes at constant pressure, strands that cross turn against each
-//! other by 2 dθ, against a friction with the lever w (of the width and the shape of the contact) and the coefficient μ. By virtual work the
-//! half-width of the hysteresis loop is
+//! q the tension per width of a family. As the muscle's length L changes at constant pressure,
+//! strands that cross turn against each other by 2 dθ, against a friction with the lever w (of the
+//! width and the shape of the contact) and the coefficient μ. By virtual work the half-width of the
+//! hysteresis loop is
 //!
 //!   F_f = μw G,   G = (2/3) ∫ pc |dθ/dL| dA,
 //!
-//! and G = (4π/3) pc r cotθ of an infinitely long muscle with strands that do not stretch. Crossings as in Davis & Caldwell 2006
-//! \[davis2006\]; strands are tied to the tube, so that nothing slides on it. Where they are slack pc vanishes, and the friction with it.
+//! and G = (4π/3) pc r cotθ of an infinitely long muscle with strands that do not stretch.
+//! Crossings as in Davis & Caldwell 2006 \[davis2006\]; strands are tied to the tube, so that
+//! nothing slides on it. Where they are slack pc vanishes, and the friction with it.
 
 use super::Axisymmetric;
 use super::discretisation::Discretisation;
@@ -24,7 +27,8 @@ use crate::simulation::Given;
 use mckibben::model::Workspace;
 use std::f64::consts::PI;
 
-/// Second derivatives of the shape functions of a line element in its coordinate: middle, left, right.
+/// Second derivatives of the shape functions of a line element in its coordinate: middle, left,
+/// right.
 const CURVED: [f64; 3] = [-2.0, 1.0, 1.0];
 
 /// Contact of the strands at a place along the half muscle.
@@ -51,7 +55,12 @@ pub struct Contact {
 
 impl Axisymmetric {
     /// The contact of the strands at a pressure in MPa and a contraction.
-    pub fn contact(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Contact> {
+    pub fn contact(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Contact> {
         let c = self.led_to(workspace, Given::at(pressure_mpa, contraction))?;
         let body = &mut c.body;
         body.tangent()?;
@@ -65,14 +74,20 @@ impl Axisymmetric {
             .collect();
         places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
         // Both halves turn alike.
-        let work = |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;
-        Ok(Contact { pivoting_n_per_mm: 2.0 / 3.0 * places.iter().map(work).sum::<f64>(), places })
+        let work =
+            |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;
+        Ok(Contact {
+            pivoting_n_per_mm: 2.0 / 3.0 * places.iter().map(work).sum::<f64>(),
+            places,
+        })
     }
 }
 
 fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
     let l = d.layout;
-    let Some(braid) = d.problem.braid else { return ContactPlace::default() };
+    let Some(braid) = d.problem.braid else {
+        return ContactPlace::default();
+    };
     let (point, line) = (&d.strands[slab][g], l.line(u, slab, 2 * l.through));
     let (stretch, q) = strand(d, u, slab, g);
     let [v_r, v_z, v_hoop] = stretch.vector;

@@ -72,12 +72,23 @@ impl Problem {
         };
         let prestretch = tube.prestretch;
         let whole = Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded);
-        Self { prestretch, plug_mm2: parts.plug_mm2(), ..whole }
+        Self {
+            prestretch,
+            plug_mm2: parts.plug_mm2(),
+            ..whole
+        }
     }
 
     /// Of its parts.
     pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
-        Self { law, bulk, braid, ends, prestretch: 1.0, plug_mm2: 0.0 }
+        Self {
+            law,
+            bulk,
+            braid,
+            ends,
+            prestretch: 1.0,
+            plug_mm2: 0.0,
+        }
     }
 }
 
@@ -137,21 +148,33 @@ impl Discretisation {
             Some(_) if problem.plug_mm2 != 0.0 => on_plugs(&cylinder, &problem)?,
             _ => cylinder.clone(),
         };
-        let multipliers = matches!(problem.braid, Some(BraidSpec { stiffness: None, .. }));
+        let multipliers = matches!(
+            problem.braid,
+            Some(BraidSpec {
+                stiffness: None,
+                ..
+            })
+        );
         let layout = mesh.layout(multipliers);
         let element = |index: usize| {
             let nodes = nodes(&mesh, index / mesh.through, index % mesh.through);
             let mut geometry = Geometry::new(&nodes).ok_or_else(|| {
-                FemError::Refused(format!("mesh: element {index} is turned inside out at rest"))
+                FemError::Refused(format!(
+                    "mesh: element {index} is turned inside out at rest"
+                ))
             })?;
             geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
             Ok(geometry)
         };
-        let elements = (0..mesh.through * mesh.along).map(element).collect::<Result<_>>()?;
+        let elements = (0..mesh.through * mesh.along)
+            .map(element)
+            .collect::<Result<_>>()?;
         let outer = 2 * mesh.through;
         let strands = problem.braid.map_or(vec![], |braid| {
             let radius = cylinder.node(outer, 0)[0];
-            (0..mesh.along).map(|slab| strand::points(mesh.line(slab, outer), radius, &braid.lay)).collect()
+            (0..mesh.along)
+                .map(|slab| strand::points(mesh.line(slab, outer), radius, &braid.lay))
+                .collect()
         });
         let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
         let shear = problem.law.shear_modulus_mpa();
@@ -176,8 +199,8 @@ impl Discretisation {
         })
     }
 
-    /// Smallest force that is distinguished from zero, in N, at a pressure in MPa. Stiff strands add what rounding
-    /// leaves of their tension.
+    /// Smallest force that is distinguished from zero, in N, at a pressure in MPa. Stiff strands
+    /// add what rounding leaves of their tension.
     pub fn force_scale(&self, pressure: f64) -> f64 {
         let k = self.problem.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
         let inside = std::f64::consts::PI * self.radius * self.radius;
@@ -189,8 +212,8 @@ impl Discretisation {
         Some(point(nodes, xi, eta, 1.0)?.prestretched(self.problem.prestretch))
     }
 
-    /// Whether ∂F by the muscle's constants are those of the tangent: what conditioned rubber has seen and the shape on a plug
-    /// change with them as well.
+    /// Whether ∂F by the muscle's constants are those of the tangent: what conditioned rubber has
+    /// seen and the shape on a plug change with them as well.
     pub fn has_slopes(&self) -> bool {
         self.memory.is_none() && self.problem.plug_mm2 == 0.0
     }
@@ -201,12 +224,20 @@ impl Discretisation {
     }
 }
 
-/// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long as before. The wall on a plug keeps its section,
-/// r² = R² + rp² − Ri². What draws the tube back from its plugs is omitted: the muscle begins without stress in this shape.
+/// The tube on plugs that are not as wide as its bore, in equilibrium without a braid and as long
+/// as before. The wall on a plug keeps its section, r² = R² + rp² − Ri². What draws the tube back
+/// from its plugs is omitted: the muscle begins without stress in this shape.
 fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
-    let tube = Problem { braid: None, prestretch: 1.0, ..problem.clone() };
+    let tube = Problem {
+        braid: None,
+        prestretch: 1.0,
+        ..problem.clone()
+    };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
-    let (half, layer) = (path.body.discretisation.half_length(), LAYER * path.body.discretisation.radius);
+    let (half, layer) = (
+        path.body.discretisation.half_length(),
+        LAYER * path.body.discretisation.radius,
+    );
     let l = path.body.discretisation.layout;
     let drawn = |r: f64, share: f64| (r * r + share * problem.plug_mm2).sqrt();
     let (mut done, mut step) = (0.0, 0.25);
@@ -221,7 +252,9 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
         }
         match path.solve(Control::Length(0.0)) {
             Ok(()) => done = next,
-            Err(stop) if stop.is_final() || step < SMALLEST_DRAW => return Err(FemError::on_plugs(stop)),
+            Err(stop) if stop.is_final() || step < SMALLEST_DRAW => {
+                return Err(FemError::on_plugs(stop));
+            }
             Err(_) => {
                 path.body.state = before;
                 step *= 0.5;
@@ -231,7 +264,10 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     let mut mesh = cylinder.clone();
     for (k, node) in mesh.nodes.iter_mut().enumerate() {
         let at = l.at(k / l.nodes()) + 2 * (k % l.nodes());
-        *node = [node[0] + path.body.state.u[at], node[1] + path.body.state.u[at + 1]];
+        *node = [
+            node[0] + path.body.state.u[at],
+            node[1] + path.body.state.u[at + 1],
+        ];
     }
     Ok(mesh)
 }

@@ -1,16 +1,18 @@
 //! First iterates for a muscle that was never looked at.
 //!
-//! Tensions and pressures of the ideal muscle, q = P Ro λ/(2 sin²θ0) and p = −P: without them the first tangent would
-//! lack the very stiffness that holds the tube. And a shape: the outer line keeps the length of its strands,
+//! Tensions and pressures of the ideal muscle, q = P Ro λ/(2 sin²θ0) and p = −P: without them the
+//! first tangent would lack the very stiffness that holds the tube. And a shape: the outer line
+//! keeps the length of its strands,
 //!
 //!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro (1 + b) + [Re − Ro (1 + b)] e^(−(L0/2 − Z)/ℓ),   z' = √(λm² − r'²),
 //!
-//! Re the outer radius on the plug, with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
-//! infinitely long muscle are slack there is no tension, and the bulge is the infinitely long muscle's.
+//! Re the outer radius on the plug, with the bulge b that brings the terminal to its place; the
+//! wall behind it keeps its volume. Where the strands of the infinitely long muscle are slack there
+//! is no tension, and the bulge is the infinitely long muscle's.
 //!
-//! Strands at a small angle let the tube become several times as wide, and its end zone as long as that makes it ([`Outline::Net`]): there
-//! the line is that of strands alone. With their angle α to the meridian, sinα = sinθ0 λθ/λf, and rm the radius of the middle, equilibrium along
-//! the axis is
+//! Strands at a small angle let the tube become several times as wide, and its end zone as long as
+//! that makes it ([`Outline::Net`]): there the line is that of strands alone. With their angle α to
+//! the meridian, sinα = sinθ0 λθ/λf, and rm the radius of the middle, equilibrium along the axis is
 //!
 //!   cosφ = [rm² (2 cot²αm − 1) + r²] sin²αm/(2 rm² cosαm cosα),   dr/dZ = −λm sinφ.
 
@@ -38,7 +40,9 @@ pub(super) enum Outline {
 
 /// Tensions and pressures of the ideal muscle.
 pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
-    let Some(BraidSpec { lay, .. }) = d.problem.braid else { return };
+    let Some(BraidSpec { lay, .. }) = d.problem.braid else {
+        return;
+    };
     let q = tension(d, lay.angle_rad, state.pressure) * stretch;
     state.q.fill(q);
     let l = d.layout;
@@ -97,10 +101,15 @@ impl Line {
             let cos_alpha = (1.0 - square(r)).max(1e-6).sqrt();
             let cos_middle = (1.0 - sin2).max(1e-6).sqrt();
             let cos = (lowest + r * r) * sin2 / (2.0 * middle * middle * cos_middle * cos_alpha);
-            let slope =
-                (self.strand2 / self.cos2).sqrt() * cos_alpha * (1.0 - cos.clamp(0.0, 1.0).powi(2)).sqrt();
+            let slope = (self.strand2 / self.cos2).sqrt()
+                * cos_alpha
+                * (1.0 - cos.clamp(0.0, 1.0).powi(2)).sqrt();
             // dr = 2 (rm − Ro) t dt: at the middle both dr and r' vanish, and their ratio does not.
-            let rate = if slope > 0.0 && t > 0.0 { 2.0 * (middle - self.end) * t / slope } else { before };
+            let rate = if slope > 0.0 && t > 0.0 {
+                2.0 * (middle - self.end) * t / slope
+            } else {
+                before
+            };
             if i > 0 {
                 place += 0.5 * (before + rate) / NET as f64;
             }
@@ -110,7 +119,9 @@ impl Line {
         // A muscle that is shorter than its end zones has them in part.
         if place > self.half {
             let share = self.half / place;
-            self.net.iter_mut().for_each(|p| *p = [share * p[0], p[1], p[2] / share]);
+            self.net
+                .iter_mut()
+                .for_each(|p| *p = [share * p[0], p[1], p[2] / share]);
         }
     }
 
@@ -119,7 +130,10 @@ impl Line {
         if !self.net.is_empty() {
             let place = self.half - z;
             let after = self.net.partition_point(|p| p[0] <= place);
-            return match (after.checked_sub(1).and_then(|i| self.net.get(i)), self.net.get(after)) {
+            return match (
+                after.checked_sub(1).and_then(|i| self.net.get(i)),
+                self.net.get(after),
+            ) {
                 (Some(a), Some(b)) => {
                     let t = (place - a[0]) / (b[0] - a[0]);
                     (a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]))
@@ -142,7 +156,10 @@ impl Line {
         let (r, dr) = self.radius(z);
         let hoop = self.lay.hoop_stretch(r);
         let meridian2 = ((self.strand2 - self.sin2 * hoop * hoop) / self.cos2).max(0.01);
-        ((meridian2 - dr * dr).max(0.09 * meridian2).sqrt(), meridian2.sqrt())
+        (
+            (meridian2 - dr * dr).max(0.09 * meridian2).sqrt(),
+            meridian2.sqrt(),
+        )
     }
 
     /// z from `from` to `to` by Simpson's rule.
@@ -157,13 +174,23 @@ impl Line {
     }
 }
 
-/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal; `false` where no bulge brings the terminal there.
-pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outline) -> bool {
-    let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else { return false };
+/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal;
+/// `false` where no bulge brings the terminal there.
+pub(super) fn shape(
+    d: &Discretisation,
+    state: &mut State,
+    terminal: f64,
+    outline: Outline,
+) -> bool {
+    let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else {
+        return false;
+    };
     let angle_rad = lay.angle_rad;
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
     let outer = 2 * l.through;
-    let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
+    let strain = stiffness
+        .map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k)
+        .min(0.1);
     let strand2 = (1.0 + strain).powi(2);
     let station = |j: usize| d.cylinder.node(outer, j)[1];
     let mut line = Line {
@@ -178,8 +205,11 @@ pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, outlin
         bulge: 0.0,
         net: vec![],
     };
-    let length =
-        |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
+    let length = |line: &Line| {
+        (0..2 * l.along)
+            .map(|j| line.advance(station(j), station(j + 1)))
+            .sum::<f64>()
+    };
     let wanted = half + terminal;
     if let Outline::Slack(radius) = outline {
         line.set(radius / d.radius - 1.0, outline);

@@ -6,9 +6,10 @@ use crate::element::strand::STRAND_POINTS;
 
 /// A tube of `through` elements through the wall and `along` elements along the half length.
 ///
-/// Unknowns are laid out [station 0 | inside 0 | station 1 | …]: a station holds (u_r, u_z) of its 2·through + 1 nodes
-/// from the inner surface outwards; the inside of a slab holds its middle station, the pressure modes of its elements and, for
-/// strands that do not stretch, their tensions.
+/// Unknowns are laid out [station 0 | inside 0 | station 1 | …]: a station holds (u_r, u_z) of its
+/// 2·through + 1 nodes from the inner surface outwards; the inside of a slab holds its middle
+/// station, the pressure modes of its elements and, for strands that do not stretch, their
+/// tensions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
     /// Elements through the wall.

@@ -10,7 +10,8 @@ pub struct MeshSpec {
     pub through: Option<usize>,
     /// Elements along the half length.
     pub along: Option<usize>,
-    /// Exponent g of the places Z = (L0/2)(1 − (1−t)^g) of the stations: 1 is uniform, larger is finer at the terminal.
+    /// Exponent g of the places Z = (L0/2)(1 − (1−t)^g) of the stations: 1 is uniform, larger is
+    /// finer at the terminal.
     pub grading: Option<f64>,
 }
 
@@ -22,8 +23,8 @@ pub const MOST_THROUGH: usize = 16;
 pub const MOST: usize = 4096;
 
 impl MeshSpec {
-    /// Reads `8` (elements along the half length), `2x8` (through the wall x along), or `2x8:2` with the grading;
-    /// `None` where the text is none of them.
+    /// Reads `8` (elements along the half length), `2x8` (through the wall x along), or `2x8:2`
+    /// with the grading; `None` where the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
         let (elements, grading) = match text.split_once(':') {
             Some((elements, grading)) => (elements, Some(grading.trim().parse::<f64>().ok()?)),
@@ -34,7 +35,11 @@ impl MeshSpec {
             Some((through, along)) => (Some(count(through)?), count(along)?),
             None => (None, count(elements)?),
         };
-        Some(Self { through, along: Some(along), grading })
+        Some(Self {
+            through,
+            along: Some(along),
+            grading,
+        })
     }
 
     /// Fills in what is not given, for a tube of outer radius, wall and half length in mm.
@@ -48,7 +53,12 @@ impl MeshSpec {
             ("the length over the diameter", half / outer, 0.0, 5000.0),
             ("through", through as f64, 1.0, MOST_THROUGH as f64),
             ("along", along as f64, 1.0, MOST_ALONG as f64),
-            ("the number of elements", through.saturating_mul(along) as f64, 1.0, MOST as f64),
+            (
+                "the number of elements",
+                through.saturating_mul(along) as f64,
+                1.0,
+                MOST as f64,
+            ),
             ("grading", grading, 0.5, 8.0),
         ];
         for (name, value, low, high) in bounds {
@@ -60,13 +70,22 @@ impl MeshSpec {
 
 /// The mesh the program chooses: (through, along, grading).
 ///
-/// One element through the wall up to s/Ro = 0.4. Along the half length six for the paper's muscles (L0/D0 5.7–9.5; error
-/// at most 0.009 % of the blocked force there) and one more for every 5 diameters beyond ten.
+/// One element through the wall up to s/Ro = 0.4. Along the half length six for the paper's muscles
+/// (L0/D0 5.7–9.5; error at most 0.009 % of the blocked force there) and one more for every 5
+/// diameters beyond ten.
 fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
     let thickness = wall / outer;
-    let through = if thickness <= 0.4 { 1 } else { 1 + (thickness * 3.0) as usize };
+    let through = if thickness <= 0.4 {
+        1
+    } else {
+        1 + (thickness * 3.0) as usize
+    };
     let beyond = (half / outer - 10.0).max(0.0) / 5.0;
-    (through, 6 + (beyond.ceil() as usize).min(MOST_ALONG - 6), 2.0)
+    (
+        through,
+        6 + (beyond.ceil() as usize).min(MOST_ALONG - 6),
+        2.0,
+    )
 }
 
 /// Nodes of a mesh, station by station along the muscle, each from the inner surface outwards.
@@ -83,16 +102,29 @@ pub struct Mesh {
 impl Mesh {
     /// Maps the unit square of (through, along) to the section.
     pub fn mapped(through: usize, along: usize, place: impl Fn(f64, f64) -> [f64; 2]) -> Self {
-        let at = |i: usize, j: usize| place(i as f64 / (2 * through) as f64, j as f64 / (2 * along) as f64);
+        let at = |i: usize, j: usize| {
+            place(
+                i as f64 / (2 * through) as f64,
+                j as f64 / (2 * along) as f64,
+            )
+        };
         let station = |j: usize| (0..=2 * through).map(move |i| (i, j));
-        Self { through, along, nodes: (0..=2 * along).flat_map(station).map(|(i, j)| at(i, j)).collect() }
+        Self {
+            through,
+            along,
+            nodes: (0..=2 * along)
+                .flat_map(station)
+                .map(|(i, j)| at(i, j))
+                .collect(),
+        }
     }
 
-    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes are in the middle of their
-    /// elements.
+    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes are in
+    /// the middle of their elements.
     pub fn tube(inner: f64, outer: f64, half: f64, division: (usize, usize, f64)) -> Self {
         let (through, along, grading) = division;
-        let corner = |e: usize| half * (1.0 - (1.0 - e as f64 / along as f64).max(0.0).powf(grading));
+        let corner =
+            |e: usize| half * (1.0 - (1.0 - e as f64 / along as f64).max(0.0).powf(grading));
         Self::mapped(through, along, |x, y| {
             let j = (y * (2 * along) as f64).round() as usize;
             // An odd station is the middle of an element.
@@ -103,7 +135,11 @@ impl Mesh {
 
     /// Places of its unknowns.
     pub fn layout(&self, multipliers: bool) -> Layout {
-        Layout { through: self.through, along: self.along, multipliers }
+        Layout {
+            through: self.through,
+            along: self.along,
+            multipliers,
+        }
     }
 
     /// Nodes `i` of the stations of a slab: middle, left, right.

@@ -12,15 +12,18 @@ use std::sync::Arc;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
     name: "fe",
-    description: "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default",
-    source: "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer surface, rigid terminals)",
+    description: "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; \
+        the default",
+    source: "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer \
+        surface, rigid terminals)",
 };
 
-/// A pressure that is so much larger than that of the infinitely long muscle may not be the smallest.
+/// A pressure that is so much larger than that of the infinitely long muscle may not be the
+/// smallest.
 const FAR: f64 = 2.0;
 
-/// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
-/// surface, rigid terminals, pressure as −P·V.
+/// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families
+/// bonded to the outer surface, rigid terminals, pressure as −P·V.
 pub type Axisymmetric = FiniteElements<MuscleSection>;
 
 /// What of the axisymmetric muscle does not change.
@@ -45,19 +48,28 @@ impl Axisymmetric {
     /// The model of a muscle with a given mesh.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that was cycled at a pressure at which it has
-    /// no equilibrium.
+    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that
+    /// was cycled at a pressure at which it has no equilibrium.
     pub fn with_mesh(muscle: &Muscle, spec: &MeshSpec) -> Result<Self> {
         let tube = muscle.tube();
         let half = 0.5 * tube.length_mm;
         let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
-        let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
+        let mesh = Mesh::tube(
+            tube.inner_radius_mm(),
+            tube.outer_radius_mm(),
+            half,
+            division,
+        );
         let thick_wall = Arc::new(ThickWall::new(muscle));
         let mut discretisation = Discretisation::new(mesh, Problem::from_parts(muscle.parts()))?;
         discretisation.memory = match muscle.rubber().conditioned_alike() {
             Some((softening, seen_mpa)) => {
                 let mut memory = Memory::new(softening, &discretisation);
-                memory.seen_mpa.iter_mut().flatten().for_each(|seen| *seen = seen_mpa);
+                memory
+                    .seen_mpa
+                    .iter_mut()
+                    .flatten()
+                    .for_each(|seen| *seen = seen_mpa);
                 Some(memory)
             }
             None => Memory::cycled(muscle, &discretisation, &thick_wall)?,
@@ -65,9 +77,18 @@ impl Axisymmetric {
         let section = MuscleSection {
             discretisation: Arc::new(discretisation),
             thick_wall,
-            default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
+            default: if *spec == MeshSpec::default() {
+                None
+            } else {
+                Some(Box::new(Self::new(muscle)?))
+            },
         };
-        Ok(Self::from_divided(section, muscle, Accuracy::share(0.0, Reference::Equations), vec![]))
+        Ok(Self::from_divided(
+            section,
+            muscle,
+            Accuracy::share(0.0, Reference::Equations),
+            vec![],
+        ))
     }
 
     /// ∂F by constants and measures; `None` where it does not know one of them.
@@ -80,8 +101,15 @@ impl Axisymmetric {
     ) -> Result<Option<Vec<f64>>> {
         let c = self.led_to(w, Given::at(p, e))?;
         c.body.tangent()?;
-        let known = slopes(&mut c.body, self.muscle(), |name| names.iter().any(|n| n == name))?;
-        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
+        let known = slopes(&mut c.body, self.muscle(), |name| {
+            names.iter().any(|n| n == name)
+        })?;
+        let one = |name: &String| {
+            known
+                .iter()
+                .find(|s| s.name == *name)
+                .map(|s| s.force_n_per_unit)
+        };
         Ok(names.iter().map(one).collect())
     }
 }
@@ -91,7 +119,10 @@ impl Divided for MuscleSection {
     type Body = Body;
 
     fn at_rest(&self) -> Result<Body> {
-        Ok(Body::of_muscle(self.discretisation.clone(), self.thick_wall.clone()))
+        Ok(Body::of_muscle(
+            self.discretisation.clone(),
+            self.thick_wall.clone(),
+        ))
     }
 
     fn section(model: &Axisymmetric) -> Option<&Axisymmetric> {
@@ -102,9 +133,12 @@ impl Divided for MuscleSection {
         self.default.as_deref()
     }
 
-    /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near that of the infinitely long muscle.
+    /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near
+    /// that of the infinitely long muscle.
     fn near_smaller(&self, pressure_mpa: f64, force_n: f64, contraction: f64) -> Option<f64> {
-        let near = self.thick_wall.pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
+        let near = self
+            .thick_wall
+            .pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
         (pressure_mpa > FAR * near).then_some(near)
     }
 }

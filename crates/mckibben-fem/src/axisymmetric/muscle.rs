@@ -1,5 +1,5 @@
-//! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come from the infinitely long muscle of the same
-//! rubber and braid.
+//! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come
+//! from the infinitely long muscle of the same rubber and braid.
 
 use super::body::Body;
 use super::guess::{self, Outline};
@@ -12,14 +12,18 @@ use mckibben::analysis::bisect;
 use mckibben::model::{ForceModel, Ideal, Workspace};
 use std::f64::consts::PI;
 
-/// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one whose strands stretch first.
+/// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one
+/// whose strands stretch first.
 const PULLS_BELOW: f64 = 10.0;
 /// Multiple of μ s/Ro at which strands are taut.
 const RINGS: f64 = 3.0;
 
 impl body::Body for Body {
     const SETTINGS: Settings = Settings {
-        newton: NewtonOptions { iterations: 10, ..NewtonOptions::DEFAULT },
+        newton: NewtonOptions {
+            iterations: 10,
+            ..NewtonOptions::DEFAULT
+        },
         kept: 8,
         near_pressure: 0.6,
         near_contraction: 0.08,
@@ -96,7 +100,12 @@ impl body::Body for Body {
 
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer)
+        guess::shape(
+            &self.discretisation,
+            &mut self.state,
+            terminal,
+            Outline::Layer,
+        )
     }
 
     fn guess_loads(&mut self) {
@@ -112,18 +121,22 @@ impl body::Body for Body {
         (slope > 0.0).then(|| (-push / slope).max(0.0))
     }
 
-    /// Somewhat above the one at which it begins to pull. Where it never does, the tube is pressed outwards by what an elastic ring takes,
-    /// μ s/Ro, several times.
+    /// Somewhat above the one at which it begins to pull. Where it never does, the tube is pressed
+    /// outwards by what an elastic ring takes, μ s/Ro, several times.
     fn taut_pressure(&self, contraction: f64) -> f64 {
         let d = &self.discretisation;
         let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
-        let pulling = body::Body::pulling_pressure(self, contraction).filter(|p| *p < PULLS_BELOW * ring);
+        let pulling =
+            body::Body::pulling_pressure(self, contraction).filter(|p| *p < PULLS_BELOW * ring);
         pulling.map_or(RINGS * ring, |p| TAUT * p)
     }
 
-    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely long muscle's pull.
+    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely
+    /// long muscle's pull.
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64> {
-        let Some(endless) = &self.endless else { return Ok(0.0) };
+        let Some(endless) = &self.endless else {
+            return Ok(0.0);
+        };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
         let end = 1.2 * endless.muscle().max_ideal_contraction();
         let (low, high) = (end.min(-0.05), end.max(0.05));
@@ -136,14 +149,19 @@ impl body::Body for Body {
     }
 
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
-        let ideal =
-            self.endless.as_ref().map_or(1.0, |e| Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0));
-        let start = body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        let ideal = self.endless.as_ref().map_or(1.0, |e| {
+            Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0)
+        });
+        let start =
+            body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
         Ok(1.4 * start + body::Body::smallest_pressure(self))
     }
 
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
-        self.endless.as_ref()?.force_n(&mut Workspace::new(), pressure, contraction).ok()
+        self.endless
+            .as_ref()?
+            .force_n(&mut Workspace::new(), pressure, contraction)
+            .ok()
     }
 
     fn radius(&self) -> f64 {
@@ -152,11 +170,14 @@ impl body::Body for Body {
 
     fn loose(&self) -> bool {
         let d = &self.discretisation;
-        d.problem.braid.is_some_and(|b| b.lay.hoop_stretch(d.radius) < 1.0)
+        d.problem
+            .braid
+            .is_some_and(|b| b.lay.hoop_stretch(d.radius) < 1.0)
     }
 
-    /// A thin tube of the modulus 3 μ and a Poisson's ratio of a half buckles axisymmetrically, by the classical formula, under a push of 4π μ s² and a
-    /// shortening of 2 s/(3 R): half of both is borne without folds.
+    /// A thin tube of the modulus 3 μ and a Poisson's ratio of a half buckles axisymmetrically, by
+    /// the classical formula, under a push of 4π μ s² and a shortening of 2 s/(3 R): half of both
+    /// is borne without folds.
     fn folds_below(&self) -> f64 {
         let d = &self.discretisation;
         let wall = d.radius - d.mesh.node(0, 0)[0];
@@ -173,7 +194,8 @@ impl body::Body for Body {
         let unpressurised = state.pressure == 0.0 && state.terminal >= 0.0;
         unpressurised
             || if l.multipliers {
-                (0..l.along).all(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].iter().all(taut))
+                (0..l.along)
+                    .all(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].iter().all(taut))
             } else {
                 state.q.iter().all(taut)
             }
@@ -189,27 +211,41 @@ impl Body {
         guess::loads(&self.discretisation, &mut self.state, stretch);
     }
 
-    /// The shape of a tube that does not reach its strands; `false` where the infinitely long muscle says that it does.
+    /// The shape of a tube that does not reach its strands; `false` where the infinitely long
+    /// muscle says that it does.
     fn guess_slack(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
         let radius = self.endless.as_ref().and_then(|endless| {
-            let r = endless.response(&mut Workspace::new(), pressure, contraction).ok()?;
+            let r = endless
+                .response(&mut Workspace::new(), pressure, contraction)
+                .ok()?;
             let radius = 0.5 * r.bulged_diameter_mm?;
             (r.braid_tension_n? <= 0.0).then_some(radius)
         });
         let Some(radius) = radius else { return false };
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Slack(radius))
+        guess::shape(
+            &self.discretisation,
+            &mut self.state,
+            terminal,
+            Outline::Slack(radius),
+        )
     }
 
     /// The shape of strands alone, where the infinitely long muscle pulls.
     fn guess_net(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
-        let pulls = body::Body::expected_pull(self, pressure, contraction).is_some_and(|force| force > 0.0);
+        let pulls =
+            body::Body::expected_pull(self, pressure, contraction).is_some_and(|force| force > 0.0);
         if !pulls {
             return false;
         }
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Net)
+        guess::shape(
+            &self.discretisation,
+            &mut self.state,
+            terminal,
+            Outline::Net,
+        )
     }
 }

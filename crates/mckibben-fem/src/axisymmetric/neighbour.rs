@@ -16,12 +16,14 @@ pub(super) struct Neighbour {
     pub stretch: f64,
 }
 
-/// The four of each number of a body's muscle, by the number's name; they are made when they are first needed.
+/// The four of each number of a body's muscle, by the number's name; they are made when they are
+/// first needed.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
 
 impl Neighbours {
-    /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps away.
+    /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps
+    /// away.
     pub fn differing_in(
         &mut self,
         name: &str,
@@ -41,15 +43,24 @@ impl Neighbours {
 /// The body with other measures; the mesh keeps its proportions.
 fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
     let mut mesh: Mesh = d.cylinder.clone();
-    let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
+    let (outer, stretch) = (
+        to.tube.outer_radius_mm(),
+        to.tube.length_mm / from.tube.length_mm,
+    );
     let inner = outer - to.tube.wall_mm;
     for node in &mut mesh.nodes {
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let problem = Problem { ends: d.problem.ends, ..Problem::from_parts(to) };
+    let problem = Problem {
+        ends: d.problem.ends,
+        ..Problem::from_parts(to)
+    };
     let mut out = Discretisation::new(mesh, problem)?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
-    Ok(Neighbour { discretisation: out, stretch })
+    Ok(Neighbour {
+        discretisation: out,
+        stretch,
+    })
 }

@@ -7,7 +7,9 @@ use crate::Result;
 use crate::element::q2::{NODES, Point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
-use crate::results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most};
+use crate::results::{
+    MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most,
+};
 use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 
@@ -15,7 +17,11 @@ impl MuscleBody for Body {
     fn derivatives(&mut self) -> Result<[f64; 3]> {
         self.tangent()?;
         let (half_volume_per_pressure, force_per_pressure) = self.by_pressure();
-        Ok([self.end.stiffness(), force_per_pressure, 2.0 * half_volume_per_pressure])
+        Ok([
+            self.end.stiffness(),
+            force_per_pressure,
+            2.0 * half_volume_per_pressure,
+        ])
     }
 
     fn rest_volume_mm3(&self, muscle: &Muscle) -> f64 {
@@ -23,7 +29,11 @@ impl MuscleBody for Body {
     }
 
     fn profile(&self) -> Vec<ProfilePoint> {
-        let (d, s, l) = (&self.discretisation, &self.state, self.discretisation.layout);
+        let (d, s, l) = (
+            &self.discretisation,
+            &self.state,
+            self.discretisation.layout,
+        );
         let station = |j: usize| {
             let at = |i: usize| {
                 let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
@@ -31,7 +41,13 @@ impl MuscleBody for Body {
             };
             let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
             let rest_z_mm = d.cylinder.node(0, j)[1];
-            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
+            ProfilePoint {
+                rest_z_mm,
+                outer_z_mm,
+                outer_r_mm,
+                inner_z_mm,
+                inner_r_mm,
+            }
         };
         (0..=2 * l.along).map(station).collect()
     }
@@ -43,7 +59,9 @@ impl MuscleBody for Body {
     fn bulge_mm(&self) -> f64 {
         let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
         let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
-        slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])).fold(0.0, f64::max)
+        slabs
+            .map(|j| highest([outer[j], outer[j + 1], outer[j + 2]]))
+            .fold(0.0, f64::max)
     }
 
     fn largest_stretch(&self) -> StretchAt {
@@ -54,9 +72,14 @@ impl MuscleBody for Body {
         for (rest, u) in elements(d, &self.state) {
             for i in 0..through {
                 for j in 0..along {
-                    let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else { continue };
+                    let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else {
+                        continue;
+                    };
                     // ψ of a single point still holds 1 + its place.
-                    let at = StretchAt { value: largest(&p, &u), rest_mm: [p.psi[1], p.psi[2]] };
+                    let at = StretchAt {
+                        value: largest(&p, &u),
+                        rest_mm: [p.psi[1], p.psi[2]],
+                    };
                     list.push((at, p.volume));
                 }
             }
@@ -70,11 +93,18 @@ impl MuscleBody for Body {
             d.point(rest, xi, -1.0).map(|p| largest(&p, u))
         };
         let first = elements(d, &self.state).take(d.layout.through);
-        first.flat_map(|e| [largest_at(&e, -1.0), largest_at(&e, 1.0)]).flatten().fold(1.0, f64::max)
+        first
+            .flat_map(|e| [largest_at(&e, -1.0), largest_at(&e, 1.0)])
+            .flatten()
+            .fold(1.0, f64::max)
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>> {
-        if self.discretisation.has_slopes() { slopes(self, muscle, |_| true) } else { Ok(vec![]) }
+        if self.discretisation.has_slopes() {
+            slopes(self, muscle, |_| true)
+        } else {
+            Ok(vec![])
+        }
     }
 }
 
@@ -86,10 +116,15 @@ fn largest(p: &Point, u: &Unknowns) -> f64 {
     gradient(p, u).principal().into_iter().fold(0.0, f64::max)
 }
 
-/// The highest place of the quadratic edge of an element through its three nodes, which may lie between them.
+/// The highest place of the quadratic edge of an element through its three nodes, which may lie
+/// between them.
 fn highest([a, b, c]: [f64; 3]) -> f64 {
     let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
-    let between = if bend < 0.0 && slope.abs() < -bend { b - 0.5 * slope * slope / bend } else { b };
+    let between = if bend < 0.0 && slope.abs() < -bend {
+        b - 0.5 * slope * slope / bend
+    } else {
+        b
+    };
     between.max(a).max(c)
 }
 
@@ -97,14 +132,22 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
 pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
     let l = d.layout;
     let stretch = d.strands[slab][g].stretch(&l.line(u, slab, 2 * l.through));
-    let multiplier = if l.multipliers { u[l.tension(slab) + g] } else { 0.0 };
-    let tension = |b| super::assembly::tension(&b, stretch.value - 1.0, multiplier, d.augment_strand).0;
+    let multiplier = if l.multipliers {
+        u[l.tension(slab) + g]
+    } else {
+        0.0
+    };
+    let tension =
+        |b| super::assembly::tension(&b, stretch.value - 1.0, multiplier, d.augment_strand).0;
     let q = d.problem.braid.map_or(0.0, tension);
     (stretch, q)
 }
 
 pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
-    let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
+    let spacing = muscle
+        .braid()
+        .strands
+        .map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
     let mut out: Vec<StrandState> = (0..d.strands.len())
         .flat_map(|slab| (0..STRAND_POINTS).map(move |g| (slab, g)))
         .map(|(slab, g)| {
@@ -122,8 +165,12 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
     out
 }
 
-/// Nodes of every element before it is drawn on plugs, and displacements from there, from the middle to the terminal.
-pub(super) fn elements(d: &Discretisation, s: &State) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
+/// Nodes of every element before it is drawn on plugs, and displacements from there, from the
+/// middle to the terminal.
+pub(super) fn elements(
+    d: &Discretisation,
+    s: &State,
+) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
     let through = d.layout.through;
     (0..d.elements.len()).map(move |index| {
         let (slab, element) = (index / through, index % through);

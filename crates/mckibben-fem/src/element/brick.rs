@@ -3,9 +3,10 @@
 //!   Π_e = ∫ W̄(F) + p (J − 1) dV − p²V/(2K),   p = Σ p_k ψ_k,   ∫ ψ_k ψ_l dV = V δ_kl
 //!   r = ∂Π/∂u,   c_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K,   G_k = ∂c_k/∂u = ∫ ψ_k J g dV
 //!
-//! with gradients g of the shape functions in the present places. One pressure mode on eight nodes is the mean
-//! dilatation of Nagtegaal, Parks & Rice (1974) \[nagtegaal1974\], also called Q1P0; four on twenty-seven nodes are Q2/P−1. The pressure
-//! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ):
+//! with gradients g of the shape functions in the present places. One pressure mode on eight nodes
+//! is the mean dilatation of Nagtegaal, Parks & Rice (1974) \[nagtegaal1974\], also called Q1P0;
+//! four on twenty-seven nodes are Q2/P−1. The pressure is condensed with the part γ of the bulk
+//! modulus (all of it where K ≤ γ):
 //!
 //!   K_e = ∂²Π/∂u∂u + (γ/V) Σ G_k G_kᵀ,   r_e = r + (γ/V) Σ c_k G_k
 //!
@@ -91,7 +92,8 @@ impl<R: Real, const NN: usize, const NM: usize> Output<R, NN, NM> {
 
 #[inline(always)]
 pub(crate) fn determinant<R: Real>(m: &[[R; 3]; 3]) -> R {
-    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
+        - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
 }
 
@@ -142,7 +144,9 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         }
     }
     for point in points {
-        let Ok(dn) = <&[[f64; 3]; NN]>::try_from(&point.dn[..]) else { continue };
+        let Ok(dn) = <&[[f64; 3]; NN]>::try_from(&point.dn[..]) else {
+            continue;
+        };
         let (rest, now) = (jacobian(&input.rest, dn), jacobian(&input.now, dn));
         let (d0, d1) = (determinant(&rest), determinant(&now));
         let dv = d0 * s(point.weight);
@@ -154,7 +158,8 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         let mut f = [[o; 3]; 3];
         for i in 0..3 {
             for k in 0..3 {
-                f[i][k] = (now[i][0] * adj0[0][k] + now[i][1] * adj0[1][k] + now[i][2] * adj0[2][k]) * r0;
+                f[i][k] =
+                    (now[i][0] * adj0[0][k] + now[i][1] * adj0[1][k] + now[i][2] * adj0[2][k]) * r0;
             }
         }
         let mut b = [o; 6];
@@ -166,7 +171,10 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         for a in 0..NN {
             let dn = dn[a];
             for i in 0..3 {
-                let sum = s(dn[0]).mul_add(adj1[0][i], s(dn[1]).mul_add(adj1[1][i], s(dn[2]) * adj1[2][i]));
+                let sum = s(dn[0]).mul_add(
+                    adj1[0][i],
+                    s(dn[1]).mul_add(adj1[1][i], s(dn[2]) * adj1[2][i]),
+                );
                 g[a][i] = sum * r1;
             }
         }
@@ -241,7 +249,12 @@ pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
 
 /// Adds Bᵀ c B + gᵀ τ g 1.
 #[inline(always)]
-fn tangent<R: Real, const NN: usize>(g: &[[R; 3]; NN], c: &[[R; 6]; 6], tau: &[R; 6], out: &mut [[R; 9]]) {
+fn tangent<R: Real, const NN: usize>(
+    g: &[[R; 3]; NN],
+    c: &[[R; 6]; 6],
+    tau: &[R; 6],
+    out: &mut [[R; 9]],
+) {
     let o = R::splat(0.0);
     let mut blocks = out.iter_mut();
     for a in 0..NN {
@@ -263,8 +276,10 @@ fn tangent<R: Real, const NN: usize>(g: &[[R; 3]; NN], c: &[[R; 6]; 6], tau: &[R
             for i in 0..3 {
                 let l = &left[i];
                 block[3 * i] = x.mul_add(l[0], y.mul_add(l[3], z.mul_add(l[5], block[3 * i])));
-                block[3 * i + 1] = y.mul_add(l[1], x.mul_add(l[3], z.mul_add(l[4], block[3 * i + 1])));
-                block[3 * i + 2] = z.mul_add(l[2], y.mul_add(l[4], x.mul_add(l[5], block[3 * i + 2])));
+                block[3 * i + 1] =
+                    y.mul_add(l[1], x.mul_add(l[3], z.mul_add(l[4], block[3 * i + 1])));
+                block[3 * i + 2] =
+                    z.mul_add(l[2], y.mul_add(l[4], x.mul_add(l[5], block[3 * i + 2])));
             }
             block[0] = block[0] + straight;
             block[4] = block[4] + straight;
@@ -306,17 +321,21 @@ fn condense<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     }
 }
 
-/// The pressure modes of an element at rest, made orthonormal by Gram and Schmidt; `None` where the element is turned
-/// inside out at rest.
+/// The pressure modes of an element at rest, made orthonormal by Gram and Schmidt; `None` where the
+/// element is turned inside out at rest.
 pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<Modes> {
-    let mut out = Modes { factors: [[0.0; 4]; 4], ..Modes::default() };
+    let mut out = Modes {
+        factors: [[0.0; 4]; 4],
+        ..Modes::default()
+    };
     let mut at = Vec::with_capacity(points.len());
     for p in points {
         let d = determinant(&jacobian(rest, &p.dn));
         if !(d > 0.0 && d.is_finite()) {
             return None;
         }
-        let place: [f64; 3] = std::array::from_fn(|i| p.n.iter().zip(rest).map(|(n, x)| n * x[i]).sum());
+        let place: [f64; 3] =
+            std::array::from_fn(|i| p.n.iter().zip(rest).map(|(n, x)| n * x[i]).sum());
         out.volume += d * p.weight;
         for i in 0..3 {
             out.centre[i] += d * p.weight * place[i];
@@ -324,13 +343,23 @@ pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<M
         at.push((d * p.weight, place));
     }
     out.centre = out.centre.map(|x| x / out.volume);
-    let monomials = |x: &[f64; 3]| [1.0, x[0] - out.centre[0], x[1] - out.centre[1], x[2] - out.centre[2]];
+    let monomials = |x: &[f64; 3]| {
+        [
+            1.0,
+            x[0] - out.centre[0],
+            x[1] - out.centre[1],
+            x[2] - out.centre[2],
+        ]
+    };
     let value = |row: &[f64; 4], x: &[f64; 3]| -> f64 {
         let m = monomials(x);
         (0..4).map(|i| row[i] * m[i]).sum()
     };
     let mean = |a: &[f64; 4], b: &[f64; 4]| -> f64 {
-        at.iter().map(|(w, x)| w * value(a, x) * value(b, x)).sum::<f64>() / out.volume
+        at.iter()
+            .map(|(w, x)| w * value(a, x) * value(b, x))
+            .sum::<f64>()
+            / out.volume
     };
     let mut factors = [[0.0; 4]; 4];
     for k in 0..count.min(4) {

@@ -1,4 +1,5 @@
-//! Shape functions and integration points of bricks with eight nodes (of order 1) and twenty-seven (of order 2).
+//! Shape functions and integration points of bricks with eight nodes (of order 1) and twenty-seven
+//! (of order 2).
 //!
 //! Nodes run like the grid's: ξ first, then η, then ζ, from −1 to 1.
 
@@ -13,7 +14,13 @@ pub fn at(order: usize, place: [f64; 3], weight: f64) -> ShapePoint {
     ShapePoint {
         n: nodes().map(|(i, j, k)| x[i] * y[j] * z[k]).collect(),
         dn: nodes()
-            .map(|(i, j, k)| [dx[i] * y[j] * z[k], x[i] * dy[j] * z[k], x[i] * y[j] * dz[k]])
+            .map(|(i, j, k)| {
+                [
+                    dx[i] * y[j] * z[k],
+                    x[i] * dy[j] * z[k],
+                    x[i] * y[j] * dz[k],
+                ]
+            })
             .collect(),
         weight,
     }
@@ -25,7 +32,10 @@ pub fn points(order: usize) -> Vec<ShapePoint> {
     let mut out = Vec::with_capacity(rule.len().pow(3));
     for (z, wz) in rule {
         for (y, wy) in rule {
-            out.extend(rule.iter().map(|(x, wx)| at(order, [*x, *y, *z], wx * wy * wz)));
+            out.extend(
+                rule.iter()
+                    .map(|(x, wx)| at(order, [*x, *y, *z], wx * wy * wz)),
+            );
         }
     }
     out

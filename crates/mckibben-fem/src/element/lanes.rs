@@ -1,8 +1,9 @@
-//! Numbers that several elements share: one lane an element, so that a kernel written once serves one, four or eight
-//! elements at a time.
+//! Numbers that several elements share: one lane an element, so that a kernel written once serves
+//! one, four or eight elements at a time.
 //!
-//! No sum runs across lanes: an element's answer does not depend on its neighbours in the lanes. [`Real::mul_add`] is
-//! fused where the lanes are wide, so that machines with and without wide lanes differ by rounding.
+//! No sum runs across lanes: an element's answer does not depend on its neighbours in the lanes.
+//! [`Real::mul_add`] is fused where the lanes are wide, so that machines with and without wide
+//! lanes differ by rounding.
 
 use std::ops::{Add, Mul, Sub};
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -121,8 +122,9 @@ impl Width {
     }
 }
 
-/// Declares a function that runs a kernel, `kernel::<R, …>(…)` of numbers [`Real`], compiled for the lanes of a [`Width`]. The kernel and all
-/// that it calls in its loops are to be `#[inline(always)]`.
+/// Declares a function that runs a kernel, `kernel::<R, …>(…)` of numbers [`Real`], compiled for
+/// the lanes of a [`Width`]. The kernel and all that it calls in its loops are to be
+/// `#[inline(always)]`.
 macro_rules! on_lanes {
     (
         $(#[$attribute:meta])*
@@ -155,8 +157,8 @@ macro_rules! on_lanes {
 }
 pub(crate) use on_lanes;
 
-/// The same of a kernel in plain numbers, `kernel::<…>(…)`: its code compiled for four numbers at a time. No products are fused: the answer is
-/// the same to the last digit.
+/// The same of a kernel in plain numbers, `kernel::<…>(…)`: its code compiled for four numbers at a
+/// time. No products are fused: the answer is the same to the last digit.
 macro_rules! four_at_a_time {
     (
         $(#[$attribute:meta])*
@@ -208,7 +210,8 @@ mod wide {
             #[repr(transparent)]
             pub struct $name($inner);
 
-            // SAFETY of every block: kernels with these lanes run only on processors that have them.
+            // SAFETY of every block: kernels with these lanes run only on processors that have
+            // them.
             operator!($name, Add, add, $instructions);
             operator!($name, Sub, sub, $instructions);
             operator!($name, Mul, mul, $instructions);
@@ -249,7 +252,12 @@ mod wide {
                     if from.len() >= $n {
                         unsafe { Self($instructions::load(place)) }
                     } else {
-                        unsafe { Self($instructions::load_some($instructions::some(from.len()), place)) }
+                        unsafe {
+                            Self($instructions::load_some(
+                                $instructions::some(from.len()),
+                                place,
+                            ))
+                        }
                     }
                 }
                 #[inline(always)]
@@ -258,7 +266,9 @@ mod wide {
                     if to.len() >= $n {
                         unsafe { $instructions::store(place, self.0) }
                     } else {
-                        unsafe { $instructions::store_some(place, $instructions::some(to.len()), self.0) }
+                        unsafe {
+                            $instructions::store_some(place, $instructions::some(to.len()), self.0)
+                        }
                     }
                 }
             }
@@ -269,15 +279,19 @@ mod wide {
     mod four {
         use std::arch::x86_64::*;
         pub use std::arch::x86_64::{
-            _mm256_add_pd as add, _mm256_div_pd as div, _mm256_fmadd_pd as fma, _mm256_loadu_pd as load,
-            _mm256_maskstore_pd as store_some, _mm256_min_pd as min, _mm256_mul_pd as mul,
-            _mm256_set1_pd as set, _mm256_storeu_pd as store, _mm256_sub_pd as sub,
+            _mm256_add_pd as add, _mm256_div_pd as div, _mm256_fmadd_pd as fma,
+            _mm256_loadu_pd as load, _mm256_maskstore_pd as store_some, _mm256_min_pd as min,
+            _mm256_mul_pd as mul, _mm256_set1_pd as set, _mm256_storeu_pd as store,
+            _mm256_sub_pd as sub,
         };
 
         #[inline(always)]
         pub unsafe fn some(count: usize) -> __m256i {
             unsafe {
-                _mm256_cmpgt_epi64(_mm256_set1_epi64x(count.min(4) as i64), _mm256_setr_epi64x(0, 1, 2, 3))
+                _mm256_cmpgt_epi64(
+                    _mm256_set1_epi64x(count.min(4) as i64),
+                    _mm256_setr_epi64x(0, 1, 2, 3),
+                )
             }
         }
 
@@ -290,9 +304,10 @@ mod wide {
     /// Those of eight.
     mod eight {
         pub use std::arch::x86_64::{
-            _mm512_add_pd as add, _mm512_div_pd as div, _mm512_fmadd_pd as fma, _mm512_loadu_pd as load,
-            _mm512_mask_storeu_pd as store_some, _mm512_maskz_loadu_pd as load_some, _mm512_min_pd as min,
-            _mm512_mul_pd as mul, _mm512_set1_pd as set, _mm512_storeu_pd as store, _mm512_sub_pd as sub,
+            _mm512_add_pd as add, _mm512_div_pd as div, _mm512_fmadd_pd as fma,
+            _mm512_loadu_pd as load, _mm512_mask_storeu_pd as store_some,
+            _mm512_maskz_loadu_pd as load_some, _mm512_min_pd as min, _mm512_mul_pd as mul,
+            _mm512_set1_pd as set, _mm512_storeu_pd as store, _mm512_sub_pd as sub,
         };
 
         #[inline(always)]
@@ -316,7 +331,10 @@ pub(crate) mod tests {
     /// Work on lanes of each width that this processor has.
     pub fn each_width(mut work: impl FnMut(Width)) {
         let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-        for width in [Width::One, Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
+        for width in [Width::One, Width::Four, Width::Eight]
+            .into_iter()
+            .filter(|w| *w <= Width::widest())
+        {
             width.limit();
             work(width);
         }

@@ -1,4 +1,5 @@
-//! A law as elements take it: those in the invariants take the short way, others the way through principal stretches.
+//! A law as elements take it: those in the invariants take the short way, others the way through
+//! principal stretches.
 
 use super::plane::{AnyPlaneLaw, ByInvariants};
 use super::spatial::SpatialLaw;
@@ -25,10 +26,16 @@ impl<T, W: FnOnce(ElementLaw<'_>) -> T> LawVisitor for Visitor<W> {
     type Output = T;
 
     fn law<L: RubberLaw>(self, law: &L) -> T {
-        self.0(ElementLaw { plane: &ByStretches(law), space: SpatialLaw::Stretches(law) })
+        self.0(ElementLaw {
+            plane: &ByStretches(law),
+            space: SpatialLaw::Stretches(law),
+        })
     }
 
     fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
-        self.0(ElementLaw { plane: &ByInvariants(law), space: SpatialLaw::Invariants(law) })
+        self.0(ElementLaw {
+            plane: &ByInvariants(law),
+            space: SpatialLaw::Invariants(law),
+        })
     }
 }

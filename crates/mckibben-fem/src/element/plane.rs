@@ -9,8 +9,8 @@
 //!   ∂φ/∂f = 2φ_s f + φ_D g,     f = (a, b, c, d),  g = ∂D/∂f = (d, −c, −b, a)
 //!   ∂²φ/∂f∂f = 2φ_s 1 + φ_D H + 4φ_ss f⊗f + 2φ_sD (f⊗g + g⊗f) + φ_DD g⊗g,   H = ∂g/∂f.
 //!
-//! Laws act on the isochoric part: Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2 (Flory 1961 \[flory1961\]). The pressure-like multiplier p adds
-//! p (J − 1).
+//! Laws act on the isochoric part: Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2 (Flory 1961 \[flory1961\]).
+//! The pressure-like multiplier p adds p (J − 1).
 
 pub use super::plane_law::{AnyPlaneLaw, Gradient, PlaneLaw, Stress};
 
@@ -35,8 +35,11 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
         let e = self.0.invariant(x, y);
         let third = 1.0 / 3.0;
         let (x_s, x_d, x_t) = (j, -2.0 * third * x * rd, 2.0 * j * t - 2.0 * third * x * rt);
-        let (y_s, y_d, y_t) =
-            (j2 * t * t, 2.0 * j2 * area - 4.0 * third * y * rd, 2.0 * j2 * t * s - 4.0 * third * y * rt);
+        let (y_s, y_d, y_t) = (
+            j2 * t * t,
+            2.0 * j2 * area - 4.0 * third * y * rd,
+            2.0 * j2 * t * s - 4.0 * third * y * rt,
+        );
         // φ_s, φ_D, φ_t
         let two = 2.0 * (e.w1 * x_s + e.w2 * y_s);
         let phi_d = e.w1 * x_d + e.w2 * y_d + p * t;
@@ -68,11 +71,16 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
             let (h1, h2, h3) = (4.0 * ss, 2.0 * sd, dd);
             // Pairs (f, g) of a, b, c, d.
             let (fa, fb, fc, fd) = ((a, d), (b, -c), (c, -b), (d, a));
-            let outer =
-                |i: (f64, f64), j: (f64, f64)| i.0 * (h1 * j.0 + h2 * j.1) + i.1 * (h2 * j.0 + h3 * j.1);
+            let outer = |i: (f64, f64), j: (f64, f64)| {
+                i.0 * (h1 * j.0 + h2 * j.1) + i.1 * (h2 * j.0 + h3 * j.1)
+            };
             let with_t = |i: (f64, f64)| 2.0 * st * i.0 + dt * i.1;
             let (ab, at, bt) = (outer(fa, fb), with_t(fa), with_t(fb));
-            out.rr = [[two + outer(fa, fa), ab, at], [ab, two + outer(fb, fb), bt], [at, bt, tt]];
+            out.rr = [
+                [two + outer(fa, fa), ab, at],
+                [ab, two + outer(fb, fb), bt],
+                [at, bt, tt],
+            ];
             out.rz = [
                 [outer(fa, fc), outer(fa, fd) + phi_d],
                 [outer(fb, fc) - phi_d, outer(fb, fd)],
@@ -97,7 +105,8 @@ pub(super) mod tests {
         out[0]
     }
 
-    /// Stress against differences of the energy, tangent against those of the stress, at x = (a, b, t, c, d): steps `h`, tangents within `most`.
+    /// Stress against differences of the energy, tangent against those of the stress, at x = (a, b,
+    /// t, c, d): steps `h`, tangents within `most`.
     pub fn check_derivatives(
         name: &str,
         at: impl Fn([f64; 5]) -> Stress,
@@ -124,10 +133,16 @@ pub(super) mod tests {
             };
             let (up, down) = (moved(h), moved(-h));
             let by_energy = (energy(up) - energy(down)) / (2.0 * h);
-            assert!((by_energy - first(x)[i]).abs() < 1e-7, "{name} {x:?} stress {i}");
+            assert!(
+                (by_energy - first(x)[i]).abs() < 1e-7,
+                "{name} {x:?} stress {i}"
+            );
             for j in 0..5 {
                 let by_stress = (first(up)[j] - first(down)[j]) / (2.0 * h);
-                assert!((by_stress - k(j, i)).abs() < most, "{name} {x:?} tangent {j} {i}: {by_stress}");
+                assert!(
+                    (by_stress - k(j, i)).abs() < most,
+                    "{name} {x:?} tangent {j} {i}: {by_stress}"
+                );
                 assert!((k(i, j) - k(j, i)).abs() < 1e-13);
             }
         }
@@ -138,7 +153,10 @@ pub(super) mod tests {
         for i in 0..2000 {
             let x = 0.5 + 1e-3 * f64::from(i);
             let exact = 1.0 / x.cbrt();
-            assert!((inverse_cube_root(x) / exact - 1.0).abs() < 4.0 * f64::EPSILON, "{x}");
+            assert!(
+                (inverse_cube_root(x) / exact - 1.0).abs() < 4.0 * f64::EPSILON,
+                "{x}"
+            );
         }
     }
 
@@ -146,10 +164,16 @@ pub(super) mod tests {
     #[test]
     fn stress_and_tangent_are_those_of_finite_differences() {
         for law in Law::examples() {
-            for x in [[1.3, 0.2, 1.2, -0.3, 0.7], [0.8, 0.0, 1.5, 0.0, 0.8], [1.0, 0.0, 1.0, 0.0, 1.0]] {
+            for x in [
+                [1.3, 0.2, 1.2, -0.3, 0.7],
+                [0.8, 0.0, 1.5, 0.0, 0.8],
+                [1.0, 0.0, 1.0, 0.0, 1.0],
+            ] {
                 let p = 0.3;
                 let at = |[a, b, t, c, d]: [f64; 5]| {
-                    with(&law, |law| tangent(law.plane, Gradient { a, b, t, c, d }, p))
+                    with(&law, |law| {
+                        tangent(law.plane, Gradient { a, b, t, c, d }, p)
+                    })
                 };
                 check_derivatives(law.name(), at, (x, p), (1e-4, 2e-7));
             }

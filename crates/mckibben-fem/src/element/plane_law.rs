@@ -57,7 +57,8 @@ pub trait PlaneLaw {
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress;
 }
 
-/// A [`PlaneLaw`] whose type is not known when what is around it is compiled: elements, sections and sums are the same code for all.
+/// A [`PlaneLaw`] whose type is not known when what is around it is compiled: elements, sections
+/// and sums are the same code for all.
 pub trait AnyPlaneLaw {
     /// [`PlaneLaw::stress`] at every F of `f` with its multiplier in `p`; tangents where `tangent`.
     fn stresses(&self, tangent: bool, f: &[Gradient], p: &[f64], out: &mut [Stress]);
@@ -69,7 +70,11 @@ pub trait AnyPlaneLaw {
 impl<L: PlaneLaw> AnyPlaneLaw for L {
     fn stresses(&self, tangent: bool, f: &[Gradient], p: &[f64], out: &mut [Stress]) {
         for ((out, f), p) in out.iter_mut().zip(f).zip(p) {
-            *out = if tangent { self.stress::<true>(f, *p) } else { self.stress::<false>(f, *p) };
+            *out = if tangent {
+                self.stress::<true>(f, *p)
+            } else {
+                self.stress::<false>(f, *p)
+            };
         }
     }
 

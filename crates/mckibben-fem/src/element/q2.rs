@@ -1,11 +1,12 @@
-//! The nine-node biquadratic quadrilateral with a discontinuous linear pressure (Q2/P−1), in the section (R, Z).
+//! The nine-node biquadratic quadrilateral with a discontinuous linear pressure (Q2/P−1), in the
+//! section (R, Z).
 //!
-//! Source: Crouzeix & Raviart (1973) \[crouzeix1973\]; Boffi, Brezzi & Fortin (2013) \[boffi2013\], §8.6: stable for incompressible media, error of
-//! the displacement O(h³), of the pressure O(h²).
+//! Source: Crouzeix & Raviart (1973) \[crouzeix1973\]; Boffi, Brezzi & Fortin (2013) \[boffi2013\],
+//! §8.6: stable for incompressible media, error of the displacement O(h³), of the pressure O(h²).
 //!
-//! Local node order: the three nodes of the middle station, then those of the left and of the right one; within a
-//! station from the inner surface outwards. Unknowns of the middle station touch no other element along the muscle, so this
-//! is also the order of elimination.
+//! Local node order: the three nodes of the middle station, then those of the left and of the right
+//! one; within a station from the inner surface outwards. Unknowns of the middle station touch no
+//! other element along the muscle, so this is also the order of elimination.
 
 use std::f64::consts::PI;
 
@@ -19,20 +20,33 @@ pub const POINTS: usize = 9;
 pub const MODES: usize = 3;
 
 /// Three-point Gauss rule on [−1, 1]: (point, weight).
-pub const GAUSS3: [(f64, f64); 3] =
-    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+pub const GAUSS3: [(f64, f64); 3] = [
+    (-0.774_596_669_241_483_4, 5.0 / 9.0),
+    (0.0, 8.0 / 9.0),
+    (0.774_596_669_241_483_4, 5.0 / 9.0),
+];
 
 /// Two-point Gauss rule on [−1, 1]: (point, weight).
-pub const GAUSS2: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
+pub const GAUSS2: [(f64, f64); 2] = [
+    (-0.577_350_269_189_625_8, 1.0),
+    (0.577_350_269_189_625_8, 1.0),
+];
 
 /// Functions of two nodes at −1, 1 or of three at −1, 0, 1, and their derivatives.
 pub(crate) fn functions(nodes: usize, x: f64) -> ([f64; 3], [f64; 3]) {
-    if nodes == 2 { ([0.5 * (1.0 - x), 0.5 * (1.0 + x), 0.0], [-0.5, 0.5, 0.0]) } else { quadratic(x) }
+    if nodes == 2 {
+        ([0.5 * (1.0 - x), 0.5 * (1.0 + x), 0.0], [-0.5, 0.5, 0.0])
+    } else {
+        quadratic(x)
+    }
 }
 
 /// Quadratic shape functions of the nodes −1, 0, +1 and their slopes.
 pub fn quadratic(x: f64) -> ([f64; 3], [f64; 3]) {
-    ([0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)], [x - 0.5, -2.0 * x, x + 0.5])
+    (
+        [0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)],
+        [x - 0.5, -2.0 * x, x + 0.5],
+    )
 }
 
 /// The same along the muscle, in the order middle, left, right.
@@ -59,13 +73,17 @@ pub struct Point {
 }
 
 impl Point {
-    /// The same where the rubber was stretched along by λp before it had this shape, its volume kept: gradients are those in its natural
-    /// shape, in which R is wider by √λp and Z shorter by 1/λp.
+    /// The same where the rubber was stretched along by λp before it had this shape, its volume
+    /// kept: gradients are those in its natural shape, in which R is wider by √λp and Z shorter by
+    /// 1/λp.
     #[must_use]
     pub fn prestretched(mut self, prestretch: f64) -> Self {
         let across = 1.0 / prestretch.sqrt();
         self.at_rest = [across, prestretch];
-        self.r.iter_mut().chain(&mut self.t).for_each(|v| *v *= across);
+        self.r
+            .iter_mut()
+            .chain(&mut self.t)
+            .for_each(|v| *v *= across);
         self.z.iter_mut().for_each(|v| *v *= prestretch);
         self
     }
@@ -80,8 +98,8 @@ pub struct Geometry {
     pub volume: f64,
 }
 
-/// Gradients at local coordinates (ξ through the wall, η along) of an element with the given nodes (R, Z) in mm.
-/// `None` where the map is not invertible or the point does not lie off the axis.
+/// Gradients at local coordinates (ξ through the wall, η along) of an element with the given nodes
+/// (R, Z) in mm. `None` where the map is not invertible or the point does not lie off the axis.
 pub fn point(nodes: &[[f64; 2]; NODES], xi: f64, eta: f64, weight: f64) -> Option<Point> {
     let ((nx, dx), (ny, dy)) = (quadratic(xi), along(eta));
     let mut value = [0.0; NODES];
@@ -146,10 +164,19 @@ impl Geometry {
 fn orthogonalise(points: &mut [Point; POINTS], volume: f64) {
     for k in 1..MODES {
         for l in 0..k {
-            let share = points.iter().map(|p| p.psi[k] * p.psi[l] * p.volume).sum::<f64>() / volume;
+            let share = points
+                .iter()
+                .map(|p| p.psi[k] * p.psi[l] * p.volume)
+                .sum::<f64>()
+                / volume;
             points.iter_mut().for_each(|p| p.psi[k] -= share * p.psi[l]);
         }
-        let norm = (points.iter().map(|p| p.psi[k] * p.psi[k] * p.volume).sum::<f64>() / volume).sqrt();
+        let norm = (points
+            .iter()
+            .map(|p| p.psi[k] * p.psi[k] * p.volume)
+            .sum::<f64>()
+            / volume)
+            .sqrt();
         points.iter_mut().for_each(|p| p.psi[k] /= norm);
     }
 }

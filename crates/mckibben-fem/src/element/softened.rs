@@ -1,16 +1,19 @@
-//! Rubber that was stretched before, in an axisymmetric state (Ogden & Roxburgh 1999 \[ogden1999\]).
+//! Rubber that was stretched before, in an axisymmetric state (Ogden & Roxburgh 1999
+//! \[ogden1999\]).
 //!
-//! With W0(F) the isochoric energy of the law, W_m the largest that a point has seen and η = η(W0, W_m),
+//! With W0(F) the isochoric energy of the law, W_m the largest that a point has seen and η = η(W0,
+//! W_m),
 //!
 //!   φ = ∫₀^W0 η dW,   ∂φ/∂F = η ∂W0/∂F,   ∂²φ/∂F∂F = η ∂²W0/∂F∂F + η′ ∂W0/∂F ⊗ ∂W0/∂F
 //!
-//! and p (J − 1) beside it, which does not soften. W_m is held, so that φ is an energy: forces have a symmetric tangent.
+//! and p (J − 1) beside it, which does not soften. W_m is held, so that φ is an energy: forces have
+//! a symmetric tangent.
 
 use super::plane::{Gradient, Stress};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 
-/// What becomes of the stress `s` of the first loading at F, taken without the multiplier, in rubber that has seen the energy
-/// `seen_mpa`; `p` multiplies J − 1.
+/// What becomes of the stress `s` of the first loading at F, taken without the multiplier, in
+/// rubber that has seen the energy `seen_mpa`; `p` multiplies J − 1.
 pub fn soften<const TANGENT: bool>(
     softening: &OgdenRoxburgh,
     seen_mpa: f64,
@@ -70,7 +73,11 @@ mod tests {
     use super::*;
     use mckibben::rubber::Law;
 
-    const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.4, m_mpa: 0.03, beta: 0.2 };
+    const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {
+        r: 1.4,
+        m_mpa: 0.03,
+        beta: 0.2,
+    };
 
     fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
         let [a, b, t, c, d] = x;
@@ -94,12 +101,18 @@ mod tests {
                 ([0.8, 0.05, 1.5, -0.1, 0.8], 0.4),
                 ([1.3, 0.2, 1.2, -0.3, 0.7], 1e-6),
             ] {
-                check_derivatives(law.name(), |x| at(&law, x, seen, p)[0], (x, p), (1e-5, 1e-6));
+                check_derivatives(
+                    law.name(),
+                    |x| at(&law, x, seen, p)[0],
+                    (x, p),
+                    (1e-5, 1e-6),
+                );
             }
         }
     }
 
-    /// At the largest energy, beyond it and where nothing was seen the law is that of the first loading, to rounding.
+    /// At the largest energy, beyond it and where nothing was seen the law is that of the first
+    /// loading, to rounding.
     #[test]
     fn the_first_loading_is_the_law_itself() {
         let x = [1.3, 0.2, 1.2, -0.3, 0.7];
@@ -108,7 +121,11 @@ mod tests {
             for seen in [0.0, 0.5 * seen, seen] {
                 let [s, first] = at(&law, x, seen, 0.3);
                 for (a, b) in s.r.iter().chain(&s.z).zip(first.r.iter().chain(&first.z)) {
-                    assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "{} {a} {b}", law.name());
+                    assert!(
+                        (a - b).abs() < 1e-13 * (1.0 + b.abs()),
+                        "{} {a} {b}",
+                        law.name()
+                    );
                 }
             }
         }

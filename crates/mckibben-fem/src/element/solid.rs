@@ -2,7 +2,8 @@
 //!
 //!   Π_e = ∫ W(F) + p (J − 1) − p²/(2K) dV,   p = Σ p_k ψ_k
 //!
-//! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for incompressible rubber.
+//! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for
+//! incompressible rubber.
 
 use super::lanes::four_at_a_time;
 use super::plane::{AnyPlaneLaw, Gradient, Stress};
@@ -67,7 +68,9 @@ impl Material<'_> {
         p: &[f64; POINTS],
         out: &mut [Stress; POINTS],
     ) {
-        let Some((softening, seen_mpa)) = self.memory else { return self.law.stresses(TANGENT, f, p, out) };
+        let Some((softening, seen_mpa)) = self.memory else {
+            return self.law.stresses(TANGENT, f, p, out);
+        };
         self.law.stresses(TANGENT, f, &[0.0; POINTS], out);
         for (k, s) in out.iter_mut().enumerate() {
             soften::<TANGENT>(&softening, seen_mpa[k], &f[k], p[k], s);
@@ -128,7 +131,12 @@ fn run<const TANGENT: bool>(
         out.zz = [zero; NODES];
     }
     let (mut gradients, mut pressures) = ([Gradient::default(); POINTS], [0.0; POINTS]);
-    for ((point, f), p) in geometry.points.iter().zip(&mut gradients).zip(&mut pressures) {
+    for ((point, f), p) in geometry
+        .points
+        .iter()
+        .zip(&mut gradients)
+        .zip(&mut pressures)
+    {
         *f = gradient(point, u);
         let area = f.section();
         out.smallest_j = out.smallest_j.min(area * f.t);
@@ -155,8 +163,12 @@ fn run<const TANGENT: bool>(
         }
         if TANGENT {
             // ∂J/∂u_r = t(d N_R − c N_Z) + D N/R,  ∂J/∂u_z = t(a N_Z − b N_R)
-            let (jd, jc, ja, jb) =
-                (weight * f.t * f.d, weight * f.t * f.c, weight * f.t * f.a, weight * f.t * f.b);
+            let (jd, jc, ja, jb) = (
+                weight * f.t * f.d,
+                weight * f.t * f.c,
+                weight * f.t * f.a,
+                weight * f.t * f.b,
+            );
             let jt = weight * area;
             for n in 0..PADDED {
                 let r = jd * point.r[n] - jc * point.z[n] + jt * point.t[n];

@@ -1,6 +1,7 @@
 //! Rubber in any state of deformation: Kirchhoff stress and spatial tangent of the isochoric part.
 //!
-//! With b = F Fᵀ, b̄ = J^(−2/3) b, Ī1 = tr b̄, Ī2 = (Ī1² − tr b̄²)/2 (Simo & Hughes 1998 \[simo1998\], §9.3; Holzapfel 2000 \[holzapfel2000\], §6.6):
+//! With b = F Fᵀ, b̄ = J^(−2/3) b, Ī1 = tr b̄, Ī2 = (Ī1² − tr b̄²)/2 (Simo & Hughes 1998
+//! \[simo1998\], §9.3; Holzapfel 2000 \[holzapfel2000\], §6.6):
 //!
 //!   τ̄ = 2 (w1 + Ī1 w2) b̄ − 2 w2 b̄²,   τ = dev τ̄
 //!   c̄ = 4 [(w2 + w11 + 2 Ī1 w12 + Ī1² w22) b̄⊗b̄ − (w12 + Ī1 w22)(b̄⊗b̄² + b̄²⊗b̄) + w22 b̄²⊗b̄² − w2 1_b̄]
@@ -48,8 +49,8 @@ impl SpatialLaw<'_> {
     }
 }
 
-/// x^(−1/3), lane by lane. Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x y³)/3 are exact to rounding and take
-/// a tenth of the time of a cube root.
+/// x^(−1/3), lane by lane. Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x
+/// y³)/3 are exact to rounding and take a tenth of the time of a cube root.
 #[inline(always)]
 pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
     let mut out = x;
@@ -76,7 +77,11 @@ pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
 }
 
 #[inline(always)]
-fn by_invariants<R: Real, const TANGENT: bool>(law: &dyn Invariants, b: &Symmetric<R>, j: R) -> Spatial<R> {
+fn by_invariants<R: Real, const TANGENT: bool>(
+    law: &dyn Invariants,
+    b: &Symmetric<R>,
+    j: R,
+) -> Spatial<R> {
     let s = R::splat;
     let root = inverse_cube_root(j);
     let scale = root * root;
@@ -97,7 +102,10 @@ fn by_invariants<R: Real, const TANGENT: bool>(law: &dyn Invariants, b: &Symmetr
     }
     law.invariants(&at[..R::LANES], &mut values[..R::LANES]);
     for (l, d) in values[..R::LANES].iter().enumerate() {
-        for (to, from) in derivatives.iter_mut().zip([d.w, d.w1, d.w2, d.w11, d.w12, d.w22]) {
+        for (to, from) in derivatives
+            .iter_mut()
+            .zip([d.w, d.w1, d.w2, d.w11, d.w12, d.w22])
+        {
             to.set_lane(l, from);
         }
     }

@@ -1,6 +1,7 @@
 //! Laws written in the principal stretches, in any state of deformation.
 //!
-//! b = Σ λa² na⊗na, τ = Σ τa na⊗na with τa = ∂w/∂ln λa of the isochoric law, and (Ogden 1984 \[ogden1984\], §6.1; Simo & Taylor 1991 \[simo1991\])
+//! b = Σ λa² na⊗na, τ = Σ τa na⊗na with τa = ∂w/∂ln λa of the isochoric law, and (Ogden 1984
+//! \[ogden1984\], §6.1; Simo & Taylor 1991 \[simo1991\])
 //!
 //!   c = Σ (∂τa/∂ln λb − 2 τa δab) na⊗na⊗nb⊗nb + Σ_{a<b} gab S⊗S,   S = na⊗nb + nb⊗na
 //!   gab = (τa λb² − τb λa²)/(λa² − λb²)
@@ -22,7 +23,8 @@ impl<L: RubberLaw> Stretches for L {
     }
 }
 
-/// Where two squared stretches are nearer than this share, the divided difference is replaced by its limit.
+/// Where two squared stretches are nearer than this share, the divided difference is replaced by
+/// its limit.
 const NEAR: f64 = 1e-5;
 /// Sweeps of Jacobi's method; five or six are enough for a 3 × 3 matrix.
 const SWEEPS: usize = 12;
@@ -61,9 +63,13 @@ pub(crate) fn principal_axes(b: &Symmetric<f64>) -> ([f64; 3], [[f64; 3]; 3]) {
 fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
     let (squares, n) = principal_axes(b);
     let (w, tau, log) = logarithmic(law, squares.map(f64::sqrt));
-    let dyad = |a: usize, b: usize| PAIRS.map(|(i, j)| 0.5 * (n[i][a] * n[j][b] + n[j][a] * n[i][b]));
+    let dyad =
+        |a: usize, b: usize| PAIRS.map(|(i, j)| 0.5 * (n[i][a] * n[j][b] + n[j][a] * n[i][b]));
     let m = [dyad(0, 0), dyad(1, 1), dyad(2, 2)];
-    let mut out = Spatial { w, ..Spatial::zero() };
+    let mut out = Spatial {
+        w,
+        ..Spatial::zero()
+    };
     for a in 0..3 {
         for k in 0..6 {
             out.tau[k] += tau[a] * m[a][k];

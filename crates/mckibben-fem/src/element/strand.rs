@@ -2,18 +2,22 @@
 //!
 //!   λf² = cos²θ0 λm² + sin²θ0 λθ²,   λm² = r'² + z'² (per length at rest),  λθ = (r + t/2)/Rs
 //!
-//! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 λθ), linear in the unknowns; Rs and t as [`StrandLay`] has them (Rs = R, t = 0 of strands on
-//! the surface). Per family and area of the sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)), written with the tension q per width as a separate variable:
+//! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 λθ), linear in the unknowns; Rs and t as
+//! [`StrandLay`] has them (Rs = R, t = 0 of strands on the surface). Per family and area of the
+//! sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)),
+//! written with the tension q per width as a separate variable:
 //!
 //!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πRs dZ.
 //!
-//! On plugs that are not as wide as the bore the braid is laid over the mounted tube, and its strands carry nothing there. Its crossings keep their
-//! distance along the strands, sinθ = sinθ0 r0/Rs with r0 the radius at which the braid is laid; cosθ0 and dZ are then those of that shape, and as many
-//! strands pass there, w = 2πRs cosθ0/cosθ ds0.
+//! On plugs that are not as wide as the bore the braid is laid over the mounted tube, and its
+//! strands carry nothing there. Its crossings keep their distance along the strands, sinθ = sinθ0
+//! r0/Rs with r0 the radius at which the braid is laid; cosθ0 and dZ are then those of that shape,
+//! and as many strands pass there, w = 2πRs cosθ0/cosθ ds0.
 //!
-//! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a quadratic line can
-//! follow without locking. The tangent takes the curvature of λf with q as it was extrapolated by the last step, not
-//! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
+//! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a
+//! quadratic line can follow without locking. The tangent takes the curvature of λf with q as it
+//! was extrapolated by the last step, not with k c: Newton's method then takes far larger steps
+//! with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
 use super::q2::{GAUSS2, along};
 use mckibben::muscle::StrandLay;
@@ -48,7 +52,8 @@ pub struct Stretch {
     pub vector: [f64; 3],
 }
 
-/// The points of a line element with its nodes at rest (middle, left, right), of a tube with the outer radius R in mm.
+/// The points of a line element with its nodes at rest (middle, left, right), of a tube with the
+/// outer radius R in mm.
 pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
     let (sin, cos0) = lay.angle_rad.sin_cos();
     let filled = lay.hoop_stretch(radius);
@@ -57,13 +62,23 @@ pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoin
         let (n, d) = along(eta);
         // r or z, and its slope along the element; without rounding on a cylinder.
         let [(r, r1), (z, z1)] = [0, 1].map(|c| {
-            let (half, bend) = (0.5 * (right[c] - left[c]), left[c] + right[c] - 2.0 * middle[c]);
-            (middle[c] + eta * half + 0.5 * eta * eta * bend, half + eta * bend)
+            let (half, bend) = (
+                0.5 * (right[c] - left[c]),
+                left[c] + right[c] - 2.0 * middle[c],
+            );
+            (
+                middle[c] + eta * half + 0.5 * eta * eta * bend,
+                half + eta * bend,
+            )
         });
         let half = r1.hypot(z1);
         let hoop = lay.hoop_stretch(r);
         // A sleeve that is wider than the tube lies on it only where plugs fill it.
-        let laid = if hoop < filled { hoop / filled } else { hoop.max(1.0) };
+        let laid = if hoop < filled {
+            hoop / filled
+        } else {
+            hoop.max(1.0)
+        };
         let cos = cos0 * ((1.0 - (sin * laid).powi(2)) / (1.0 - sin * sin)).sqrt();
         StrandPoint {
             slope: d.map(|x| cos * x / half),
@@ -98,7 +113,11 @@ impl StrandPoint {
             first[2 * a] = e[0] * self.slope[a] + e[2] * self.hoop[a];
             first[2 * a + 1] = e[1] * self.slope[a];
         }
-        Stretch { value, first, vector: v }
+        Stretch {
+            value,
+            first,
+            vector: v,
+        }
     }
 
     /// ∂²λf/∂u_i∂u_j = (∂v/∂u_i·∂v/∂u_j − ∂λf/∂u_i ∂λf/∂u_j)/λf.

@@ -1,6 +1,7 @@
 //! Laws written in the principal stretches, in an axisymmetric state.
 //!
-//! F = R(α) diag(λ1, λ2) R(β)ᵀ in the section, λ3 = t. With d = ∂W/∂λ and the dyads M_ij = R(α)e_i ⊗ R(β)e_j
+//! F = R(α) diag(λ1, λ2) R(β)ᵀ in the section, λ3 = t. With d = ∂W/∂λ and the dyads M_ij = R(α)e_i
+//! ⊗ R(β)e_j
 //!
 //!   P = Σ d_i M_ii,   A = Σ ∂²W/∂λi∂λj M_ii⊗M_jj + ½(u + v)(M12⊗M12 + M21⊗M21) + ½(u − v)(M12⊗M21 + M21⊗M12)
 //!   u = (d1 − d2)/(λ1 − λ2),  v = (d1 + d2)/(λ1 + λ2)        (Ogden 1984 \[ogden1984\], §6.1)
@@ -38,8 +39,9 @@ pub(crate) fn logarithmic<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3],
 /// First and second derivatives of w(J^(−1/3) λ) in λ.
 fn isochoric<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3], [[f64; 3]; 3]) {
     let (w, tau, log) = logarithmic(law, l);
-    let dd =
-        [0, 1, 2].map(|i| [0, 1, 2].map(|j| (log[i][j] - if i == j { tau[i] } else { 0.0 }) / (l[i] * l[j])));
+    let dd = [0, 1, 2].map(|i| {
+        [0, 1, 2].map(|j| (log[i][j] - if i == j { tau[i] } else { 0.0 }) / (l[i] * l[j]))
+    });
     (w, [0, 1, 2].map(|i| tau[i] / l[i]), dd)
 }
 
@@ -59,7 +61,12 @@ impl<L: RubberLaw> PlaneLaw for ByStretches<'_, L> {
         let cofactor = [d, -c, -b, a];
         let area = f.section();
         let s = |i: usize| g[0] * m11[i] + g[1] * m22[i] + p * t * cofactor[i];
-        let mut out = Stress { w, r: [s(0), s(1), g[2] + p * area], z: [s(2), s(3)], ..Stress::default() };
+        let mut out = Stress {
+            w,
+            r: [s(0), s(1), g[2] + p * area],
+            z: [s(2), s(3)],
+            ..Stress::default()
+        };
         if TANGENT {
             let u = if (l1 - l2).abs() < NEAR * (l1 + l2) {
                 0.5 * (h[0][0] + h[1][1]) - h[0][1]
@@ -82,7 +89,11 @@ impl<L: RubberLaw> PlaneLaw for ByStretches<'_, L> {
                     + curved
             };
             let kt = |i: usize| h[0][2] * m11[i] + h[1][2] * m22[i] + p * cofactor[i];
-            out.rr = [[k(0, 0), k(0, 1), kt(0)], [k(0, 1), k(1, 1), kt(1)], [kt(0), kt(1), h[2][2]]];
+            out.rr = [
+                [k(0, 0), k(0, 1), kt(0)],
+                [k(0, 1), k(1, 1), kt(1)],
+                [kt(0), kt(1), h[2][2]],
+            ];
             out.rz = [[k(0, 2), k(0, 3)], [k(1, 2), k(1, 3)], [kt(2), kt(3)]];
             out.zz = [[k(2, 2), k(2, 3)], [k(2, 3), k(3, 3)]];
         }

@@ -26,6 +26,10 @@ impl<R: Real> Spatial<R> {
     #[inline(always)]
     pub fn zero() -> Self {
         let o = R::splat(0.0);
-        Self { w: o, tau: [o; 6], c: [[o; 6]; 6] }
+        Self {
+            w: o,
+            tau: [o; 6],
+            c: [[o; 6]; 6],
+        }
     }
 }

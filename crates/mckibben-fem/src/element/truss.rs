@@ -2,8 +2,9 @@
 //!
 //!   Π = E A L0 (λ − 1)²/2,   ∂Π/∂x1 = T n,   ∂²Π/∂x1∂x1 = (E A/L0) n⊗n + (T/l)(1 − n⊗n),   n = d/l, d = x1 − x0
 //!
-//! The tension in the second part may be one that is carried along as a separate variable: with stiff strands
-//! Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
+//! The tension in the second part may be one that is carried along as a separate variable: with
+//! stiff strands Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017
+//! \[magisano2017\]).
 
 use super::tensor::PAIRS;
 
@@ -34,15 +35,19 @@ pub struct Pull {
 }
 
 impl Truss {
-    /// Force and tangent for d in mm. `offset` in N is added to the tension; `tension` in N is the one in the geometric
-    /// part of the tangent.
+    /// Force and tangent for d in mm. `offset` in N is added to the tension; `tension` in N is the
+    /// one in the geometric part of the tangent.
     pub fn pull(&self, d: [f64; 3], offset: f64, tension: f64) -> Pull {
         let l = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
         let strain = l / self.length_mm - 1.0;
         let n = d.map(|x| x / l);
         let force = offset + self.stiffness_n * strain;
         if force <= 0.0 && !self.compression {
-            return Pull { strain, direction: n, ..Pull::default() };
+            return Pull {
+                strain,
+                direction: n,
+                ..Pull::default()
+            };
         }
         let across = tension / l;
         let along = self.stiffness_n / self.length_mm - across;

@@ -1,8 +1,9 @@
 //! Pressure in the closed cavity, as the potential −P V.
 //!
-//! V = π ∫ r² dz along the line of the cavity's wall. With quadratic r and z the integrand is a polynomial of degree five, which
-//! three Gauss points integrate exactly: forces and tangent are the exact derivatives of V, and the tangent is
-//! symmetric because the cavity is closed by the symmetry plane and the terminal (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
+//! V = π ∫ r² dz along the line of the cavity's wall. With quadratic r and z the integrand is a
+//! polynomial of degree five, which three Gauss points integrate exactly: forces and tangent are
+//! the exact derivatives of V, and the tangent is symmetric because the cavity is closed by the
+//! symmetry plane and the terminal (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
 use crate::element::q2::{GAUSS3, along};
 use std::f64::consts::PI;

@@ -1,17 +1,18 @@
 //! Pressure in the closed cavity of a three-dimensional body, as the potential −P V.
 //!
-//! V = ⅓ ∫ x·(∂x/∂ξ × ∂x/∂η) over the faces of the cavity is the volume between them and the origin. Planes of symmetry
-//! through the origin add nothing, the terminal adds ⅓ A z. With polynomials for x it is a cubic form in the places of
-//! the nodes, which Gauss points integrate exactly: forces and tangent are its exact derivatives, and the tangent is
-//! symmetric because the cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
+//! V = ⅓ ∫ x·(∂x/∂ξ × ∂x/∂η) over the faces of the cavity is the volume between them and the
+//! origin. Planes of symmetry through the origin add nothing, the terminal adds ⅓ A z. With
+//! polynomials for x it is a cubic form in the places of the nodes, which Gauss points integrate
+//! exactly: forces and tangent are its exact derivatives, and the tangent is symmetric because the
+//! cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
 use crate::element::q2::{GAUSS2, GAUSS3, functions};
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
 pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
 
-/// The points of a face of four nodes (two rows of two: the integrand is of degree two each way) or nine (three rows of three: of degree
-/// five).
+/// The points of a face of four nodes (two rows of two: the integrand is of degree two each way) or
+/// nine (three rows of three: of degree five).
 pub fn points<const N: usize>() -> Vec<FacePoint<N>> {
     let (p, gauss): (usize, &[(f64, f64)]) = if N == 4 { (2, &GAUSS2) } else { (3, &GAUSS3) };
     let mut out = Vec::with_capacity(N);
@@ -41,16 +42,27 @@ pub struct Volume<const N: usize> {
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 /// The volume under a face whose nodes are at `x`.
 ///
-/// With t = ∂x/∂ξ, e = ∂x/∂η: 3 V = ∫ x·(t × e); first derivatives N (t × e) + N_ξ (e × x) + N_η (x × t). The second
-/// derivatives in x_a and x_b are the skew matrix W(w) with
-/// w = −(N_a N_ξb − N_ξa N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
-pub fn volume<const N: usize, const TANGENT: bool>(points: &[FacePoint<N>], x: &[[f64; 3]; N]) -> Volume<N> {
-    let mut out = Volume { value: 0.0, first: [[0.0; 3]; N], second: [[[0.0; 3]; N]; N] };
+/// With t = ∂x/∂ξ, e = ∂x/∂η: 3 V = ∫ x·(t × e); first derivatives N (t × e) + N_ξ (e × x) + N_η (x
+/// × t). The second derivatives in x_a and x_b are the skew matrix W(w) with w = −(N_a N_ξb − N_ξa
+/// N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
+pub fn volume<const N: usize, const TANGENT: bool>(
+    points: &[FacePoint<N>],
+    x: &[[f64; 3]; N],
+) -> Volume<N> {
+    let mut out = Volume {
+        value: 0.0,
+        first: [[0.0; 3]; N],
+        second: [[[0.0; 3]; N]; N],
+    };
     for (n, nx, ny, weight) in points {
         let sum = |w: &[f64; N]| -> [f64; 3] {
             let mut s = [0.0; 3];

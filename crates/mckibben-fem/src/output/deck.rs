@@ -1,8 +1,10 @@
-//! One eighth of a muscle as an input deck for CalculiX and Abaqus: the same nodes, bricks, strands, rubber, supports and loads.
+//! One eighth of a muscle as an input deck for CalculiX and Abaqus: the same nodes, bricks,
+//! strands, rubber, supports and loads.
 //!
-//! Bricks are C3D8 (C3D20 and C3D27 do not exist or do not converge there), strands are SPRINGA, whose force k (l − L) is that of a
-//! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
-//! D1 = 2/K; Ogden's are written there as 2 μi/αi². Data of the mesh are in comments `** key = value`.
+//! Bricks are C3D8 (C3D20 and C3D27 do not exist or do not converge there), strands are SPRINGA,
+//! whose force k (l − L) is that of a truss with engineering strain and k = E A/L. Laws are those
+//! of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with D1 = 2/K; Ogden's are written there as 2
+//! μi/αi². Data of the mesh are in comments `** key = value`.
 
 use crate::three_dimensional::{Brick, ThreeDimensional};
 use crate::{FemError, Result};
@@ -13,7 +15,8 @@ use std::collections::BTreeMap;
 
 /// Bulk modulus over shear modulus that an incompressible rubber gets.
 const BULK: f64 = 1000.0;
-/// Pressure in MPa up to which a muscle is filled before it is shortened: shortened at rest, its strands would buckle.
+/// Pressure in MPa up to which a muscle is filled before it is shortened: shortened at rest, its
+/// strands would buckle.
 const FILL: f64 = 0.05;
 /// Largest step of the contraction.
 const CONTRACTION: f64 = 0.005;
@@ -27,18 +30,26 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>>
     let rising = pressures_mpa.windows(2).all(|p| p[1] > p[0]);
     if !(first_mpa > 0.0 && rising && pressures_mpa.iter().all(|p| p.is_finite())) {
         return Err(FemError::Refused(format!(
-            "an input deck needs rising pressures above zero, the first of them {first_mpa}\u{a0}MPa here"
+            "an input deck needs rising pressures above zero, the first of them \
+             {first_mpa}\u{a0}MPa here"
         )));
     }
     if contraction == 0.0 {
         return Ok(pressures_mpa.iter().map(|p| (0.0, *p)).collect());
     }
-    let filled = pressures_mpa.iter().position(|p| *p >= FILL - 1e-12).unwrap_or(pressures_mpa.len() - 1);
+    let filled = pressures_mpa
+        .iter()
+        .position(|p| *p >= FILL - 1e-12)
+        .unwrap_or(pressures_mpa.len() - 1);
     let turns = (contraction.abs() / CONTRACTION - 1e-9).ceil().max(1.0);
-    let shortened = (1..=turns as usize).map(|i| (contraction * (i as f64 / turns), pressures_mpa[filled]));
+    let shortened =
+        (1..=turns as usize).map(|i| (contraction * (i as f64 / turns), pressures_mpa[filled]));
     let (before, after) = pressures_mpa.split_at(filled + 1);
     let before = before.iter().map(|p| (0.0, *p));
-    Ok(before.chain(shortened).chain(after.iter().map(|p| (contraction, *p))).collect())
+    Ok(before
+        .chain(shortened)
+        .chain(after.iter().map(|p| (contraction, *p)))
+        .collect())
 }
 
 /// Increments of equal size together: how many, and where the last one ends.
@@ -57,13 +68,20 @@ fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
     out
 }
 
-/// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
+/// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened,
+/// filled further.
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String> {
     let (mesh, muscle) = (&model.divided.mesh, model.muscle());
     let refused = [
         (mesh.brick != Brick::Linear, "needs eight-node bricks"),
-        (mesh.plug.is_some(), "has a rigid plane as the terminal: leave out `terminal`"),
-        (muscle.tube().prestretch != 1.0, "starts from unstressed rubber: leave out tube.prestretch"),
+        (
+            mesh.plug.is_some(),
+            "has a rigid plane as the terminal: leave out `terminal`",
+        ),
+        (
+            muscle.tube().prestretch != 1.0,
+            "starts from unstressed rubber: leave out tube.prestretch",
+        ),
         (
             muscle.terminals().plug_diameter_mm.is_some(),
             "has plugs with the diameter of the bore: leave out terminals.plug_diameter",
@@ -74,7 +92,8 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     }
     let increments = increments(contraction, pressures_mpa)?;
     let version = env!("CARGO_PKG_VERSION");
-    let mut out = format!("*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {version}\n");
+    let mut out =
+        format!("*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {version}\n");
     for (key, value) in [
         ("outer_radius_mm", mesh.tube.outer_mm),
         ("inner_radius_mm", mesh.tube.inner_mm),
@@ -84,7 +103,8 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     ] {
         out += &format!("** {key} = {value:?}\n");
     }
-    out += "** pull of the whole muscle = 4 x (sum of the reactions of NEND along z, less their share of the pressure) - P x area of the bore\n";
+    out += "** pull of the whole muscle = 4 x (sum of the reactions of NEND along z, less their \
+        share of the pressure) - P x area of the bore\n";
     out += "*NODE, NSET=NALL\n";
     for (i, x) in mesh.nodes.iter().enumerate() {
         out += &format!("{}, {:?}, {:?}, {:?}\n", i + 1, x[0], x[1], x[2]);
@@ -116,7 +136,10 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for (i, (_, truss)) in trusses.iter().enumerate() {
-        groups.entry((truss.length_mm * 1e9).round() as i64).or_default().push(i);
+        groups
+            .entry((truss.length_mm * 1e9).round() as i64)
+            .or_default()
+            .push(i);
     }
     let mut springs = String::new();
     for (number, members) in groups.values().enumerate() {
@@ -167,7 +190,10 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*NSET, NSET=NIN", all(&|i, _, _| i == 0));
     // Bricks at the inner surface; their face with ξ = −1 has number 6.
     let [through, around, along] = mesh.elements;
-    write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
+    write(
+        "*ELSET, ELSET=EIN",
+        (0..around * along).map(|e| e * through + 1).collect(),
+    );
 }
 
 fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
@@ -177,7 +203,8 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     };
     if bulk == Bulk::Incompressible {
         *out += &format!(
-            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus\n"
+            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear \
+             modulus\n"
         );
     }
     let card = law.card().ok_or_else(|| {
@@ -189,7 +216,12 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     })?;
     // One constant of compression counts, D1 = 2/K.
     let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
-    let numbers: Vec<f64> = card.constants.into_iter().chain([2.0 / k]).chain(more).collect();
+    let numbers: Vec<f64> = card
+        .constants
+        .into_iter()
+        .chain([2.0 / k])
+        .chain(more)
+        .collect();
     *out += &format!("*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}\n", card.form);
     for part in numbers.chunks(8) {
         let words: Vec<String> = part.iter().map(|x| format!("{x:?}")).collect();
@@ -202,7 +234,11 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
 /// Names of the laws that decks know.
 fn known() -> String {
     let laws = Law::examples();
-    let mut names: Vec<&str> = laws.iter().filter(|l| l.card().is_some()).map(Law::name).collect();
+    let mut names: Vec<&str> = laws
+        .iter()
+        .filter(|l| l.card().is_some())
+        .map(Law::name)
+        .collect();
     let last = names.pop().unwrap_or_default();
     format!("{} and {last}", names.join(", "))
 }
@@ -211,14 +247,19 @@ fn known() -> String {
 mod tests {
     use super::{increments, steps};
 
-    /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening, twenty of filling.
+    /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening,
+    /// twenty of filling.
     #[test]
     fn a_muscle_is_filled_before_it_is_shortened() {
         let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
-        let at = |contraction: f64, pressures: &[f64]| increments(contraction, pressures).map(|i| steps(&i));
+        let at = |contraction: f64, pressures: &[f64]| {
+            increments(contraction, pressures).map(|i| steps(&i))
+        };
         assert_eq!(at(0.0, &pressures).unwrap(), [(25, (0.0, 0.25))]);
         let filled = [(5, (0.0, 0.05)), (20, (0.1, 0.05)), (20, (0.1, 0.25))];
         assert_eq!(at(0.1, &pressures).unwrap(), filled);
-        assert!(at(0.1, &[0.0, 0.1]).is_err() && at(0.1, &[]).is_err() && at(0.1, &[0.2, 0.1]).is_err());
+        assert!(
+            at(0.1, &[0.0, 0.1]).is_err() && at(0.1, &[]).is_err() && at(0.1, &[0.2, 0.1]).is_err()
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! One eighth of a muscle in bricks, as it is or mirrored to the whole.
 //!
-//! Mirroring at a plane changes the sign of a displacement across it and of the shear stresses that have one index across it:
-//! σij → si sj σij with the signs s of the copy.
+//! Mirroring at a plane changes the sign of a displacement across it and of the shear stresses that
+//! have one index across it: σij → si sj σij with the signs s of the copy.
 
 use super::Shape;
 use super::vtu::{Grid, PointData};
@@ -23,7 +23,9 @@ impl Extent {
     fn signs(self) -> Vec<[f64; 3]> {
         const SIGNS: [f64; 2] = [1.0, -1.0];
         let copies = if self == Self::Eighth { 1 } else { 8 };
-        (0..copies).map(|o| [SIGNS[o % 2], SIGNS[o / 2 % 2], SIGNS[o / 4]]).collect()
+        (0..copies)
+            .map(|o| [SIGNS[o % 2], SIGNS[o / 2 % 2], SIGNS[o / 4]])
+            .collect()
     }
 }
 
@@ -40,7 +42,10 @@ impl Shape {
         Self {
             tube: solid(&field.nodes, &cells, extent),
             braid: braid(field, extent),
-            plug: field.plug.as_ref().map(|plug| solid(&plug.nodes, &plug.bricks, extent)),
+            plug: field
+                .plug
+                .as_ref()
+                .map(|plug| solid(&plug.nodes, &plug.bricks, extent)),
             strands_drawn: None,
             for_display: false,
         }
@@ -54,14 +59,24 @@ fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
         let mut copy = |node: u32| {
             let rest = nodes[node as usize].rest_mm;
             let sign = [0, 1, 2].map(|i| if rest[i] == 0.0 { 1.0 } else { sign[i] });
-            *number.entry((node, sign.map(|s: f64| s > 0.0))).or_insert_with(|| {
-                copies.push((&nodes[node as usize], sign));
-                copies.len() as u32 - 1
-            })
+            *number
+                .entry((node, sign.map(|s: f64| s > 0.0)))
+                .or_insert_with(|| {
+                    copies.push((&nodes[node as usize], sign));
+                    copies.len() as u32 - 1
+                })
         };
         // A mirrored brick is turned inside out: its lower side comes second.
-        let first = if sign.iter().product::<f64>() > 0.0 { 0 } else { 4 };
-        cells.extend(bricks.iter().map(|brick| (0..8).map(|a| copy(brick[(first + a) % 8])).collect()));
+        let first = if sign.iter().product::<f64>() > 0.0 {
+            0
+        } else {
+            4
+        };
+        cells.extend(
+            bricks
+                .iter()
+                .map(|brick| (0..8).map(|a| copy(brick[(first + a) % 8])).collect()),
+        );
     }
     grid(&copies, &cells)
 }
@@ -69,7 +84,10 @@ fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
 /// Hexahedra between copies of nodes, each with its signs, and what is known of the nodes.
 fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
     let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
-        copies.iter().map(|(node, sign)| mirrored(value(node), *sign)).collect()
+        copies
+            .iter()
+            .map(|(node, sign)| mirrored(value(node), *sign))
+            .collect()
     };
     let scalar = |name, value: &dyn Fn(&NodeField) -> f64| {
         PointData::scalar(name, copies.iter().map(|(node, _)| value(node)).collect())
@@ -77,11 +95,25 @@ fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
     // VTK's order: xx, yy, zz, xy, yz, xz.
     let tensor = copies.iter().flat_map(|(node, sign)| {
         let s = node.stress_mpa;
-        [s[0], s[1], s[2], s[3] * sign[0] * sign[1], s[4] * sign[1] * sign[2], s[5] * sign[2] * sign[0]]
+        [
+            s[0],
+            s[1],
+            s[2],
+            s[3] * sign[0] * sign[1],
+            s[4] * sign[1] * sign[2],
+            s[5] * sign[2] * sign[0],
+        ]
     });
     let data = vec![
-        PointData::vector("displacement", vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i]))),
-        PointData { name: "cauchy_stress_mpa", components: 6, values: tensor.collect() },
+        PointData::vector(
+            "displacement",
+            vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i])),
+        ),
+        PointData {
+            name: "cauchy_stress_mpa",
+            components: 6,
+            values: tensor.collect(),
+        },
         scalar("hoop_stretch", &|n| n.stretches[0]),
         scalar("meridional_stretch", &|n| n.stretches[1]),
         scalar("max_stretch", &|n| n.stretches[2]),
@@ -89,7 +121,9 @@ fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
         scalar("stress_hoop_mpa", &|n| around(n)[1]),
         scalar("stress_axial_mpa", &|n| n.stress_mpa[2]),
         scalar("stress_mises_mpa", &|n| mises(&n.stress_mpa)),
-        scalar("rubber_pressure_mpa", &|n| -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0),
+        scalar("rubber_pressure_mpa", &|n| {
+            -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0
+        }),
     ];
     Grid::of_hexahedra(vector(&|n| n.now_mm), cells, data)
 }
@@ -101,7 +135,10 @@ fn around(n: &NodeField) -> [f64; 2] {
     let (c, s) = (x / r, y / r);
     let [xx, yy, _, xy, ..] = n.stress_mpa;
     let twice = 2.0 * c * s * xy;
-    [c * c * xx + s * s * yy + twice, s * s * xx + c * c * yy - twice]
+    [
+        c * c * xx + s * s * yy + twice,
+        s * s * xx + c * c * yy - twice,
+    ]
 }
 
 /// √(3/2 s:s), s the deviator (von Mises 1913 \[mises1913\]).
@@ -114,7 +151,9 @@ fn mises(s: &[f64; 6]) -> f64 {
 fn braid(field: &Field, extent: Extent) -> Grid {
     let signs = extent.signs();
     let ends = || field.pieces.iter().flat_map(|p| p.ends);
-    let points = signs.iter().flat_map(|sign| ends().map(|n| mirrored(field.nodes[n].now_mm, *sign)));
+    let points = signs
+        .iter()
+        .flat_map(|sign| ends().map(|n| mirrored(field.nodes[n].now_mm, *sign)));
     let scalar = |name, value: fn(&PieceField) -> f64| {
         let eighth: Vec<f64> = field.pieces.iter().flat_map(|p| [value(p); 2]).collect();
         PointData::scalar(name, eighth.repeat(signs.len()))

@@ -1,6 +1,7 @@
 //! The strands as lines on the deformed outer surface.
 //!
-//! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and z follow the tube.
+//! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and
+//! z follow the tube.
 
 use super::revolve::directions;
 use super::vtu::{Grid, PointData};
@@ -17,7 +18,8 @@ pub fn drawn(section: &Section) -> u32 {
     section.count.map_or(DRAWN, |n| n / 2)
 }
 
-/// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a strand from the middle.
+/// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a
+/// strand from the middle.
 #[derive(Clone, Copy)]
 pub(super) struct Along {
     pub(super) slab: usize,
@@ -36,7 +38,10 @@ pub fn braid(section: &Section) -> Grid {
     let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
-            for Along { turn, now: [r, z], .. } in &places {
+            for Along {
+                turn, now: [r, z], ..
+            } in &places
+            {
                 let (sin, cos) = (family * turn).sin_cos();
                 points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
             }
@@ -59,13 +64,20 @@ pub fn braid(section: &Section) -> Grid {
     Grid::of_lines(points, places.len(), data)
 }
 
-/// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`] between them.
+/// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`]
+/// between them.
 pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
     let (tan, along) = (section.angle_rad.tan(), section.along);
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
         let state = state(&section.strands, rest[1]);
-        Along { slab, eta, turn: rest[1] * tan / rest[0], now, state }
+        Along {
+            slab,
+            eta,
+            turn: rest[1] * tan / rest[0],
+            now,
+            state,
+        }
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
@@ -79,18 +91,32 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 /// Places from end to end.
 fn places(section: &Section) -> Vec<Along> {
     let mut half = places_of_half(section);
-    let mirrored = |p: &Along| Along { turn: -p.turn, now: [p.now[0], -p.now[1]], ..*p };
+    let mirrored = |p: &Along| Along {
+        turn: -p.turn,
+        now: [p.now[0], -p.now[1]],
+        ..*p
+    };
     let mut all: Vec<Along> = half.iter().skip(1).rev().map(mirrored).collect();
     all.append(&mut half);
     all
 }
 
-/// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
-/// the first and beyond the last point theirs.
+/// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model
+/// has them; before the first and beyond the last point theirs.
 pub(crate) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
-    let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_n_per_mm, s.tension_n.unwrap_or(0.0)];
+    let values = |s: &StrandState| {
+        [
+            s.stretch,
+            s.angle_deg,
+            s.tension_n_per_mm,
+            s.tension_n.unwrap_or(0.0),
+        ]
+    };
     let after = strands.partition_point(|s| s.rest_mm < rest);
-    match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {
+    match (
+        after.checked_sub(1).and_then(|k| strands.get(k)),
+        strands.get(after),
+    ) {
         (Some(a), Some(b)) => {
             let share = (rest - a.rest_mm) / (b.rest_mm - a.rest_mm);
             let (a, b) = (values(a), values(b));

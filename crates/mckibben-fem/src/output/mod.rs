@@ -1,7 +1,8 @@
 //! Files for other programs: the deformed muscle for ParaView.
 //!
-//! Open `muscle.pvd`: one step for each equilibrium, the tube as a solid and the strands as lines. Points are where
-//! they are now; `displacement` leads there from rest. Lengths in mm, stresses in MPa, forces in N.
+//! Open `muscle.pvd`: one step for each equilibrium, the tube as a solid and the strands as lines.
+//! Points are where they are now; `displacement` leads there from rest. Lengths in mm, stresses in
+//! MPa, forces in N.
 
 mod deck;
 mod eighth;

@@ -33,7 +33,11 @@ pub fn tube(section: &Section) -> Grid {
     let rings: Vec<(&SectionNode, f64)> = (0..stations)
         .flat_map(|j| (0..across).map(move |i| (i, j)))
         .map(|(i, j)| {
-            let (station, sign) = if j < 2 * along { (2 * along - j, -1.0) } else { (j - 2 * along, 1.0) };
+            let (station, sign) = if j < 2 * along {
+                (2 * along - j, -1.0)
+            } else {
+                (j - 2 * along, 1.0)
+            };
             (&section.nodes[section.index(i, station)], sign)
         })
         .collect();
@@ -47,13 +51,25 @@ pub fn tube(section: &Section) -> Grid {
             .collect()
     };
     let scalar = |name, value: &dyn Fn(&SectionNode, f64) -> f64| {
-        PointData::scalar(name, rings.iter().flat_map(|(node, sign)| [value(node, *sign); AROUND]).collect())
+        PointData::scalar(
+            name,
+            rings
+                .iter()
+                .flat_map(|(node, sign)| [value(node, *sign); AROUND])
+                .collect(),
+        )
     };
     let moved = placed(&|n| [n.now_mm[0] - n.rest_mm[0], n.now_mm[1] - n.rest_mm[1]]);
     let mut data = vec![PointData::vector("displacement", moved)];
-    data.extend(FIELDS.iter().map(|(name, value)| scalar(name, &|n, _| value(n))));
+    data.extend(
+        FIELDS
+            .iter()
+            .map(|(name, value)| scalar(name, &|n, _| value(n))),
+    );
     // σrz changes its sign with z.
-    data.push(scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]));
+    data.push(scalar("stress_shear_mpa", &|n, sign| {
+        sign * n.stress_mpa[3]
+    }));
     let point = |i, k, j| (j * across + i) * AROUND + k % AROUND;
     let cells = Brick::Linear.bricks([across - 1, AROUND, stations - 1], point);
     Grid::of_hexahedra(placed(&|n| n.now_mm), &cells, data)

@@ -16,11 +16,11 @@ pub struct VtuFile {
     pub text: String,
 }
 
-/// Makes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and `muscle.pvd`, which lists
-/// them.
+/// Makes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and
+/// `muscle.pvd`, which lists them.
 ///
-/// The list comes last in what [`VtuSeries::add`] gives and names whole steps only: written in this order, a series that is
-/// broken off can be opened. Who writes them decides where to.
+/// The list comes last in what [`VtuSeries::add`] gives and names whole steps only: written in this
+/// order, a series that is broken off can be opened. Who writes them decides where to.
 #[derive(Debug)]
 pub struct VtuSeries {
     about: String,
@@ -32,13 +32,22 @@ pub struct VtuSeries {
 impl VtuSeries {
     /// A series; `about` says what the muscle is.
     pub fn new(about: &str) -> Self {
-        Self { about: about.to_owned(), steps: 0, files: vec![] }
+        Self {
+            about: about.to_owned(),
+            steps: 0,
+            files: vec![],
+        }
     }
 
-    /// The files of a step: bodies and what the model says about the equilibrium; then the list of all steps.
+    /// The files of a step: bodies and what the model says about the equilibrium; then the list of
+    /// all steps.
     pub fn add(&mut self, shape: Shape, response: &Response) -> Result<Vec<VtuFile>, VtuError> {
         let step = self.steps;
-        let note = if shape.for_display { "; the number of strands is for display" } else { "" };
+        let note = if shape.for_display {
+            "; the number of strands is for display"
+        } else {
+            ""
+        };
         let about = format!("{}; step {step}{note}", self.about);
         let drawn = shape.strands_drawn.map(|n| ("strands_drawn", f64::from(n)));
         let mut grids = vec![(shape.tube, None), (shape.braid, drawn)];
@@ -47,10 +56,14 @@ impl VtuSeries {
         for (part, (mut grid, more)) in PARTS.into_iter().zip(grids) {
             fill(&mut grid, response, more);
             let name = format!("{part}_{step:04}.vtu");
-            files.push(VtuFile { text: grid.to_xml(&about, &name)?, name });
+            files.push(VtuFile {
+                text: grid.to_xml(&about, &name)?,
+                name,
+            });
         }
         let parts = PARTS.into_iter().zip(&files).enumerate();
-        self.files.extend(parts.map(|(number, (part, file))| (step, number, part, file.name.clone())));
+        self.files
+            .extend(parts.map(|(number, (part, file))| (step, number, part, file.name.clone())));
         self.steps += 1;
         files.push(self.list());
         Ok(files)
@@ -58,7 +71,10 @@ impl VtuSeries {
 
     /// The list of all steps, `muscle.pvd`.
     pub fn list(&self) -> VtuFile {
-        VtuFile { name: "muscle.pvd".into(), text: collection(&self.about, &self.files) }
+        VtuFile {
+            name: "muscle.pvd".into(),
+            text: collection(&self.about, &self.files),
+        }
     }
 }
 
@@ -72,5 +88,9 @@ fn fill(grid: &mut Grid, r: &Response, more: Option<(&'static str, f64)>) {
         ("braid_tension_n", r.braid_tension_n),
         ("strand_tension_n", r.strand_tension_n),
     ];
-    grid.field = known.into_iter().filter_map(|(name, value)| value.map(|v| (name, v))).chain(more).collect();
+    grid.field = known
+        .into_iter()
+        .filter_map(|(name, value)| value.map(|v| (name, v)))
+        .chain(more)
+        .collect();
 }

@@ -1,7 +1,9 @@
-//! VTK's XML format for unstructured grids: little-endian, compressed by zlib, in base64 within the file.
+//! VTK's XML format for unstructured grids: little-endian, compressed by zlib, in base64 within the
+//! file.
 //!
-//! Source: VTK documentation, "VTK XML Formats". An array is base64(header) base64(zlib(bytes)) with the header
-//! (number of blocks, size of a block, size of a last shorter block or 0, size of each compressed block).
+//! Source: VTK documentation, "VTK XML Formats". An array is base64(header) base64(zlib(bytes))
+//! with the header (number of blocks, size of a block, size of a last shorter block or 0, size of
+//! each compressed block).
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -40,12 +42,20 @@ pub struct PointData {
 impl PointData {
     /// A number at each point.
     pub fn scalar(name: &'static str, values: Vec<f64>) -> Self {
-        Self { name, components: 1, values }
+        Self {
+            name,
+            components: 1,
+            values,
+        }
     }
 
     /// Three numbers at each point.
     pub fn vector(name: &'static str, values: Vec<[f64; 3]>) -> Self {
-        Self { name, components: 3, values: values.concat() }
+        Self {
+            name,
+            components: 3,
+            values: values.concat(),
+        }
     }
 }
 
@@ -70,25 +80,53 @@ impl Grid {
     /// Lines of so many points each, one after the other.
     pub fn of_lines(points: Vec<[f64; 3]>, per_line: usize, data: Vec<PointData>) -> Self {
         let connectivity = (0..points.len() as i64).collect();
-        let offsets = (1..=points.len() / per_line).map(|c| (per_line * c) as i64).collect();
-        Self { kind: POLY_LINE, points, connectivity, offsets, data, field: vec![] }
+        let offsets = (1..=points.len() / per_line)
+            .map(|c| (per_line * c) as i64)
+            .collect();
+        Self {
+            kind: POLY_LINE,
+            points,
+            connectivity,
+            offsets,
+            data,
+            field: vec![],
+        }
     }
 
     /// Hexahedra with eight points each, the first direction running fastest.
     pub fn of_hexahedra(points: Vec<[f64; 3]>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
         const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
-        let connectivity: Vec<i64> =
-            cells.iter().flat_map(|cell| ORDER.map(|a| i64::from(cell[a]))).collect();
+        let connectivity: Vec<i64> = cells
+            .iter()
+            .flat_map(|cell| ORDER.map(|a| i64::from(cell[a])))
+            .collect();
         let offsets = (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect();
-        Self { kind: HEXAHEDRON, points, connectivity, offsets, data, field: vec![] }
+        Self {
+            kind: HEXAHEDRON,
+            points,
+            connectivity,
+            offsets,
+            data,
+            field: vec![],
+        }
     }
 
     /// The file; `about` is a comment at its head, `file` is named in errors.
     pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
         let finite = |name: &'static str, ok: bool| {
-            if ok { Ok(()) } else { Err(VtuError { file: file.into(), name }) }
+            if ok {
+                Ok(())
+            } else {
+                Err(VtuError {
+                    file: file.into(),
+                    name,
+                })
+            }
         };
-        finite("points", self.points.iter().flatten().all(|x| x.is_finite()))?;
+        finite(
+            "points",
+            self.points.iter().flatten().all(|x| x.is_finite()),
+        )?;
         for data in &self.data {
             finite(data.name, data.values.iter().all(|x| x.is_finite()))?;
         }
@@ -103,20 +141,48 @@ impl Grid {
         }
         let (points, cells) = (self.points.len(), self.offsets.len());
         out += "</FieldData>\n";
-        out += &format!("<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>\n");
-        for PointData { name, components, values } in &self.data {
+        out += &format!(
+            "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>\n"
+        );
+        for PointData {
+            name,
+            components,
+            values,
+        } in &self.data
+        {
             if *components > 1 {
-                array(&mut out, "Float64", name, *components, doubles(values.iter()));
+                array(
+                    &mut out,
+                    "Float64",
+                    name,
+                    *components,
+                    doubles(values.iter()),
+                );
             } else {
-                let bytes = values.iter().flat_map(|x| (*x as f32).to_le_bytes()).collect();
+                let bytes = values
+                    .iter()
+                    .flat_map(|x| (*x as f32).to_le_bytes())
+                    .collect();
                 array(&mut out, "Float32", name, 1, bytes);
             }
         }
         out.push_str("</PointData>\n<Points>\n");
-        array(&mut out, "Float64", "Points", 3, doubles(self.points.iter().flatten()));
+        array(
+            &mut out,
+            "Float64",
+            "Points",
+            3,
+            doubles(self.points.iter().flatten()),
+        );
         out.push_str("</Points>\n<Cells>\n");
         let whole = |x: &[i64]| x.iter().flat_map(|x| x.to_le_bytes()).collect();
-        array(&mut out, "Int64", "connectivity", 1, whole(&self.connectivity));
+        array(
+            &mut out,
+            "Int64",
+            "connectivity",
+            1,
+            whole(&self.connectivity),
+        );
         array(&mut out, "Int64", "offsets", 1, whole(&self.offsets));
         array(&mut out, "UInt8", "types", 1, vec![self.kind; cells]);
         out.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
@@ -141,7 +207,8 @@ fn head(kind: &str, about: &str) -> String {
     let clean = clean::line(about).replace("--", "- -").replace("--", "- -");
     let version = env!("CARGO_PKG_VERSION");
     format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- mckibben {version}: {clean} -->\n<VTKFile type=\"{kind}\" \
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- mckibben {version}: {clean} \
+         -->\n<VTKFile type=\"{kind}\" \
          version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
          compressor=\"vtkZLibDataCompressor\">\n"
     )
@@ -152,13 +219,22 @@ fn doubles<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
 }
 
 fn array(out: &mut String, kind: &str, name: &str, components: usize, bytes: Vec<u8>) {
-    let many = if components > 1 { format!(" NumberOfComponents=\"{components}\"") } else { String::new() };
+    let many = if components > 1 {
+        format!(" NumberOfComponents=\"{components}\"")
+    } else {
+        String::new()
+    };
     *out += &format!("<DataArray type=\"{kind}\" Name=\"{name}\"{many} format=\"binary\">");
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
     // Writing to memory cannot fail.
-    let packed = encoder.write_all(&bytes).and_then(|()| encoder.finish()).unwrap_or_default();
-    let header: Vec<u8> =
-        [1, bytes.len() as u64, 0, packed.len() as u64].into_iter().flat_map(u64::to_le_bytes).collect();
+    let packed = encoder
+        .write_all(&bytes)
+        .and_then(|()| encoder.finish())
+        .unwrap_or_default();
+    let header: Vec<u8> = [1, bytes.len() as u64, 0, packed.len() as u64]
+        .into_iter()
+        .flat_map(u64::to_le_bytes)
+        .collect();
     STANDARD.encode_string(header, out);
     STANDARD.encode_string(packed, out);
     out.push_str("</DataArray>\n");

@@ -8,8 +8,9 @@ use std::slice::{from_mut, from_ref};
 /// The state of a body: unknowns, variables that are carried along, and the loads on it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct State {
-    /// Unknowns as the body numbers them. In the section: displacements in mm, pressures in MPa and the tensions of strands
-    /// that do not stretch in N/mm. In bricks: displacements in mm, node by node.
+    /// Unknowns as the body numbers them. In the section: displacements in mm, pressures in MPa and
+    /// the tensions of strands that do not stretch in N/mm. In bricks: displacements in mm, node by
+    /// node.
     pub u: Vec<f64>,
     /// Pressures in the bricks in MPa (tension positive), carried along; none in the section.
     pub p: Vec<f64>,
@@ -25,15 +26,33 @@ impl State {
     /// A body at rest with so many unknowns, pressures and tensions.
     pub fn rest(unknowns: usize, pressures: usize, tensions: usize) -> Self {
         let zeros = |n: usize| vec![0.0; n];
-        Self { u: zeros(unknowns), p: zeros(pressures), q: zeros(tensions), pressure: 0.0, terminal: 0.0 }
+        Self {
+            u: zeros(unknowns),
+            p: zeros(pressures),
+            q: zeros(tensions),
+            pressure: 0.0,
+            terminal: 0.0,
+        }
     }
 
     fn lists(&self) -> [&[f64]; 5] {
-        [&self.u, &self.p, &self.q, from_ref(&self.pressure), from_ref(&self.terminal)]
+        [
+            &self.u,
+            &self.p,
+            &self.q,
+            from_ref(&self.pressure),
+            from_ref(&self.terminal),
+        ]
     }
 
     fn lists_mut(&mut self) -> [&mut [f64]; 5] {
-        let Self { u, p, q, pressure, terminal } = self;
+        let Self {
+            u,
+            p,
+            q,
+            pressure,
+            terminal,
+        } = self;
         [u, p, q, from_mut(pressure), from_mut(terminal)]
     }
 
@@ -53,7 +72,12 @@ impl State {
 
     /// Becomes what two states on a path extrapolate: `now` + `ratio` (`now` − `before`).
     pub fn extrapolate(&mut self, now: &Self, before: &Self, ratio: f64) {
-        for ((to, now), before) in self.lists_mut().into_iter().zip(now.lists()).zip(before.lists()) {
+        for ((to, now), before) in self
+            .lists_mut()
+            .into_iter()
+            .zip(now.lists())
+            .zip(before.lists())
+        {
             for ((x, a), b) in to.iter_mut().zip(now).zip(before) {
                 *x = a + ratio * (a - b);
             }
@@ -62,7 +86,10 @@ impl State {
 
     /// Multiplies everything.
     pub fn scale(&mut self, factor: f64) {
-        self.lists_mut().into_iter().flatten().for_each(|x| *x *= factor);
+        self.lists_mut()
+            .into_iter()
+            .flatten()
+            .for_each(|x| *x *= factor);
     }
 
     /// Sets everything to zero: the body at rest.
@@ -88,7 +115,8 @@ pub enum Control {
 }
 
 impl Control {
-    /// By how much a state with a pull misses what is held: lengths as a share of `radius`, forces of `scale`.
+    /// By how much a state with a pull misses what is held: lengths as a share of `radius`, forces
+    /// of `scale`.
     pub fn missed(self, state: &State, pull: f64, radius: f64, scale: f64) -> f64 {
         let length = |w: f64| (w - state.terminal).abs() / radius;
         let force = |f: f64| (pull - f).abs() / scale;
@@ -100,7 +128,8 @@ impl Control {
     }
 }
 
-/// What the elements of a body add up to, for the part of the muscle that is computed: a half in the section, an eighth in bricks.
+/// What the elements of a body add up to, for the part of the muscle that is computed: a half in
+/// the section, an eighth in bricks.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Totals {
     /// Elastic energy of the rubber in N·mm.
@@ -111,7 +140,8 @@ pub struct Totals {
     pub volume: f64,
     /// Smallest volume ratio at an integration point.
     pub smallest_j: f64,
-    /// Largest relative residual (section), largest relative defect of an element's volume (bricks).
+    /// Largest relative residual (section), largest relative defect of an element's volume
+    /// (bricks).
     pub defect: f64,
     /// Pull of the whole muscle in N.
     pub pull: f64,
@@ -136,8 +166,9 @@ pub struct Settings {
     pub smallest_step: f64,
     /// Factorisations that a question may cost.
     pub budget: usize,
-    /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks buckles between strands that go
-    /// slack. [`super::continuation::Continuation::unstable`] has the first of them.
+    /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks
+    /// buckles between strands that go slack. [`super::continuation::Continuation::unstable`] has
+    /// the first of them.
     pub take_unstable: bool,
 }
 
@@ -172,10 +203,12 @@ pub trait Body {
     /// Sums of the last assembly.
     fn totals(&self) -> Totals;
 
-    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
+    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable
+    /// equilibrium.
     fn unstable_directions(&self) -> usize;
 
-    /// dF/dw of the last tangent for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
+    /// dF/dw of the last tangent for a displacement of one terminal, in N/mm: twice the stiffness
+    /// ∂F/∂L.
     fn terminal_stiffness(&mut self) -> f64;
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
@@ -189,8 +222,8 @@ pub trait Body {
         self.state_mut().clear();
     }
 
-    /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in mm; `None` after the last one, and
-    /// `Some(false)` where this one does not apply.
+    /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in
+    /// mm; `None` after the last one, and `Some(false)` where this one does not apply.
     fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool>;
 
     /// The same where the strands are taut.
@@ -239,12 +272,14 @@ pub trait Body {
     /// Radius in mm of the cross-section on which the pressure acts.
     fn radius(&self) -> f64;
 
-    /// Whether the present equilibrium, if it is stable, is the only one: it is where the tube has no folds, and taut strands allow none, unless
-    /// the muscle pushes with more than a tenth of P π Ro².
+    /// Whether the present equilibrium, if it is stable, is the only one: it is where the tube has
+    /// no folds, and taut strands allow none, unless the muscle pushes with more than a tenth of P
+    /// π Ro².
     fn certain(&self) -> bool {
         const PUSH: f64 = 0.1;
         let pressure = self.state().pressure.max(self.smallest_pressure());
         let pull = self.totals().pull;
-        pull > self.folds_below() || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
+        pull > self.folds_below()
+            || self.taut() && pull >= -PUSH * PI * self.radius().powi(2) * pressure
     }
 }

@@ -1,8 +1,9 @@
 //! A chain of slabs: symmetric systems in which slab e joins station e to station e + 1.
 //!
-//! A vector is laid out [station 0 | inside 0 | station 1 | inside 1 | … | last station]; the matrix of a slab is ordered
-//! [inside | left station | right station]. Going along the chain each slab loses its inside and its left station, and
-//! hands the Schur complement of its right station to the next. The last station remains.
+//! A vector is laid out [station 0 | inside 0 | station 1 | inside 1 | … | last station]; the
+//! matrix of a slab is ordered [inside | left station | right station]. Going along the chain each
+//! slab loses its inside and its left station, and hands the Schur complement of its right station
+//! to the next. The last station remains.
 
 use super::dense;
 use super::newton::Stopped;
@@ -22,7 +23,8 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// A chain of `slabs` slabs with `station` unknowns at each station and `inside` unknowns inside of each slab.
+    /// A chain of `slabs` slabs with `station` unknowns at each station and `inside` unknowns
+    /// inside of each slab.
     pub fn new(slabs: usize, station: usize, inside: usize) -> Self {
         let size = inside + 2 * station;
         Self {
@@ -71,7 +73,12 @@ impl Chain {
         Ok(())
     }
 
-    fn exchange(&mut self, slab: usize, rhs: &mut [f64], whole: fn(&[f64], usize, usize, &mut [f64])) {
+    fn exchange(
+        &mut self,
+        slab: usize,
+        rhs: &mut [f64],
+        whole: fn(&[f64], usize, usize, &mut [f64]),
+    ) {
         let (n, m, size) = (self.inside, self.station, self.size());
         let a = &self.matrices[slab * size * size..(slab + 1) * size * size];
         let part = &mut rhs[slab * (n + m)..][..size];

@@ -1,16 +1,20 @@
 //! Equilibria of a body, each found from one that is known.
 //!
-//! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice as
-//! large; from the second step on the last two states extrapolate the next. Along a curve a polynomial through the last four does.
+//! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is
+//! followed by one twice as large; from the second step on the last two states extrapolate the
+//! next. Along a curve a polynomial through the last four does.
 //!
-//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken from wherever it is reached
-//! ([`Body::certain`]). Where strands are slack a tube has several, folded ones among them. The answer then is the one that continues the
-//! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
-//! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every
-//! step ends close to where the steps before predict it, and the last in a stable equilibrium. A certain one needs no such way: where no guess leads to
-//! it and the muscle is expected to pull, it is sought from rest length at the pressure of the question. So an answer depends on its question alone,
-//! and where that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle does not lead to it, inflated from
-//! rest in the same way.
+//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its
+//! kind: it is taken from wherever it is reached ([`Body::certain`]). Where strands are slack a
+//! tube has several, folded ones among them. The answer then is the one that continues the taut
+//! muscle: at the contraction of the question, from the pressure that tightens all strands, the
+//! pressure is let down to that of the question; where no pressure tightens them, the muscle is
+//! shortened from rest length at the pressure of the question. On the way every step ends close to
+//! where the steps before predict it, and the last in a stable equilibrium. A certain one needs no
+//! such way: where no guess leads to it and the muscle is expected to pull, it is sought from rest
+//! length at the pressure of the question. So an answer depends on its question alone, and where
+//! that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle
+//! does not lead to it, inflated from rest in the same way.
 
 use super::body::{Body, Control, State};
 use super::descent::Descent;
@@ -21,7 +25,8 @@ use mckibben::cancel;
 use mckibben::status::Status;
 use std::fmt;
 
-/// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
+/// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to
+/// pull.
 pub(crate) const TAUT: f64 = 1.3;
 /// Contractions lie between ± this.
 pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
@@ -45,8 +50,17 @@ impl fmt::Display for Unstable {
             0 => write!(f, "an equilibrium")?,
             n => write!(f, "step {n} of the walk from rest")?,
         }
-        let Self { directions, contraction, pressure_mpa: mpa, .. } = self;
-        write!(f, " is unstable ({directions} directions) at contraction {contraction:.4}, {mpa:.4}\u{a0}MPa")
+        let Self {
+            directions,
+            contraction,
+            pressure_mpa: mpa,
+            ..
+        } = self;
+        write!(
+            f,
+            " is unstable ({directions} directions) at contraction {contraction:.4}, \
+             {mpa:.4}\u{a0}MPa"
+        )
     }
 }
 
@@ -110,7 +124,12 @@ impl<B: Body> Continuation<B> {
         if directions > 0 && self.unstable.is_none() {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
             let contraction = self.contraction();
-            self.unstable = Some(Unstable { step, pressure_mpa, contraction, directions });
+            self.unstable = Some(Unstable {
+                step,
+                pressure_mpa,
+                contraction,
+                directions,
+            });
         }
     }
 
@@ -125,10 +144,13 @@ impl<B: Body> Continuation<B> {
         }
     }
 
-    /// The kept equilibrium at exactly this pressure in MPa and contraction, as a response tells them.
+    /// The kept equilibrium at exactly this pressure in MPa and contraction, as a response tells
+    /// them.
     pub fn kept_at(&self, pressure: f64, contraction: f64) -> Option<&State> {
         let half = self.body.half_length();
-        self.kept.iter().find(|s| s.pressure == pressure && 0.0 - s.terminal / half == contraction)
+        self.kept
+            .iter()
+            .find(|s| s.pressure == pressure && 0.0 - s.terminal / half == contraction)
     }
 
     /// Whether the last tangent was that of a stable equilibrium.
@@ -156,13 +178,21 @@ impl<B: Body> Continuation<B> {
         self.solve_within(control, self.newton.reach)
     }
 
-    /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
+    /// The same, where no more than this share of the radius may lie between the iterate and the
+    /// equilibrium.
     pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
-        self.solve_by(control, NewtonOptions { reach, ..self.newton })
+        self.solve_by(
+            control,
+            NewtonOptions {
+                reach,
+                ..self.newton
+            },
+        )
     }
 
     fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Result<(), Stopped> {
-        // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
+        // Of what is to end, not even the first tangent is assembled: a search tries many ways
+        // before it gives up.
         cancel::check()?;
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
@@ -172,12 +202,15 @@ impl<B: Body> Continuation<B> {
             options.factorisations = budget - factorisations;
         }
         self.body.hold(control);
-        newton::solve(self.body.system(), &options, &mut self.effort, |_| Ok(cancel::check()?))
+        newton::solve(self.body.system(), &options, &mut self.effort, |_| {
+            Ok(cancel::check()?)
+        })
     }
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
-    /// First from the nearest one kept, then from the first guesses; where these leave open which equilibrium it is, from the taut muscle.
+    /// First from the nearest one kept, then from the first guesses; where these leave open which
+    /// equilibrium it is, from the taut muscle.
     pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<()> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
@@ -193,10 +226,17 @@ impl<B: Body> Continuation<B> {
             if led.is_some_and(|led| led.is_ok()) {
                 return Ok(());
             }
-            let Err(other_n) = c.guessed(pressure, terminal) else { return Ok(()) };
-            // A muscle that pulls is the one at rest length, shortened: there the guess is better than at a large bulge.
-            let pulls = c.body.expected_pull(pressure, contraction).is_some_and(|force| force > 0.0);
-            let shortened = pulls && !B::SETTINGS.take_unstable && c.shorten(pressure, terminal).is_ok();
+            let Err(other_n) = c.guessed(pressure, terminal) else {
+                return Ok(());
+            };
+            // A muscle that pulls is the one at rest length, shortened: there the guess is better
+            // than at a large bulge.
+            let pulls = c
+                .body
+                .expected_pull(pressure, contraction)
+                .is_some_and(|force| force > 0.0);
+            let shortened =
+                pulls && !B::SETTINGS.take_unstable && c.shorten(pressure, terminal).is_ok();
             if shortened && c.body.certain() {
                 return Ok(());
             }
@@ -207,7 +247,8 @@ impl<B: Body> Continuation<B> {
                     reached.or_else(|end| {
                         // In a straight line of pressure and length.
                         c.body.rest();
-                        c.walk(pressure, terminal, B::SETTINGS.first_step).map_err(|_| end)
+                        c.walk(pressure, terminal, B::SETTINGS.first_step)
+                            .map_err(|_| end)
                     })
                 }
                 None => c.lead_down(pressure, terminal),
@@ -227,14 +268,20 @@ impl<B: Body> Continuation<B> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
         self.within(pressure, contraction, |c| {
-            c.long_way(pressure, terminal, false).map_err(|end| (end, None))
+            c.long_way(pressure, terminal, false)
+                .map_err(|end| (end, None))
         })
     }
 
     fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
         let known = -LARGEST_CONTRACTION < contraction && contraction < LARGEST_CONTRACTION;
-        let question = FemError::Question { pressure_mpa, contraction };
-        (pressure_mpa.is_finite() && known).then_some(()).ok_or(question)
+        let question = FemError::Question {
+            pressure_mpa,
+            contraction,
+        };
+        (pressure_mpa.is_finite() && known)
+            .then_some(())
+            .ok_or(question)
     }
 
     /// Seeks an equilibrium within the factorisations that its question may cost.
@@ -253,14 +300,25 @@ impl<B: Body> Continuation<B> {
             if let Stopped::Cancelled(cancelled) = reason {
                 return FemError::Cancelled(cancelled);
             }
-            let pulls = self.body.expected_pull(pressure_mpa, contraction).is_some_and(|force| force > 0.0);
+            let pulls = self
+                .body
+                .expected_pull(pressure_mpa, contraction)
+                .is_some_and(|force| force > 0.0);
             let status = match other_n {
                 Some(_) => Status::OtherBranch,
                 None if pulls => Status::NotConverged,
                 None => Status::Collapsed,
             };
             let iterations = self.effort.iterations - before;
-            FemError::Path { status, pressure_mpa, contraction, reason, iterations, last, other_n }
+            FemError::Path {
+                status,
+                pressure_mpa,
+                contraction,
+                reason,
+                iterations,
+                last,
+                other_n,
+            }
         })?;
         self.keep();
         Ok(())
@@ -270,7 +328,10 @@ impl<B: Body> Continuation<B> {
         let (near, half) = (B::SETTINGS, self.body.half_length());
         let distance = |s: &State| {
             let p = (s.pressure - pressure).abs() / (s.pressure.abs().max(pressure.abs()) + 1e-12);
-            (p / near.near_pressure, (s.terminal - terminal).abs() / half / near.near_contraction)
+            (
+                p / near.near_pressure,
+                (s.terminal - terminal).abs() / half / near.near_contraction,
+            )
         };
         let nearest = self
             .kept
@@ -278,18 +339,26 @@ impl<B: Body> Continuation<B> {
             .map(|s| (distance(s), s))
             .filter(|((p, e), _)| *p < 1.0 && *e < 1.0)
             .min_by(|((p, e), _), ((q, f), _)| (p + e).total_cmp(&(q + f)));
-        let Some((_, state)) = nearest else { return false };
+        let Some((_, state)) = nearest else {
+            return false;
+        };
         let neighbour = self.body.linearised_here() && self.body.state() == state;
         self.body.state_mut().copy_from(state);
         self.body.state_mut().pressure = pressure;
-        let options = NewtonOptions { neighbour, ..self.newton };
-        self.solve_by(Control::Length(terminal), options).is_ok() && self.stable() && self.body.certain()
+        let options = NewtonOptions {
+            neighbour,
+            ..self.newton
+        };
+        self.solve_by(Control::Length(terminal), options).is_ok()
+            && self.stable()
+            && self.body.certain()
     }
 
     /// One step from the first guesses to the answer.
     ///
     /// # Errors
-    /// The pull in N of an equilibrium with slack strands, if there is one: which branch it is on must be found out.
+    /// The pull in N of an equilibrium with slack strands, if there is one: which branch it is on
+    /// must be found out.
     pub(super) fn guessed(&mut self, pressure: f64, terminal: f64) -> Result<(), Option<f64>> {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
@@ -309,6 +378,9 @@ impl<B: Body> Continuation<B> {
     /// That the path ends at the present equilibrium.
     pub(super) fn interrupted(&mut self, reason: Stopped) -> Interrupted {
         self.base.copy_from(self.body.state());
-        Interrupted { reason, last: self.last() }
+        Interrupted {
+            reason,
+            last: self.last(),
+        }
     }
 }

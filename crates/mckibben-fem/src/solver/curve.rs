@@ -1,4 +1,5 @@
-//! The isometric test of a muscle. Every point carries a status: one that has no equilibrium does not end the others.
+//! The isometric test of a muscle. Every point carries a status: one that has no equilibrium does
+//! not end the others.
 
 use super::body::{Body, Control};
 use super::continuation::Continuation;
@@ -55,7 +56,9 @@ pub type Curve = Vec<Result<CurvePoint>>;
 /// From the last points of the path to the pressure; whether that is the answer there.
 fn follow_trail<B: Body>(c: &mut Continuation<B>, contraction: f64, pressure_mpa: f64) -> bool {
     let held = Control::Length(-contraction * c.body.half_length());
-    let predicted = c.trail.predict(Along::Pressure, pressure_mpa, c.body.state_mut());
+    let predicted = c
+        .trail
+        .predict(Along::Pressure, pressure_mpa, c.body.state_mut());
     predicted && c.solve(held).is_ok() && c.stable_under(held) && c.body.certain()
 }
 
@@ -66,7 +69,8 @@ pub(crate) fn falling(values: &[f64]) -> Vec<usize> {
     order
 }
 
-/// Visits the pressures in MPa from the highest down: from what the last points predict where that works, else anew. `complete` adds to a point.
+/// Visits the pressures in MPa from the highest down: from what the last points predict where that
+/// works, else anew. `complete` adds to a point.
 pub(crate) fn isometric<B: Body>(
     c: &mut Continuation<B>,
     contraction: f64,
@@ -87,7 +91,11 @@ pub(crate) fn isometric<B: Body>(
         }
         let before = c.effort;
         let followed = running && follow_trail(c, contraction, pressure_mpa);
-        let point = if followed { Ok(()) } else { c.reach(pressure_mpa, contraction) };
+        let point = if followed {
+            Ok(())
+        } else {
+            c.reach(pressure_mpa, contraction)
+        };
         if !followed {
             // Where strands are slack the next point is none of this path.
             running = point.is_ok() && (B::SETTINGS.take_unstable || c.body.certain());

@@ -3,10 +3,12 @@
 use crate::element::lanes::four_at_a_time;
 
 four_at_a_time! {
-    /// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
+    /// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle
+    /// is stored by rows.
     ///
-    /// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k behind it; the rest holds the
-    /// Schur complement. Gives the number of negative pivots, or the pivot that is zero or no number.
+    /// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k
+    /// behind it; the rest holds the Schur complement. Gives the number of negative pivots, or the
+    /// pivot that is zero or no number.
     ///
     /// No pivots are exchanged: systems are ordered and augmented so that none need be.
     pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> = sized
@@ -47,11 +49,15 @@ fn run(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
     Ok(negative)
 }
 
-/// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and what they act on.
+/// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and
+/// what they act on.
 pub fn forward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {
     for k in 0..eliminated {
         let value = y[k];
-        for (x, l) in y[k + 1..size].iter_mut().zip(&a[k * size + k + 1..(k + 1) * size]) {
+        for (x, l) in y[k + 1..size]
+            .iter_mut()
+            .zip(&a[k * size + k + 1..(k + 1) * size])
+        {
             *x -= l * value;
         }
     }
@@ -61,7 +67,11 @@ pub fn forward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {
 pub fn backward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {
     for k in (0..eliminated).rev() {
         let row = &a[k * size..(k + 1) * size];
-        let sum: f64 = y[k + 1..size].iter().zip(&row[k + 1..]).map(|(x, l)| l * x).sum();
+        let sum: f64 = y[k + 1..size]
+            .iter()
+            .zip(&row[k + 1..])
+            .map(|(x, l)| l * x)
+            .sum();
         y[k] = y[k] / row[k] - sum;
     }
 }

@@ -3,7 +3,8 @@
 use super::body::State;
 use super::newton::Interrupted;
 
-/// A step is continuous if Newton's method moves no node further than this share of the radius from where the steps before predict it.
+/// A step is continuous if Newton's method moves no node further than this share of the radius from
+/// where the steps before predict it.
 pub(super) const CONTINUOUS: f64 = 0.05;
 /// Share of the highest pressure that is tried first.
 const FIRST: f64 = 0.1;
@@ -12,7 +13,8 @@ const AIM: f64 = 0.5;
 /// By what factor a step may be larger than the one before.
 const GROWTH: f64 = 4.0;
 
-/// By what factor the next step is larger where the last one `missed` its prediction: that grows with the square of a step.
+/// By what factor the next step is larger where the last one `missed` its prediction: that grows
+/// with the square of a step.
 pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
     (AIM * reach / missed).sqrt().clamp(1.0, GROWTH)
 }
@@ -34,10 +36,14 @@ pub(super) struct Descent {
 impl Descent {
     /// Forgets everything; the next one runs at this displacement.
     pub(super) fn begin(&mut self, terminal: f64) {
-        *self = Self { terminal: Some(terminal), ..Self::default() };
+        *self = Self {
+            terminal: Some(terminal),
+            ..Self::default()
+        };
     }
 
-    /// Adds a station with its pull in N, and the share of the radius by which its prediction missed it.
+    /// Adds a station with its pull in N, and the share of the radius by which its prediction
+    /// missed it.
     pub(super) fn push(&mut self, state: &State, pull: f64, missed: f64) {
         self.stations.push(state.clone());
         self.pulls.push(pull);
@@ -61,13 +67,18 @@ impl Descent {
 
     /// The last station whose pressure is not below one in MPa; the first where there is none.
     pub(super) fn above(&self, pressure: f64) -> usize {
-        self.stations.iter().rposition(|s| s.pressure >= pressure).unwrap_or(0)
+        self.stations
+            .iter()
+            .rposition(|s| s.pressure >= pressure)
+            .unwrap_or(0)
     }
 
     /// The step in MPa that is tried next.
     pub(super) fn step(&self) -> f64 {
         match &self.stations[..] {
-            [.., before, last] => growth_of_step(self.missed, CONTINUOUS) * (before.pressure - last.pressure),
+            [.., before, last] => {
+                growth_of_step(self.missed, CONTINUOUS) * (before.pressure - last.pressure)
+            }
             [only] => FIRST * only.pressure,
             [] => 0.0,
         }
@@ -78,7 +89,11 @@ impl Descent {
         let last = &self.stations[above];
         out.copy_from(last);
         if let Some(next) = self.stations.get(above + 1) {
-            out.extrapolate(last, next, (last.pressure - pressure) / (next.pressure - last.pressure));
+            out.extrapolate(
+                last,
+                next,
+                (last.pressure - pressure) / (next.pressure - last.pressure),
+            );
         }
         out.pressure = pressure;
     }
@@ -87,7 +102,11 @@ impl Descent {
     pub(super) fn predict(&self, pressure: f64, out: &mut State) {
         match &self.stations[..] {
             [.., before, last] => {
-                out.extrapolate(last, before, (last.pressure - pressure) / (before.pressure - last.pressure));
+                out.extrapolate(
+                    last,
+                    before,
+                    (last.pressure - pressure) / (before.pressure - last.pressure),
+                );
             }
             [only] => out.copy_from(only),
             [] => {}

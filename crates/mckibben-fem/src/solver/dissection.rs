@@ -1,11 +1,13 @@
 //! Geometric nested dissection of a structured grid (George 1973 \[george1973\]).
 //!
-//! A box of grid lines is cut by one line across its longer side; the two halves come first, the line last. Only the two
-//! longer directions of a tube's wall are cut: what lies through the wall stays together.
+//! A box of grid lines is cut by one line across its longer side; the two halves come first, the
+//! line last. Only the two longer directions of a tube's wall are cut: what lies through the wall
+//! stays together.
 
 use std::ops::Range;
 
-/// Grid lines around and along, and how far apart lines are that separate (1 for linear, 2 for quadratic elements).
+/// Grid lines around and along, and how far apart lines are that separate (1 for linear, 2 for
+/// quadratic elements).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sheet {
     /// Lines around.
@@ -36,14 +38,24 @@ impl Sheet {
             let across = |j: &Range<usize>| line(j).map(|m| (m, false));
             let along = |k: &Range<usize>| line(k).map(|m| (m, true));
             let longer = k.len() >= j.len();
-            let cut =
-                if longer { along(&k).or_else(|| across(&j)) } else { across(&j).or_else(|| along(&k)) };
+            let cut = if longer {
+                along(&k).or_else(|| across(&j))
+            } else {
+                across(&j).or_else(|| along(&k))
+            };
             if let Some((m, along)) = cut {
                 let all = if along { &mut k } else { &mut j };
                 let halves = [all.start..m, m + 1..all.end];
                 *all = m..m + 1;
                 for half in halves {
-                    self.cut(if along { (j.clone(), half) } else { (half, k.clone()) }, out);
+                    self.cut(
+                        if along {
+                            (j.clone(), half)
+                        } else {
+                            (half, k.clone())
+                        },
+                        out,
+                    );
                 }
             }
         }
@@ -59,8 +71,14 @@ mod tests {
 
     #[test]
     fn every_point_comes_once() {
-        for (around, along, stride) in [(1, 1, 1), (13, 39, 1), (25, 78, 2), (2, 100, 1), (3, 7, 2)] {
-            let mut all = Sheet { around, along, stride }.order();
+        for (around, along, stride) in [(1, 1, 1), (13, 39, 1), (25, 78, 2), (2, 100, 1), (3, 7, 2)]
+        {
+            let mut all = Sheet {
+                around,
+                along,
+                stride,
+            }
+            .order();
             assert_eq!(all.len(), around * along);
             all.sort_unstable();
             all.dedup();

@@ -1,8 +1,11 @@
-//! Dense kernels of the sparse factorisation: C = [C] − A D Bᵀ, and the division of rows by a small triangle. Matrices by columns.
+//! Dense kernels of the sparse factorisation: C = [C] − A D Bᵀ, and the division of rows by a small
+//! triangle. Matrices by columns.
 //!
-//! A tile of C stays in registers while it runs along A's and B's columns. A strip of B stays in the first cache while it runs down
-//! A, a block of A in the second while strips pass (Goto & van de Geijn 2008 \[goto2008\]). With A and Bᵀ by columns a tile reads both
-//! side by side as they are; a block of A that many strips pass is copied tile by tile. The order of the sums depends on the sizes alone.
+//! A tile of C stays in registers while it runs along A's and B's columns. A strip of B stays in
+//! the first cache while it runs down A, a block of A in the second while strips pass (Goto & van
+//! de Geijn 2008 \[goto2008\]). With A and Bᵀ by columns a tile reads both side by side as they
+//! are; a block of A that many strips pass is copied tile by tile. The order of the sums depends on
+//! the sizes alone.
 
 use crate::element::lanes::{Real, Width, on_lanes};
 
@@ -55,7 +58,11 @@ pub(super) struct Kernel {
 impl Kernel {
     /// For lanes that the processor has.
     pub fn new(width: Width) -> Self {
-        Self { width, copy: vec![], strip: vec![0.0; STRIP * DEPTH] }
+        Self {
+            width,
+            copy: vec![],
+            strip: vec![0.0; STRIP * DEPTH],
+        }
     }
 
     /// Columns of a strip.
@@ -108,7 +115,10 @@ fn product<R: Real>(
         let keep = factors.keep || first > 0;
         for top in (0..factors.rows).step_by(TILES * tile) {
             let rows = (TILES * tile).min(factors.rows - top);
-            let block = Matrix { values: &a.values[first * a.stride + top..], stride: a.stride };
+            let block = Matrix {
+                values: &a.values[first * a.stride + top..],
+                stride: a.stride,
+            };
             let copied = factors.columns >= COPIED.0 * most && depth >= COPIED.1;
             if copied {
                 copy_tiles::<R>(copy, block, rows, depth);
@@ -118,14 +128,31 @@ fn product<R: Real>(
                 let left = factors.columns - j;
                 let count = left.div_ceil(left.div_ceil(most));
                 // The first tile with rows that are wanted.
-                let begin = if factors.lower { j.saturating_sub(top) / tile * tile } else { 0 };
+                let begin = if factors.lower {
+                    j.saturating_sub(top) / tile * tile
+                } else {
+                    0
+                };
                 if begin >= rows {
                     break;
                 }
                 let work = Strip {
-                    left: if copied { Matrix { values: copy, stride: 0 } } else { block },
-                    right: Matrix { values: &b.values[first * b.stride + j..], stride: b.stride },
-                    pivots: d.map(|d| Matrix { values: &d.values[first * d.stride..], stride: d.stride }),
+                    left: if copied {
+                        Matrix {
+                            values: copy,
+                            stride: 0,
+                        }
+                    } else {
+                        block
+                    },
+                    right: Matrix {
+                        values: &b.values[first * b.stride + j..],
+                        stride: b.stride,
+                    },
+                    pivots: d.map(|d| Matrix {
+                        values: &d.values[first * d.stride..],
+                        stride: d.stride,
+                    }),
                     depth,
                     rows: begin..rows,
                     keep,
@@ -162,26 +189,45 @@ struct Strip<'a> {
 impl<'a> Strip<'a> {
     #[inline(always)]
     fn run<R: Real, const N: usize>(self, strip: &'a mut [f64], (c, stride): (&mut [f64], usize)) {
-        let Self { left, mut right, pivots, depth, rows, keep } = self;
+        let Self {
+            left,
+            mut right,
+            pivots,
+            depth,
+            rows,
+            keep,
+        } = self;
         let tile = VECTORS * R::LANES;
         // What a tile or two read is not worth to be copied.
         if pivots.is_some() || rows.len() > 2 * tile {
             for k in 0..depth {
-                let (from, to) = (&right.values[k * right.stride..][..N], &mut strip[k * N..][..N]);
+                let (from, to) = (
+                    &right.values[k * right.stride..][..N],
+                    &mut strip[k * N..][..N],
+                );
                 let d = pivots.map_or(1.0, |d| d.values[k * d.stride]);
                 for n in 0..N {
                     to[n] = d * from[n];
                 }
             }
-            right = Matrix { values: strip, stride: N };
+            right = Matrix {
+                values: strip,
+                stride: N,
+            };
         }
         let mut i = rows.start;
         while i < rows.end {
             let height = tile.min(rows.end - i);
             let left = if left.stride == 0 {
-                Matrix { values: &left.values[i * depth..], stride: height.next_multiple_of(R::LANES) }
+                Matrix {
+                    values: &left.values[i * depth..],
+                    stride: height.next_multiple_of(R::LANES),
+                }
             } else {
-                Matrix { values: &left.values[i..], stride: left.stride }
+                Matrix {
+                    values: &left.values[i..],
+                    stride: left.stride,
+                }
             };
             let c = (&mut c[i..], stride);
             match height.div_ceil(R::LANES) {
@@ -197,7 +243,10 @@ impl<'a> Strip<'a> {
 /// Tiles one after the other, each by columns; the last one as high as its vectors.
 #[inline(always)]
 fn copy_tiles<R: Real>(copy: &mut Vec<f64>, from: Matrix<'_>, rows: usize, depth: usize) {
-    copy.resize((rows.next_multiple_of(R::LANES) * depth).max(copy.len()), 0.0);
+    copy.resize(
+        (rows.next_multiple_of(R::LANES) * depth).max(copy.len()),
+        0.0,
+    );
     let mut i = 0;
     while i < rows {
         let height = (VECTORS * R::LANES).min(rows - i);
@@ -230,7 +279,11 @@ fn run_tile<R: Real, const V: usize, const N: usize>(
         for v in 0..V {
             let end = if v + 1 < V { (v + 1) * R::LANES } else { rows };
             let c = &mut c[v * R::LANES..end];
-            let sum = if keep { R::load(c) + less[j][v] } else { less[j][v] };
+            let sum = if keep {
+                R::load(c) + less[j][v]
+            } else {
+                less[j][v]
+            };
             sum.store(c);
         }
     }
@@ -245,7 +298,10 @@ fn less<R: Real, const V: usize, const N: usize>(
     let mut sum = [[R::splat(0.0); V]; N];
     let last = (V - 1) * R::LANES..rows;
     for k in 0..depth {
-        let (a, b) = (&a.values[k * a.stride..][..rows], &b.values[k * b.stride..][..N]);
+        let (a, b) = (
+            &a.values[k * a.stride..][..rows],
+            &b.values[k * b.stride..][..N],
+        );
         let mut x = [R::splat(0.0); V];
         for v in 0..V - 1 {
             x[v] = R::load(&a[v * R::LANES..(v + 1) * R::LANES]);
@@ -258,7 +314,8 @@ fn less<R: Real, const V: usize, const N: usize>(
             }
         }
     }
-    // A second array: where the sums themselves are read column by column the compiler keeps them in memory.
+    // A second array: where the sums themselves are read column by column the compiler keeps them
+    // in memory.
     let mut less = [[R::splat(0.0); V]; N];
     for j in 0..N {
         for v in 0..V {
@@ -283,7 +340,11 @@ fn divide<R: Real>(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
 }
 
 #[inline(always)]
-fn divide_by<R: Real, const N: usize>((x, stride): (&mut [f64], usize), rows: usize, by: &Triangle) {
+fn divide_by<R: Real, const N: usize>(
+    (x, stride): (&mut [f64], usize),
+    rows: usize,
+    by: &Triangle,
+) {
     let mut i = 0;
     while i < rows {
         let end = rows.min(i + R::LANES);
@@ -308,23 +369,43 @@ mod tests {
 
     /// Small whole numbers, whose products and sums are exact in any order.
     fn numbers(count: usize, seed: usize) -> Vec<f64> {
-        (0..count).map(|i| ((i * 37 + seed * 11) % 17) as f64 - 8.0).collect()
+        (0..count)
+            .map(|i| ((i * 37 + seed * 11) % 17) as f64 - 8.0)
+            .collect()
     }
 
-    /// The product against three loops; where only the lower half is wanted, that half. Rows above and below C are left as they are.
-    fn check(width: Width, [rows, columns, depth]: [usize; 3], (keep, lower, pivots): (bool, bool, bool)) {
+    /// The product against three loops; where only the lower half is wanted, that half. Rows above
+    /// and below C are left as they are.
+    fn check(
+        width: Width,
+        [rows, columns, depth]: [usize; 3],
+        (keep, lower, pivots): (bool, bool, bool),
+    ) {
         let (sa, sb, sc) = (rows + 3, columns + 1, rows + 2);
-        let (a, b, d) = (numbers(sa * depth, 1), numbers(sb * depth, 2), numbers(2 * depth, 3));
+        let (a, b, d) = (
+            numbers(sa * depth, 1),
+            numbers(sb * depth, 2),
+            numbers(2 * depth, 3),
+        );
         let before = numbers(sc * columns, 4);
         let mut c = before.clone();
         let matrix = |values, stride| Matrix { values, stride };
         let by = pivots.then_some(matrix(&d, 2));
-        let factors =
-            Product { a: matrix(&a, sa), b: matrix(&b, sb), d: by, rows, columns, depth, keep, lower };
+        let factors = Product {
+            a: matrix(&a, sa),
+            b: matrix(&b, sb),
+            d: by,
+            rows,
+            columns,
+            depth,
+            keep,
+            lower,
+        };
         Kernel::new(width).product((&mut c, sc), factors);
         for (at, value) in c.iter().enumerate() {
             let (i, j) = (at % sc, at / sc);
-            let one = |k: usize| a[k * sa + i] * b[k * sb + j] * if pivots { d[2 * k] } else { 1.0 };
+            let one =
+                |k: usize| a[k * sa + i] * b[k * sb + j] * if pivots { d[2 * k] } else { 1.0 };
             let wanted = if i < rows {
                 (if keep { before[at] } else { 0.0 }) - (0..depth).map(one).sum::<f64>()
             } else {
@@ -359,7 +440,11 @@ mod tests {
     fn products_larger_than_a_block_are_those_of_three_loops() {
         each_width(|width| {
             for lower in [false, true] {
-                check(width, [TILES * VECTORS * 8 + 37, 61, DEPTH + 9], (false, lower, true));
+                check(
+                    width,
+                    [TILES * VECTORS * 8 + 37, 61, DEPTH + 9],
+                    (false, lower, true),
+                );
                 check(width, [257, 256, 48], (true, lower, false));
             }
         });

@@ -37,26 +37,39 @@ impl<B: Body> Continuation<B> {
         }
         let above = self.descent.above(pressure);
         self.descent.between(above, pressure, self.body.state_mut());
-        if self.solve_within(Control::Length(terminal), CONTINUOUS).is_err() || !self.stable() {
-            self.body.state_mut().copy_from(&self.descent.stations[above]);
+        if self
+            .solve_within(Control::Length(terminal), CONTINUOUS)
+            .is_err()
+            || !self.stable()
+        {
+            self.body
+                .state_mut()
+                .copy_from(&self.descent.stations[above]);
             self.follow(pressure, terminal)?;
         }
-        self.lowered(above + 1).map_err(|reason| self.interrupted(reason))
+        self.lowered(above + 1)
+            .map_err(|reason| self.interrupted(reason))
     }
 
-    /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where a descent begins.
+    /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where
+    /// a descent begins.
     fn begin_descent(&mut self, terminal: f64) {
         self.descent.begin(terminal);
         let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
-        let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
+        let pressures =
+            || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
         let tight = pressures().any(|taut| self.tight_guess(taut, terminal))
-            || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
+            || pressures()
+                .step_by(2)
+                .any(|taut| self.tighten(taut, terminal).is_ok());
         if tight {
-            self.descent.push(self.body.state(), self.body.totals().pull, 0.0);
+            self.descent
+                .push(self.body.state(), self.body.totals().pull, 0.0);
         }
     }
 
-    /// The next station of a descent, by the largest step that is continuous. Its stations depend on the length alone.
+    /// The next station of a descent, by the largest step that is continuous. Its stations depend
+    /// on the length alone.
     fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
         let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
         let (from, mut step) = (self.descent.lowest(), self.descent.step());
@@ -66,7 +79,11 @@ impl<B: Body> Continuation<B> {
             let solved = self.solve_within(Control::Length(terminal), CONTINUOUS);
             match solved.and_then(|()| self.lowered(usize::MAX)) {
                 Ok(()) => {
-                    self.descent.push(self.body.state(), self.body.totals().pull, self.effort.moved);
+                    self.descent.push(
+                        self.body.state(),
+                        self.body.totals().pull,
+                        self.effort.moved,
+                    );
                     return Ok(());
                 }
                 Err(reason) => {
@@ -105,20 +122,38 @@ impl<B: Body> Continuation<B> {
         Err(self.interrupted(Stopped::Unstable))
     }
 
-    /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
+    /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it
+    /// continues.
     pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         self.body.rest();
-        self.walk_in_steps(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.walk_in_steps(
+            pressure,
+            0.0,
+            B::SETTINGS.first_step_down,
+            SMALLEST_CONTINUOUS,
+            CONTINUOUS,
+        )?;
         self.follow(pressure, terminal)
     }
 
     /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
     fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.walk_in_steps(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
-        if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
+        self.walk_in_steps(
+            pressure,
+            terminal,
+            B::SETTINGS.first_step_down,
+            SMALLEST_CONTINUOUS,
+            CONTINUOUS,
+        )?;
+        if self.stable() {
+            Ok(())
+        } else {
+            Err(self.interrupted(Stopped::Unstable))
+        }
     }
 
-    /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it does, its tube has folded.
+    /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it
+    /// does, its tube has folded.
     fn lowered(&self, stations: usize) -> Result<(), Stopped> {
         let folded = self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain();
         if folded { Err(Stopped::Branch) } else { Ok(()) }

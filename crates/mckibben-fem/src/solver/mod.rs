@@ -1,4 +1,5 @@
-//! Linear and non-linear solvers, and the continuation that leads any body from equilibrium to equilibrium.
+//! Linear and non-linear solvers, and the continuation that leads any body from equilibrium to
+//! equilibrium.
 
 pub mod body;
 pub mod chain;

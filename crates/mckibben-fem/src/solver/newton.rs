@@ -1,7 +1,8 @@
 //! Newton's method with a tangent that may serve twice.
 //!
-//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then computed
-//! alone, and where it is a little above, the old tangent corrects once more. Nothing is allocated.
+//! The last correction of a solve is usually so small that the next residual is below the
+//! tolerance: it is then computed alone, and where it is a little above, the old tangent corrects
+//! once more. Nothing is allocated.
 
 use mckibben::cancel::Cancelled;
 use thiserror::Error;
@@ -20,7 +21,8 @@ pub trait NewtonSystem {
     /// Solves with the last tangent and moves on; gives the relative size of the correction.
     fn correct(&mut self) -> Result<f64>;
 
-    /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from there.
+    /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from
+    /// there.
     fn retreat(&mut self, keep: f64);
 }
 
@@ -95,7 +97,8 @@ pub struct NewtonOptions {
     pub iterations: usize,
     /// Below this correction the residual is computed before a new tangent.
     pub small: f64,
-    /// Above this sum of corrections the iteration is given up: the answer would not continue where it began.
+    /// Above this sum of corrections the iteration is given up: the answer would not continue where
+    /// it began.
     pub reach: f64,
     /// Most factorisations of one solve.
     pub factorisations: usize,
@@ -135,8 +138,8 @@ const LARGE: f64 = 50.0;
 const ROUNDING: f64 = 1e-11;
 const ROUNDING_RESIDUAL: f64 = 1e-8;
 
-/// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also where it fails.
-/// `watch` sees every residual and may end the iteration.
+/// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also
+/// where it fails. `watch` sees every residual and may end the iteration.
 ///
 /// # Errors
 /// [`Stopped`]; the system then holds an iterate that is no answer.
@@ -179,7 +182,8 @@ pub fn solve(
             watch(next)?;
             let gain = next / norm;
             norm = next;
-            // One more turn with the old tangent where that is likely to be the last (modified Newton method).
+            // One more turn with the old tangent where that is likely to be the last (modified
+            // Newton method).
             if norm > options.tolerance && gain * norm <= options.tolerance {
                 effort.iterations += 1;
                 effort.moved += system.correct()?;

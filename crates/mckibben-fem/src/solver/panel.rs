@@ -1,7 +1,8 @@
 //! L Lᵀ and L D Lᵀ of a panel: some columns of a symmetric matrix from the diagonal down.
 //!
-//! Left-looking in strips of a few columns (Davis 2006 \[davis2006b\], ch. 4): a strip takes off what the columns before it add,
-//! then its triangle on the diagonal is factorised, and the rows below are divided by it:
+//! Left-looking in strips of a few columns (Davis 2006 \[davis2006b\], ch. 4): a strip takes off
+//! what the columns before it add, then its triangle on the diagonal is factorised, and the rows
+//! below are divided by it:
 //!
 //! ```text
 //! l_qq² = a_qq,  x_iq = (a_iq − Σ_p<q x_ip l_qp)/l_qq      d_q = a_qq,  x_iq = (a_iq − Σ_p<q x_ip d_p l_qp)/d_q
@@ -41,8 +42,14 @@ impl Panel<'_> {
             let (done, strip) = self.values.split_at_mut(columns.start * stride);
             let top = rows.start.max(columns.start);
             if columns.start > 0 {
-                let part = |row| Matrix { values: &done[row..], stride };
-                let d = Matrix { values: &*done, stride: stride + 1 };
+                let part = |row| Matrix {
+                    values: &done[row..],
+                    stride,
+                };
+                let d = Matrix {
+                    values: &*done,
+                    stride: stride + 1,
+                };
                 let factors = Product {
                     a: part(top),
                     b: part(columns.start),
@@ -79,7 +86,11 @@ fn pivot(form: Form, strip: &mut [f64], stride: usize, count: usize) -> Result<(
     }
     for q in 0..count {
         let d = a[q][q];
-        let good = if form == Form::Positive { d > 0.0 } else { d != 0.0 };
+        let good = if form == Form::Positive {
+            d > 0.0
+        } else {
+            d != 0.0
+        };
         if !(good && d.is_finite()) {
             return Err(q);
         }
@@ -108,7 +119,10 @@ fn pivot(form: Form, strip: &mut [f64], stride: usize, count: usize) -> Result<(
 
 /// What rows below a factorised triangle are divided by.
 fn triangle(form: Form, strip: &[f64], stride: usize, count: usize) -> Triangle {
-    let mut by = Triangle { count, ..Triangle::default() };
+    let mut by = Triangle {
+        count,
+        ..Triangle::default()
+    };
     for p in 0..count {
         let d = strip[p * stride + p];
         by.share[p] = 1.0 / d;

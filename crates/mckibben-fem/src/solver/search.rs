@@ -1,6 +1,7 @@
 //! Equilibria with a given pull: the contraction or the pressure is sought.
 //!
-//! Single equilibria at given pressures and contractions lead near; from there Newton's method runs with the pull held.
+//! Single equilibria at given pressures and contractions lead near; from there Newton's method runs
+//! with the pull held.
 
 use super::body::{Body, Control};
 use super::continuation::{Continuation, LARGEST_CONTRACTION};
@@ -12,7 +13,8 @@ use mckibben::cancel;
 const SEARCH_STEPS: usize = 12;
 /// Largest step of the contraction on that way.
 const SEARCH_CONTRACTION: f64 = 0.05;
-/// A contraction or a pressure without an equilibrium is followed by this share of it, or its reciprocal.
+/// A contraction or a pressure without an equilibrium is followed by this share of it, or its
+/// reciprocal.
 const NEARER: f64 = 0.75;
 /// Factorisations on the way to the end of what a muscle can carry.
 const BUDGET_TO_THE_END: usize = 250;
@@ -20,25 +22,33 @@ const BUDGET_TO_THE_END: usize = 250;
 const SAME_PULL: f64 = 1e-6;
 
 impl<B: Body> Continuation<B> {
-    /// Finds the equilibrium with a pull in N at a pressure in MPa by Newton's method with the pull held; its contraction is sought.
+    /// Finds the equilibrium with a pull in N at a pressure in MPa by Newton's method with the pull
+    /// held; its contraction is sought.
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::OutOfReach`] where the muscle cannot carry that pull.
     pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<()> {
         let mut contraction = self.body.guess_contraction(force, pressure)?;
         let length = 2.0 * self.body.half_length();
-        let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
+        let mut refused = FemError::Force {
+            force_n: force,
+            reason: Stopped::Iterations,
+        };
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
                 cancel::check()?;
-                // Too far: where a muscle would push there may be no equilibrium. Its pulling ones lie nearer to rest.
+                // Too far: where a muscle would push there may be no equilibrium. Its pulling ones
+                // lie nearer to rest.
                 refused = error;
                 contraction *= NEARER;
                 continue;
             }
             let pull = self.pull();
             match self.hold(Control::Force(force)) {
-                Ok(true) if self.contraction().abs() < LARGEST_CONTRACTION && self.is_that_of(force)? => {
+                Ok(true)
+                    if self.contraction().abs() < LARGEST_CONTRACTION
+                        && self.is_that_of(force)? =>
+                {
                     self.keep();
                     return Ok(());
                 }
@@ -55,18 +65,28 @@ impl<B: Body> Continuation<B> {
         Err(self.out_of_reach(force, pressure).unwrap_or(refused))
     }
 
-    /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
+    /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held;
+    /// its pressure is sought.
     pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<()> {
         let guess = self.body.guess_pressure(force, contraction)?;
         self.reach_pressure_from(guess, force, contraction)
     }
 
     /// The same from a pressure in MPa near to it.
-    pub fn reach_pressure_from(&mut self, mut pressure: f64, force: f64, contraction: f64) -> Result<()> {
+    pub fn reach_pressure_from(
+        &mut self,
+        mut pressure: f64,
+        force: f64,
+        contraction: f64,
+    ) -> Result<()> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
-        let mut refused = FemError::Force { force_n: force, reason: Stopped::Iterations };
-        // The highest pressure without an equilibrium: a shortened muscle may have none before its strands are taut.
+        let mut refused = FemError::Force {
+            force_n: force,
+            reason: Stopped::Iterations,
+        };
+        // The highest pressure without an equilibrium: a shortened muscle may have none before its
+        // strands are taut.
         let mut without = f64::NEG_INFINITY;
         let mut with = None;
         for _ in 0..SEARCH_STEPS {
@@ -74,7 +94,9 @@ impl<B: Body> Continuation<B> {
                 cancel::check()?;
                 refused = error;
                 without = without.max(pressure);
-                pressure = with.map_or(pressure.abs() / NEARER + scale, |p: f64| 0.5 * (p + pressure));
+                pressure = with.map_or(pressure.abs() / NEARER + scale, |p: f64| {
+                    0.5 * (p + pressure)
+                });
                 continue;
             }
             with = Some(pressure);
@@ -91,8 +113,17 @@ impl<B: Body> Continuation<B> {
             let slope = self.body.force_per_pressure();
             let largest = 0.5 * pressure.abs() + scale;
             let step = (force - pull) / slope;
-            let next = pressure + if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
-            pressure = if next > without { next } else { 0.5 * (pressure + without) };
+            let next = pressure
+                + if slope > 0.0 {
+                    step.clamp(-largest, largest)
+                } else {
+                    largest
+                };
+            pressure = if next > without {
+                next
+            } else {
+                0.5 * (pressure + without)
+            };
         }
         Err(refused)
     }
@@ -105,7 +136,10 @@ impl<B: Body> Continuation<B> {
         let (pressure, contraction) = (self.body.state().pressure, self.contraction());
         self.reach(pressure, contraction)?;
         Ok((self.pull() - force).abs()
-            <= SAME_PULL * force.abs().max(self.body.force_per_pressure().abs() * pressure))
+            <= SAME_PULL
+                * force
+                    .abs()
+                    .max(self.body.force_per_pressure().abs() * pressure))
     }
 
     /// Solves and says whether the equilibrium is stable.
@@ -113,7 +147,8 @@ impl<B: Body> Continuation<B> {
         self.solve(control).map(|()| self.stable_under(control))
     }
 
-    /// The refusal of a pull that lies beyond what the muscle reaches when it is stretched or shortened as far as it goes.
+    /// The refusal of a pull that lies beyond what the muscle reaches when it is stretched or
+    /// shortened as far as it goes.
     fn out_of_reach(&mut self, force_n: f64, pressure_mpa: f64) -> Option<FemError> {
         self.reach(pressure_mpa, 0.0).ok()?;
         let sign = if force_n > self.pull() { 1.0 } else { -1.0 };

@@ -1,7 +1,9 @@
-//! Sparse symmetric systems: Cholesky's factorisation, LDLᵀ where the matrix is not positive definite.
+//! Sparse symmetric systems: Cholesky's factorisation, LDLᵀ where the matrix is not positive
+//! definite.
 //!
-//! The pattern is analysed once (`super::symbolic`); values are filled in and factorised again and again (`super::supernodal`), on one
-//! thread: simulations run side by side. Unknowns are eliminated in the order in which they are numbered.
+//! The pattern is analysed once (`super::symbolic`); values are filled in and factorised again and
+//! again (`super::supernodal`), on one thread: simulations run side by side. Unknowns are
+//! eliminated in the order in which they are numbered.
 
 pub use super::symbolic::Pattern;
 
@@ -12,7 +14,8 @@ use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::Width;
 use std::sync::Arc;
 
-/// A pattern and the places of its factors' entries: made once, shared by all matrices with that pattern.
+/// A pattern and the places of its factors' entries: made once, shared by all matrices with that
+/// pattern.
 #[derive(Debug)]
 pub struct Analysis {
     /// Places of the entries.
@@ -50,7 +53,15 @@ impl SparseCholesky {
         let numeric = Numeric::new(analysis.pattern.dimension(), width)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(entries).ok()?;
-        Some(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
+        Some(Self {
+            analysis,
+            factor,
+            numeric,
+            width,
+            memory: vec![],
+            form: None,
+            negative: 0,
+        })
     }
 
     /// Factorises the lower half of a matrix with the pattern.
@@ -61,7 +72,9 @@ impl SparseCholesky {
         let Analysis { pattern, symbolic } = &*self.analysis;
         (self.negative, self.form) = (0, None);
         let mut run = |form| {
-            let done = self.numeric.factorise(form, symbolic, (pattern, values), &mut self.factor);
+            let done = self
+                .numeric
+                .factorise(form, symbolic, (pattern, values), &mut self.factor);
             done.map(|()| form)
         };
         let form = match run(Form::Positive) {
@@ -75,7 +88,11 @@ impl SparseCholesky {
     /// Replaces a right-hand side by the solution.
     pub fn solve(&mut self, rhs: &mut [f64]) {
         if let Some(form) = self.form {
-            let factor = Factor { form, symbolic: &self.analysis.symbolic, values: &self.factor };
+            let factor = Factor {
+                form,
+                symbolic: &self.analysis.symbolic,
+                values: &self.factor,
+            };
             substitution::solve(self.width, factor, rhs, &mut self.memory);
         }
     }
@@ -83,6 +100,13 @@ impl SparseCholesky {
 
 /// Negative pivots of L D Lᵀ.
 fn negative(symbolic: &Symbolic, factor: &[f64]) -> usize {
-    let diagonal = |i: usize| factor[symbolic.values(i)].iter().step_by(symbolic.height(i) + 1);
-    (0..symbolic.count()).flat_map(diagonal).filter(|pivot| **pivot < 0.0).count()
+    let diagonal = |i: usize| {
+        factor[symbolic.values(i)]
+            .iter()
+            .step_by(symbolic.height(i) + 1)
+    };
+    (0..symbolic.count())
+        .flat_map(diagonal)
+        .filter(|pivot| **pivot < 0.0)
+        .count()
 }

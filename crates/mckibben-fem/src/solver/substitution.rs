@@ -1,4 +1,5 @@
-//! L x = b and Lᵀ x = b, supernode by supernode: forward with the columns of L, backward with the same ones as rows.
+//! L x = b and Lᵀ x = b, supernode by supernode: forward with the columns of L, backward with the
+//! same ones as rows.
 
 use super::symbolic::{Form, Symbolic};
 use crate::element::lanes::{Real, on_lanes};
@@ -64,11 +65,20 @@ fn substitute<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>)
 
 /// N unknowns from `c` on, and what their columns `l` take off below.
 #[inline(always)]
-fn forward<R: Real, const N: usize>(form: Form, (l, height): (&[f64], usize), c: usize, y: &mut [f64]) {
+fn forward<R: Real, const N: usize>(
+    form: Form,
+    (l, height): (&[f64], usize),
+    c: usize,
+    y: &mut [f64],
+) {
     let mut v = [0.0; N];
     for k in 0..N {
         let column = &l[k * height + c..][..N];
-        v[k] = if form == Form::Positive { y[c + k] / column[k] } else { y[c + k] };
+        v[k] = if form == Form::Positive {
+            y[c + k] / column[k]
+        } else {
+            y[c + k]
+        };
         y[c + k] = v[k];
         for q in k + 1..N {
             y[c + q] -= column[q] * v[k];
@@ -88,7 +98,12 @@ fn forward<R: Real, const N: usize>(form: Form, (l, height): (&[f64], usize), c:
 
 /// N unknowns from `c` on, of those below.
 #[inline(always)]
-fn backward<R: Real, const N: usize>(form: Form, (l, height): (&[f64], usize), c: usize, y: &mut [f64]) {
+fn backward<R: Real, const N: usize>(
+    form: Form,
+    (l, height): (&[f64], usize),
+    c: usize,
+    y: &mut [f64],
+) {
     let mut sum = [R::splat(0.0); N];
     let mut r = c + N;
     while r < height {

@@ -1,7 +1,9 @@
-//! The numbers of a supernodal Cholesky factorisation, in pieces of bounded work: between two pieces it can be ended.
+//! The numbers of a supernodal Cholesky factorisation, in pieces of bounded work: between two
+//! pieces it can be ended.
 //!
-//! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
-//! it takes off; then its columns are factorised, panel by panel.
+//! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then
+//! what every earlier supernode with rows in it takes off; then its columns are factorised, panel
+//! by panel.
 
 use super::kernel::{Kernel, Matrix, Product};
 use super::newton::Stopped;
@@ -34,7 +36,9 @@ pub(super) struct Numeric {
 }
 
 fn pieces(all: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
-    all.clone().step_by(size).map(move |a| a..(a + size).min(all.end))
+    all.clone()
+        .step_by(size)
+        .map(move |a| a..(a + size).min(all.end))
 }
 
 impl Numeric {
@@ -44,10 +48,18 @@ impl Numeric {
         local.try_reserve_exact(unknowns).ok()?;
         local.resize(unknowns, 0);
         let (places, product, form) = (vec![], vec![], Form::Positive);
-        Some(Self { kernel: Kernel::new(width), local, places, product, form, work: 0 })
+        Some(Self {
+            kernel: Kernel::new(width),
+            local,
+            places,
+            product,
+            form,
+            work: 0,
+        })
     }
 
-    /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
+    /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for
+    /// all of it take a second and more.
     pub fn factorise(
         &mut self,
         form: Form,
@@ -59,8 +71,11 @@ impl Numeric {
         factor.clear();
         for i in 0..s.count() {
             let (columns, height) = (s.columns(i), s.height(i));
-            let all = columns.clone().chain(s.below(i).iter().map(|r| *r as usize));
-            all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
+            let all = columns
+                .clone()
+                .chain(s.below(i).iter().map(|r| *r as usize));
+            all.enumerate()
+                .for_each(|(k, row)| self.local[row] = k as u32);
             factor.resize(s.values(i).end, 0.0);
             self.worked(columns.len() * height)?;
             let (head, block) = factor.split_at_mut(s.values(i).start);
@@ -91,7 +106,8 @@ impl Numeric {
         Ok(())
     }
 
-    /// Takes off what an earlier supernode `from` of so many columns, whose rows `inside` lie in this one's columns, adds to it.
+    /// Takes off what an earlier supernode `from` of so many columns, whose rows `inside` lie in
+    /// this one's columns, adds to it.
     fn take_off(
         &mut self,
         (from, wide): (&[f64], usize),
@@ -99,26 +115,46 @@ impl Numeric {
         (block, height): (&mut [f64], usize),
     ) -> Result<(), Stopped> {
         let stride = wide + names.len();
-        let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
+        let part = |row: usize, column: usize| Matrix {
+            values: &from[column * stride + row..],
+            stride,
+        };
         for columns in pieces(inside, COLUMNS) {
             for rows in pieces(columns.start..names.len(), ROWS) {
                 let (count, size) = (columns.len(), rows.len());
-                self.product.resize((count * size).max(self.product.len()), 0.0);
+                self.product
+                    .resize((count * size).max(self.product.len()), 0.0);
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
-                    let (a, b) =
-                        (part(wide + rows.start, depth.start), part(wide + columns.start, depth.start));
-                    let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
+                    let (a, b) = (
+                        part(wide + rows.start, depth.start),
+                        part(wide + columns.start, depth.start),
+                    );
+                    let d = Matrix {
+                        stride: stride + 1,
+                        ..part(depth.start, depth.start)
+                    };
                     let d = (self.form == Form::Indefinite).then_some(d);
                     let (keep, depth) = (depth.start > 0, depth.len());
-                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep, lower };
+                    let factors = Product {
+                        a,
+                        b,
+                        d,
+                        rows: size,
+                        columns: count,
+                        depth,
+                        keep,
+                        lower,
+                    };
                     self.kernel.product((&mut self.product, size), factors);
                     self.worked(count * size * depth)?;
                 }
                 self.places.clear();
-                self.places.extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
+                self.places
+                    .extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
                 for (j, product) in columns.clone().zip(self.product.chunks_exact(size)) {
-                    let column = &mut block[self.local[names[j] as usize] as usize * height..][..height];
+                    let column =
+                        &mut block[self.local[names[j] as usize] as usize * height..][..height];
                     let begin = j.saturating_sub(rows.start);
                     for (place, value) in self.places[begin..].iter().zip(&product[begin..]) {
                         column[*place as usize] += value;
@@ -130,30 +166,55 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(&mut self, (block, height, width): (&mut [f64], usize, usize)) -> Result<(), Stopped> {
+    fn eliminate(
+        &mut self,
+        (block, height, width): (&mut [f64], usize, usize),
+    ) -> Result<(), Stopped> {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
             let (done, block) = block.split_at_mut(first * height);
-            let part =
-                |row: usize, column: usize| Matrix { values: &done[column * height + row..], stride: height };
+            let part = |row: usize, column: usize| Matrix {
+                values: &done[column * height + row..],
+                stride: height,
+            };
             for depth in pieces(0..first, DEPTH) {
                 for rows in pieces(first..height, ROWS) {
-                    let d = Matrix { stride: height + 1, ..part(depth.start, depth.start) };
+                    let d = Matrix {
+                        stride: height + 1,
+                        ..part(depth.start, depth.start)
+                    };
                     let d = (form == Form::Indefinite).then_some(d);
                     let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
                     let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
-                    let factors = Product { a, b, d, rows: size, columns: count, depth, keep: true, lower };
-                    self.kernel.product((&mut block[rows.start..], height), factors);
+                    let factors = Product {
+                        a,
+                        b,
+                        d,
+                        rows: size,
+                        columns: count,
+                        depth,
+                        keep: true,
+                        lower,
+                    };
+                    self.kernel
+                        .product((&mut block[rows.start..], height), factors);
                     self.worked(count * size * depth)?;
                 }
             }
-            let mut panel = Panel { form, values: &mut block[first..], stride: height, count };
+            let mut panel = Panel {
+                form,
+                values: &mut block[first..],
+                stride: height,
+                count,
+            };
             let top = count.max(CHUNK).min(height - first);
             let rest = pieces(top..height - first, CHUNK);
             for rows in std::iter::once(0..top).chain(rest) {
                 let work = count * count * rows.len();
-                panel.factorise(&mut self.kernel, rows).map_err(|_| Stopped::Singular)?;
+                panel
+                    .factorise(&mut self.kernel, rows)
+                    .map_err(|_| Stopped::Singular)?;
                 self.worked(work)?;
             }
         }
@@ -171,18 +232,31 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
     use std::sync::Arc;
 
-    /// Blocks of 90 unknowns, each dense, and `last` unknowns that touch them all: supernodes below and above the widest piece. Strictly
-    /// diagonally dominant; every `negative`-th diagonal entry below zero.
+    /// Blocks of 90 unknowns, each dense, and `last` unknowns that touch them all: supernodes below
+    /// and above the widest piece. Strictly diagonally dominant; every `negative`-th diagonal entry
+    /// below zero.
     fn matrix(blocks: usize, last: usize, negative: usize) -> (Pattern, Vec<f64>) {
         const BLOCK: usize = 90;
         let (n, mut r) = (blocks * BLOCK + last, Random(3));
         let (mut columns, mut rows, mut values) = (vec![0], vec![], vec![]);
         for j in 0..n {
-            let end = if j < blocks * BLOCK { (j / BLOCK + 1) * BLOCK } else { n };
+            let end = if j < blocks * BLOCK {
+                (j / BLOCK + 1) * BLOCK
+            } else {
+                n
+            };
             for i in (j..end).chain(end.max(blocks * BLOCK)..n) {
-                let sign = if negative > 0 && j % negative == 0 { -1.0 } else { 1.0 };
+                let sign = if negative > 0 && j % negative == 0 {
+                    -1.0
+                } else {
+                    1.0
+                };
                 rows.push(i as u32);
-                values.push(if i == j { sign * n as f64 } else { r.between(-1.0, 1.0) });
+                values.push(if i == j {
+                    sign * n as f64
+                } else {
+                    r.between(-1.0, 1.0)
+                });
             }
             columns.push(rows.len() as u32);
         }
@@ -190,11 +264,13 @@ mod tests {
     }
 
     fn factorised((pattern, values): &(Pattern, Vec<f64>)) -> Result<SparseCholesky, Stopped> {
-        let mut cholesky = SparseCholesky::new(Arc::new(Analysis::new(pattern.clone()).unwrap())).unwrap();
+        let mut cholesky =
+            SparseCholesky::new(Arc::new(Analysis::new(pattern.clone()).unwrap())).unwrap();
         cholesky.factorise(values).map(|()| cholesky)
     }
 
-    /// K x for a known x gives x back, and by Sylvester's law a dominant matrix has as many negative pivots as negative diagonal entries.
+    /// K x for a known x gives x back, and by Sylvester's law a dominant matrix has as many
+    /// negative pivots as negative diagonal entries.
     #[test]
     fn systems_are_solved_and_have_the_inertia_of_their_diagonal() {
         for (blocks, last, negative) in [(5, 20, 0), (4, 700, 0), (5, 20, 7), (4, 700, 7)] {
@@ -215,9 +291,17 @@ mod tests {
                 }
             }
             cholesky.solve(&mut b);
-            let off = b.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            let off = b
+                .iter()
+                .zip(&wanted)
+                .map(|(x, y)| (x - y).abs())
+                .fold(0.0, f64::max);
             assert!(off < 1e-12, "{off}");
-            let expected = if negative > 0 { n.div_ceil(negative) } else { 0 };
+            let expected = if negative > 0 {
+                n.div_ceil(negative)
+            } else {
+                0
+            };
             assert_eq!(cholesky.negative, expected);
         }
     }
@@ -230,17 +314,24 @@ mod tests {
         let cancel = Cancel::default();
         cancel.cancel();
         let _entered = cancel.enter();
-        assert_eq!(factorised(&matrix).unwrap_err(), Stopped::Cancelled(Cancelled));
+        assert_eq!(
+            factorised(&matrix).unwrap_err(),
+            Stopped::Cancelled(Cancelled)
+        );
     }
 
-    /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by row.
+    /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by
+    /// row.
     fn sparse(
         n: usize,
         meets: impl Fn(usize, usize) -> bool,
         sign: impl Fn(usize) -> f64,
     ) -> ((Pattern, Vec<f64>), DMatrix<f64>) {
         let (mut r, mut full) = (Random(11), DMatrix::<f64>::zeros(n, n));
-        for (i, j) in (0..n).flat_map(|j| (j + 1..n).map(move |i| (i, j))).filter(|(i, j)| meets(*i, *j)) {
+        for (i, j) in (0..n)
+            .flat_map(|j| (j + 1..n).map(move |i| (i, j)))
+            .filter(|(i, j)| meets(*i, *j))
+        {
             full[(i, j)] = r.between(-1.0, 1.0);
             full[(j, i)] = full[(i, j)];
         }
@@ -258,7 +349,8 @@ mod tests {
         ((Pattern { columns, rows }, values), full)
     }
 
-    /// Bands, arrows, grids, scattered and dense matrices on every width of lanes, against a dense solution and dense eigenvalues.
+    /// Bands, arrows, grids, scattered and dense matrices on every width of lanes, against a dense
+    /// solution and dense eigenvalues.
     #[test]
     fn sparse_systems_of_many_shapes_have_the_dense_solution_and_inertia() {
         type Meets = fn(usize, usize) -> bool;
@@ -273,18 +365,29 @@ mod tests {
             (90, |i, j| (i * 31 + j * 17) % 41 == 0),
             (75, |i, j| i / 10 == j / 10 || i > 69 && j % 3 == 0),
         ];
-        let signs: [fn(usize) -> f64; 3] =
-            [|_| 1.0, |i| if i % 3 == 1 { -1.0 } else { 1.0 }, |i| if i < 20 { 1.0 } else { -1.0 }];
+        let signs: [fn(usize) -> f64; 3] = [
+            |_| 1.0,
+            |i| if i % 3 == 1 { -1.0 } else { 1.0 },
+            |i| if i < 20 { 1.0 } else { -1.0 },
+        ];
         for ((n, meets), sign) in shapes.into_iter().flat_map(|s| signs.map(|sign| (s, sign))) {
             let (matrix, full) = sparse(n, meets, sign);
             let b = DVector::from_fn(n, |i, _| 1.5 + ((i * i) as f64).sin());
             let wanted = full.clone().lu().solve(&b).unwrap();
-            let negative = full.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count();
+            let negative = full
+                .symmetric_eigenvalues()
+                .iter()
+                .filter(|x| **x < 0.0)
+                .count();
             each_width(|width| {
                 let mut cholesky = factorised(&matrix).unwrap();
                 let mut x = b.as_slice().to_vec();
                 cholesky.solve(&mut x);
-                let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+                let off = x
+                    .iter()
+                    .zip(&wanted)
+                    .map(|(x, y)| (x - y).abs())
+                    .fold(0.0, f64::max);
                 assert!(off < 1e-12 * wanted.amax(), "{width:?} {n}: {off}");
                 assert_eq!(cholesky.negative, negative);
             });
@@ -298,7 +401,10 @@ mod tests {
         for value in [0.0, f64::NAN] {
             let mut values = values.clone();
             values[pattern.columns[33] as usize] = value;
-            assert_eq!(factorised(&(pattern.clone(), values)).unwrap_err(), Stopped::Singular);
+            assert_eq!(
+                factorised(&(pattern.clone(), values)).unwrap_err(),
+                Stopped::Singular
+            );
         }
     }
 }

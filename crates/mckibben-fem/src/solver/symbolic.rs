@@ -1,16 +1,18 @@
-//! Places of the entries of a Cholesky factor: columns with the same rows below them, side by side, are one supernode.
+//! Places of the entries of a Cholesky factor: columns with the same rows below them, side by side,
+//! are one supernode.
 //!
-//! Unknowns are eliminated in the order in which they are numbered. Column j of L has the rows of A's column and those of its children in
-//! the elimination tree (Liu 1990 \[liu1990\]),
+//! Unknowns are eliminated in the order in which they are numbered. Column j of L has the rows of
+//! A's column and those of its children in the elimination tree (Liu 1990 \[liu1990\]),
 //!
 //! ```text
 //! struct(L·j) = struct(A·j) ∪ ⋃ struct(L·c) \ {j} over the children c,   parent(c) = min {i > c : l_ic ≠ 0}
 //! ```
 //!
-//! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1 where it is the parent of that one alone
-//! and brings no other row: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
-//! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
-//! quick, and a child's rows lie within the parent's columns and rows.
+//! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1
+//! where it is the parent of that one alone and brings no other row: a fundamental supernode, whose
+//! rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right behind it are
+//! merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]):
+//! wide supernodes are quick, and a child's rows lie within the parent's columns and rows.
 
 use std::ops::Range;
 
@@ -60,7 +62,8 @@ impl Pattern {
     }
 }
 
-/// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those below.
+/// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those
+/// below.
 #[derive(Debug)]
 pub(super) struct Symbolic {
     /// First column of each supernode, and the number of all columns.
@@ -123,7 +126,8 @@ impl Symbolic {
     fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
         let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
-        // The last supernode with a row; the children of each column: the last one, and the one before each supernode.
+        // The last supernode with a row; the children of each column: the last one, and the one
+        // before each supernode.
         let (mut last_in, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
@@ -140,7 +144,9 @@ impl Symbolic {
                 rows.try_reserve(open.len() - passed).ok()?;
                 rows.extend_from_slice(&open[passed..]);
                 first_row.push(rows.len());
-                sibling.push(parent.map_or(NONE, |p| std::mem::replace(&mut child[p as usize], last as u32)));
+                sibling.push(parent.map_or(NONE, |p| {
+                    std::mem::replace(&mut child[p as usize], last as u32)
+                }));
             }
             let this = begin.len() as u32;
             begin.push(j as u32);
@@ -165,7 +171,14 @@ impl Symbolic {
         }
         begin.push(n as u32);
         let (first_value, first_update, updates) = (vec![], vec![], vec![]);
-        Some(Self { begin, first_row, rows, first_value, first_update, updates })
+        Some(Self {
+            begin,
+            first_row,
+            rows,
+            first_value,
+            first_update,
+            updates,
+        })
     }
 
     /// Merges supernodes with the parents right behind them.
@@ -180,7 +193,8 @@ impl Symbolic {
                     let new = columns.len() + rows.len() - self.below(last).len();
                     let sum = zeros + new as f64 * (columns.start - start) as f64;
                     let entries = width as f64 * (0.5 * (width + 1) as f64 + rows.len() as f64);
-                    let few = |(most, share): &(usize, f64)| *most >= width && share * entries >= sum;
+                    let few =
+                        |(most, share): &(usize, f64)| *most >= width && share * entries >= sum;
                     (new == 0 || ZEROS.iter().any(few)).then_some(sum)
                 }
                 _ => None,
@@ -226,7 +240,9 @@ impl Symbolic {
             owners.filter(move |o| std::mem::replace(&mut before, *o) != *o)
         };
         let mut first = vec![0; count + 1];
-        (0..count).flat_map(targets).for_each(|t| first[t as usize + 1] += 1);
+        (0..count)
+            .flat_map(targets)
+            .for_each(|t| first[t as usize + 1] += 1);
         for i in 0..count {
             first[i + 1] += first[i];
         }
@@ -256,7 +272,9 @@ mod tests {
                 rows.push(j as u32);
                 let near = |i: usize| case % 3 == 0 && i < j + 3;
                 rows.extend(
-                    (j + 1..n).filter(|i| r.between(0.0, 1.0) < density || near(*i)).map(|i| i as u32),
+                    (j + 1..n)
+                        .filter(|i| r.between(0.0, 1.0) < density || near(*i))
+                        .map(|i| i as u32),
                 );
                 columns.push(rows.len() as u32);
             }
@@ -276,18 +294,27 @@ mod tests {
         for k in 0..n {
             let pivot = full[k].clone();
             for j in (k + 1..n).filter(|j| pivot[*j]) {
-                full[j][j..].iter_mut().zip(&pivot[j..]).for_each(|(to, from)| *to |= from);
+                full[j][j..]
+                    .iter_mut()
+                    .zip(&pivot[j..])
+                    .for_each(|(to, from)| *to |= from);
             }
         }
-        full.iter().map(|c| (0..n as u32).filter(|i| c[*i as usize]).collect()).collect()
+        full.iter()
+            .map(|c| (0..n as u32).filter(|i| c[*i as usize]).collect())
+            .collect()
     }
 
     /// Rows of each column as the supernodes have them.
     fn columns(s: &Symbolic) -> Vec<Vec<u32>> {
         let supernode = |i: usize| {
-            s.columns(i).map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
+            s.columns(i)
+                .map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
         };
-        (0..s.count()).flat_map(supernode).map(Iterator::collect).collect()
+        (0..s.count())
+            .flat_map(supernode)
+            .map(Iterator::collect)
+            .collect()
     }
 
     #[test]
@@ -296,10 +323,12 @@ mod tests {
             let s = Symbolic::fundamental(&pattern).unwrap();
             let wanted = eliminated(&pattern);
             assert_eq!(columns(&s), wanted);
-            // Two neighbours are one supernode just where the later one is the parent of the earlier one alone and has the same rows.
+            // Two neighbours are one supernode just where the later one is the parent of the
+            // earlier one alone and has the same rows.
             for j in 1..pattern.dimension() {
                 let parent = |c: &Vec<u32>| c.get(1) == Some(&(j as u32));
-                let only = parent(&wanted[j - 1]) && wanted[..j].iter().filter(|c| parent(c)).count() == 1;
+                let only =
+                    parent(&wanted[j - 1]) && wanted[..j].iter().filter(|c| parent(c)).count() == 1;
                 let one = only && wanted[j - 1].len() == wanted[j].len() + 1;
                 assert_eq!(!s.begin.contains(&(j as u32)), one, "{j}");
             }
@@ -312,18 +341,31 @@ mod tests {
             let s = Symbolic::from_pattern(&pattern).unwrap();
             let (wanted, got) = (eliminated(&pattern), columns(&s));
             assert_eq!(got.len(), wanted.len());
-            assert!(wanted.iter().zip(&got).all(|(w, g)| w.iter().all(|r| g.contains(r))));
+            assert!(
+                wanted
+                    .iter()
+                    .zip(&got)
+                    .all(|(w, g)| w.iter().all(|r| g.contains(r)))
+            );
             for i in 0..s.count() {
-                let entries = |c: &[Vec<u32>]| c[s.columns(i)].iter().map(Vec::len).sum::<usize>() as f64;
+                let entries =
+                    |c: &[Vec<u32>]| c[s.columns(i)].iter().map(Vec::len).sum::<usize>() as f64;
                 let (all, width) = (entries(&got), s.columns(i).len());
                 let share = ZEROS.iter().find(|z| z.0 >= width).unwrap().1;
                 assert!(all - entries(&wanted) <= share * all);
                 assert_eq!(s.values(i).len(), width * s.height(i));
-                let inside = |d: &usize| s.below(*d).iter().any(|r| s.columns(i).contains(&(*r as usize)));
+                let inside = |d: &usize| {
+                    s.below(*d)
+                        .iter()
+                        .any(|r| s.columns(i).contains(&(*r as usize)))
+                };
                 let earlier: Vec<u32> = (0..i).filter(inside).map(|d| d as u32).collect();
                 assert_eq!(s.updates(i), earlier);
             }
-            assert_eq!(s.entries(), (0..s.count()).map(|i| s.values(i).len()).sum::<usize>());
+            assert_eq!(
+                s.entries(),
+                (0..s.count()).map(|i| s.values(i).len()).sum::<usize>()
+            );
         }
     }
 }

@@ -44,8 +44,8 @@ impl Trail {
         self.states.last()
     }
 
-    /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`; `false` where two of them are at one
-    /// place.
+    /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`;
+    /// `false` where two of them are at one place.
     pub fn predict(&self, along: Along, value: f64, out: &mut State) -> bool {
         let trail = &self.states;
         let mut weights = [0.0; MOST];
@@ -77,7 +77,11 @@ mod tests {
 
     #[test]
     fn a_cubic_is_predicted_exactly() {
-        let at = |p: f64| State { u: vec![p * p * p - 2.0 * p], pressure: p, ..State::default() };
+        let at = |p: f64| State {
+            u: vec![p * p * p - 2.0 * p],
+            pressure: p,
+            ..State::default()
+        };
         let mut trail = Trail::default();
         for p in [9.0, 0.1, 0.3, 0.4, 0.9] {
             trail.push(&at(p));

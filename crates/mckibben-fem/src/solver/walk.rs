@@ -6,8 +6,8 @@ use super::descent::growth_of_step;
 use super::newton::{Interrupted, LastConverged, Stopped};
 use super::trail::{Along, Trail};
 
-/// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the share of the radius by which a step aims to
-/// miss its prediction.
+/// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the
+/// share of the radius by which a step aims to miss its prediction.
 const FIRST: f64 = 0.125;
 const SMALLEST: f64 = 1.0 / 1024.0;
 const AIMED: f64 = 0.1;
@@ -21,18 +21,31 @@ impl<B: Body> Continuation<B> {
         self.walk(pressure, terminal, B::SETTINGS.first_step)
     }
 
-    /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the pressure down.
-    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Result<(), Interrupted> {
-        let pulling = self.body.pulling_pressure(-terminal / self.body.half_length());
+    /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the
+    /// pressure down.
+    pub(super) fn long_way(
+        &mut self,
+        pressure: f64,
+        terminal: f64,
+        guess: bool,
+    ) -> Result<(), Interrupted> {
+        let pulling = self
+            .body
+            .pulling_pressure(-terminal / self.body.half_length());
         let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
         if !(guess && taut > pressure && self.stable_guess(taut, terminal)) {
             self.restart(taut, terminal)?;
         }
         // Strands go slack one after the other: small steps.
-        if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }
+        if taut > pressure {
+            self.walk(pressure, terminal, B::SETTINGS.first_step_down)
+        } else {
+            Ok(())
+        }
     }
 
-    /// From rest length at the pressure of the question, with all strands in tension all the way: each length from what the last four predict.
+    /// From rest length at the pressure of the question, with all strands in tension all the way:
+    /// each length from what the last four predict.
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
@@ -41,7 +54,8 @@ impl<B: Body> Continuation<B> {
         let (mut at, mut step) = (0.0, FIRST * terminal);
         if self.guessed(pressure, at).is_err() {
             self.body.rest();
-            self.walk(pressure, at, B::SETTINGS.first_step).map_err(|end| end.reason)?;
+            self.walk(pressure, at, B::SETTINGS.first_step)
+                .map_err(|end| end.reason)?;
             if !(self.stable() && self.body.taut()) {
                 return Err(Stopped::Branch);
             }
@@ -49,7 +63,11 @@ impl<B: Body> Continuation<B> {
         while at != terminal {
             trail.push(self.body.state());
             loop {
-                let next = if (terminal - at).abs() <= 1.01 * step.abs() { terminal } else { at + step };
+                let next = if (terminal - at).abs() <= 1.01 * step.abs() {
+                    terminal
+                } else {
+                    at + step
+                };
                 trail.predict(Along::Length, next, self.body.state_mut());
                 let solved = self.solve(Control::Length(next));
                 if solved.is_ok() && self.stable() && self.body.taut() {
@@ -68,17 +86,23 @@ impl<B: Body> Continuation<B> {
         Ok(())
     }
 
-    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm; `first` is the
-    /// share of the way that is tried first.
+    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal
+    /// in mm; `first` is the share of the way that is tried first.
     ///
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
     pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
-        self.walk_in_steps(pressure, terminal, first, B::SETTINGS.smallest_step, f64::INFINITY)
+        self.walk_in_steps(
+            pressure,
+            terminal,
+            first,
+            B::SETTINGS.smallest_step,
+            f64::INFINITY,
+        )
     }
 
-    /// The same in steps of at least the share `smallest` of the way, each of which ends within `reach` (share of the radius) of where the
-    /// steps before predict it.
+    /// The same in steps of at least the share `smallest` of the way, each of which ends within
+    /// `reach` (share of the radius) of where the steps before predict it.
     pub(super) fn walk_in_steps(
         &mut self,
         pressure: f64,
@@ -94,8 +118,14 @@ impl<B: Body> Continuation<B> {
         loop {
             let next = (done + step).min(1.0);
             let w = w0 + next * (terminal - w0);
-            let ratio = if done > 0.0 { (next - done) / step_before } else { 0.0 };
-            self.body.state_mut().extrapolate(&self.base, &self.before, ratio);
+            let ratio = if done > 0.0 {
+                (next - done) / step_before
+            } else {
+                0.0
+            };
+            self.body
+                .state_mut()
+                .extrapolate(&self.base, &self.before, ratio);
             self.body.state_mut().pressure = p0 + next * (pressure - p0);
             if done == 0.0 && at_rest {
                 self.body.guess_loads();
@@ -111,13 +141,19 @@ impl<B: Body> Continuation<B> {
                     self.base.copy_from(self.body.state());
                     step_before = next - done;
                     done = next;
-                    step = if reach.is_finite() { growth_of_step(self.effort.moved, reach) } else { 2.0 }
-                        * step_before;
+                    step = if reach.is_finite() {
+                        growth_of_step(self.effort.moved, reach)
+                    } else {
+                        2.0
+                    } * step_before;
                 }
                 Err(reason) => {
                     step = 0.5 * (next - done);
                     if step < smallest || reason.is_final() {
-                        return Err(Interrupted { reason, last: self.last() });
+                        return Err(Interrupted {
+                            reason,
+                            last: self.last(),
+                        });
                     }
                 }
             }
@@ -128,7 +164,12 @@ impl<B: Body> Continuation<B> {
     pub(super) fn last(&mut self) -> LastConverged {
         self.body.state_mut().copy_from(&self.base);
         // What cannot be assembled has no totals: it was an equilibrium, so it can.
-        let totals = self.body.system().residual().map(|_| self.body.totals()).unwrap_or_default();
+        let totals = self
+            .body
+            .system()
+            .residual()
+            .map(|_| self.body.totals())
+            .unwrap_or_default();
         LastConverged {
             pressure_mpa: self.base.pressure,
             contraction: self.contraction(),

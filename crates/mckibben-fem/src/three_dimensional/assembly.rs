@@ -15,7 +15,8 @@ use mckibben::cancel;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-/// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of all widths of lanes.
+/// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of
+/// all widths of lanes.
 const PIECE: usize = 1024;
 
 static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));
@@ -26,7 +27,8 @@ static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
 /// What an assembly fills.
 #[derive(Debug, Clone)]
 pub struct Assembled {
-    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that is not read.
+    /// Lower half of the tangent, the terminal's column, its diagonal entry, and a number that is
+    /// not read.
     pub values: Vec<f64>,
     /// ∂Π/∂u of every displacement, with what is condensed.
     pub force: Vec<f64>,
@@ -56,20 +58,33 @@ impl Assembled {
 }
 
 /// Adds up the elements; the tangent only where `TANGENT`.
-pub fn assemble<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled) -> Result<Totals> {
+pub fn assemble<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    work: &mut Assembled,
+) -> Result<Totals> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
     if TANGENT {
         work.values.fill(0.0);
     }
-    let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
+    let mut totals = Totals {
+        smallest_j: f64::INFINITY,
+        ..Totals::default()
+    };
     for m in &d.materials {
         let (start, end) = (m.bricks.start, m.bricks.end);
         for first in (start..end).step_by(PIECE) {
             cancel::check()?;
             let bricks = first..(first + PIECE).min(end);
             with(&m.law, |law| {
-                let piece = Piece { d, s, m, law: law.space, bricks };
+                let piece = Piece {
+                    d,
+                    s,
+                    m,
+                    law: law.space,
+                    bricks,
+                };
                 add::<TANGENT>(piece, work, &mut totals)
             })?;
         }
@@ -106,7 +121,11 @@ struct Piece<'a> {
 }
 
 /// Adds up bricks of one material until one is turned inside out.
-fn add<const TANGENT: bool>(piece: Piece<'_>, work: &mut Assembled, totals: &mut Totals) -> Result<()> {
+fn add<const TANGENT: bool>(
+    piece: Piece<'_>,
+    work: &mut Assembled,
+    totals: &mut Totals,
+) -> Result<()> {
     match piece.d.problem.brick {
         Brick::Linear => wide::<8, 1, TANGENT>(piece.d.width, &POINTS8, piece, work, totals),
         Brick::Quadratic => wide::<27, 4, TANGENT>(piece.d.width, &POINTS27, piece, work, totals),
@@ -129,7 +148,13 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<()> {
-    let Piece { d, s, m, law, bricks: Range { start, end: count } } = piece;
+    let Piece {
+        d,
+        s,
+        m,
+        law,
+        bricks: Range { start, end: count },
+    } = piece;
     let o = R::splat(0.0);
     let mut input = Input {
         rest: [[o; 3]; NN],
@@ -143,7 +168,9 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     };
     let mut out = Output::<R, NN, NM>::zero();
     let per_map = d.per_map();
-    let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();
+    let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..]
+        .iter()
+        .peekable();
     for first in (start..count).step_by(R::LANES) {
         for lane in 0..R::LANES {
             // The last ones are looked at more than once and written once.
@@ -206,7 +233,8 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
                 }
                 while let Some((_, entry)) = twice.next_if(|t| t.0 as usize == e) {
                     let entry = *entry as usize;
-                    work.values[map[entry] as usize] += out.tangent[entry / 9][entry % 9].lane(lane);
+                    work.values[map[entry] as usize] +=
+                        out.tangent[entry / 9][entry % 9].lane(lane);
                 }
             }
         }
@@ -214,7 +242,12 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     Ok(())
 }
 
-fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {
+fn trusses<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    work: &mut Assembled,
+    totals: &mut Totals,
+) {
     for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
         let (a, b) = (*a as usize, *b as usize);
         let pull = d.pull(s, t, s.q[t]);

@@ -1,8 +1,9 @@
 //! A body, its state and its tangent: Newton's method for it.
 //!
-//! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and tensions of the strands,
-//! carried along as separate variables so that stiff constraints do not slow Newton's method down (Magisano,
-//! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
+//! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and
+//! tensions of the strands, carried along as separate variables so that stiff constraints do not
+//! slow Newton's method down (Magisano, Leonetti & Garcea 2017). `saddle.rs` solves the linear
+//! systems.
 
 use super::assembly::{Assembled, assemble};
 use super::discretisation::{Discretisation, share};
@@ -52,8 +53,16 @@ struct Cause {
 }
 
 impl Cause {
-    const TERMINAL: Self = Self { residual: false, terminal: 1.0, pressure: 0.0 };
-    const PRESSURE: Self = Self { residual: false, terminal: 0.0, pressure: 1.0 };
+    const TERMINAL: Self = Self {
+        residual: false,
+        terminal: 1.0,
+        pressure: 0.0,
+    };
+    const PRESSURE: Self = Self {
+        residual: false,
+        terminal: 0.0,
+        pressure: 1.0,
+    };
 }
 
 impl Body {
@@ -98,19 +107,27 @@ impl Body {
         Ok(self.totals)
     }
 
-    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
+    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable
+    /// equilibrium.
     pub fn unstable_directions(&self) -> usize {
         self.cholesky.negative
     }
 
     /// The terminal's column of the tangent, and its diagonal entry.
     fn terminal_column(&self) -> (&[f64], f64) {
-        let (entries, n) = (self.discretisation.pattern().entries(), self.discretisation.free);
-        (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
+        let (entries, n) = (
+            self.discretisation.pattern().entries(),
+            self.discretisation.free,
+        );
+        (
+            &self.assembled.values[entries..entries + n],
+            self.assembled.values[entries + n],
+        )
     }
 
-    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes. Where the work is cancelled on the way neither is right: who
-    /// makes an answer of them looks at the flag afterwards.
+    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes. Where the work is
+    /// cancelled on the way neither is right: who makes an answer of them looks at the flag
+    /// afterwards.
     fn respond(&mut self, cause: Cause, tolerance: f64) -> (f64, State) {
         let mut out = self.state.clone();
         let d = &self.discretisation;
@@ -138,7 +155,12 @@ impl Body {
             out.u[i as usize] = dw;
         }
         let (assembled, cholesky) = (&self.assembled, &mut self.cholesky);
-        let mut constraints = Constraints { d, assembled, cholesky, tolerance };
+        let mut constraints = Constraints {
+            d,
+            assembled,
+            cholesky,
+            tolerance,
+        };
         constraints.solve(&mut b, &mut out.u, &mut dm);
         // What the iterated multipliers do to the terminal.
         let mut forces = vec![0.0; out.u.len()];
@@ -148,7 +170,11 @@ impl Body {
         let mut change = diagonal * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
         if cause == Cause::PRESSURE {
-            change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();
+            change -= d
+                .terminal
+                .iter()
+                .map(|&i| self.assembled.cavity[i as usize])
+                .sum::<f64>();
             change -= d.problem.cap_mm2 / 3.0;
         }
         out.p.copy_from_slice(&dm[..bricks]);
@@ -156,7 +182,11 @@ impl Body {
         (out.terminal, out.pressure) = (dw, cause.pressure);
         if cause.residual {
             // Strands that do not carry forget their tension.
-            for ((q, s), (_, _, carries)) in out.q.iter_mut().zip(&self.state.q).zip(&self.assembled.strands)
+            for ((q, s), (_, _, carries)) in out
+                .q
+                .iter_mut()
+                .zip(&self.state.q)
+                .zip(&self.assembled.strands)
             {
                 if !carries {
                     *q = -s;
@@ -171,11 +201,13 @@ impl Body {
         4.0 * self.respond(Cause::PRESSURE, TIGHT).0
     }
 
-    /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L; and −∂V/∂L at fixed pressure in mm²,
-    /// by Maxwell's relation the same as ∂F/∂P; of the last tangent.
+    /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness
+    /// ∂F/∂L; and −∂V/∂L at fixed pressure in mm², by Maxwell's relation the same as ∂F/∂P; of the
+    /// last tangent.
     pub fn terminal_response(&mut self) -> (f64, f64) {
         let (change, out) = self.respond(Cause::TERMINAL, TIGHT);
-        let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
+        let volume =
+            dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
         (4.0 * change, -4.0 * volume)
     }
 
@@ -196,11 +228,21 @@ impl Body {
     fn norm(&self) -> f64 {
         let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
-        let held = self.control.missed(&self.state, self.totals.pull, d.radius, scale);
+        let free = d
+            .place
+            .iter()
+            .map(|&i| self.assembled.force[i as usize].abs())
+            .fold(0.0, f64::max);
+        let held = self
+            .control
+            .missed(&self.state, self.totals.pull, d.radius, scale);
         // Where the multipliers are iterated, the defects of the constraints count as well.
         let rubber = &d.materials[0];
-        let defect = if share(rubber.compliance, rubber.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let defect = if share(rubber.compliance, rubber.augment) > 0.0 {
+            self.totals.defect
+        } else {
+            0.0
+        };
         let scale = scale.max(d.rounding_n / ROUNDING);
         (free / scale).max(held).max(defect)
     }
@@ -222,11 +264,16 @@ impl NewtonSystem for Body {
         let (dw, held) = match self.control {
             Control::Length(w) => (w - self.state.terminal, None),
             Control::Force(f) => (0.0, Some((f, Cause::TERMINAL))),
-            Control::Pressure { terminal, force } => {
-                (terminal - self.state.terminal, Some((force, Cause::PRESSURE)))
-            }
+            Control::Pressure { terminal, force } => (
+                terminal - self.state.terminal,
+                Some((force, Cause::PRESSURE)),
+            ),
         };
-        let cause = Cause { residual: true, terminal: dw, pressure: 0.0 };
+        let cause = Cause {
+            residual: true,
+            terminal: dw,
+            pressure: 0.0,
+        };
         let (change, mut step) = self.respond(cause, self.tolerance);
         if let Some((force, cause)) = held {
             let (per, unit) = self.respond(cause, self.tolerance);
@@ -238,7 +285,11 @@ impl NewtonSystem for Body {
         let size = largest / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
-        if sum.is_finite() { Ok(size) } else { Err(Stopped::Diverged) }
+        if sum.is_finite() {
+            Ok(size)
+        } else {
+            Err(Stopped::Diverged)
+        }
     }
 
     fn retreat(&mut self, keep: f64) {

@@ -1,5 +1,5 @@
-//! A body divided into bricks and strands: numbers of the unknowns, places in the tangent, everything that does not
-//! change while it deforms.
+//! A body divided into bricks and strands: numbers of the unknowns, places in the tangent,
+//! everything that does not change while it deforms.
 
 use super::problem::{Freedom, Problem};
 use crate::element::brick::{Modes, modes};
@@ -18,7 +18,8 @@ use std::sync::Arc;
 
 /// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;
-/// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
+/// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is
+/// iterated.
 const AUGMENT: f64 = 2000.0;
 /// γ of the strands over μ times the wall, likewise: of E A / L0 of one strand.
 const AUGMENT_STRAND: f64 = 2e5;
@@ -34,7 +35,8 @@ pub struct Discretisation {
     pub modes: usize,
     /// Pressure modes at rest.
     pub rest: Vec<Modes>,
-    /// Number of the unknown of each displacement: below `free` an unknown, `free` the terminal, `free` + 1 held.
+    /// Number of the unknown of each displacement: below `free` an unknown, `free` the terminal,
+    /// `free` + 1 held.
     pub unknown: Vec<[u32; 3]>,
     /// Number of unknowns.
     pub free: usize,
@@ -88,14 +90,22 @@ impl Material {
             Bulk::Incompressible => (0.0, most),
             Bulk::Modulus(k) => (1.0 / k, k.min(most)),
         };
-        Self { bricks, law: law.clone(), compliance, augment }
+        Self {
+            bricks,
+            law: law.clone(),
+            compliance,
+            augment,
+        }
     }
 
     fn all(problem: &Problem) -> Vec<Self> {
         let end = problem.bricks.len();
         let first = problem.other.as_ref().map_or(end, |other| other.first);
         let rubber = Self::new(0..first, &problem.law, problem.bulk);
-        let other = problem.other.as_ref().map(|other| Self::new(first..end, &other.law, other.bulk));
+        let other = problem
+            .other
+            .as_ref()
+            .map(|other| Self::new(first..end, &other.law, other.bulk));
         [rubber].into_iter().chain(other).collect()
     }
 }
@@ -110,8 +120,8 @@ impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
     /// # Errors
-    /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`] without enough memory,
-    /// [`FemError::Cancelled`] where the work is cancelled.
+    /// [`FemError::Refused`] where an element is turned inside out at rest, [`FemError::Refused`]
+    /// without enough memory, [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self> {
         let rest = rest_modes(&problem)?;
         let (unknown, place, terminal) = number(&problem);
@@ -124,7 +134,11 @@ impl Discretisation {
         let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = problem.nodes.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
+        let radius = problem
+            .nodes
+            .iter()
+            .map(|x| x[0].hypot(x[1]))
+            .fold(0.0, f64::max);
         let most = AUGMENT_STRAND * shear;
         let strand = problem
             .trusses
@@ -158,21 +172,28 @@ impl Discretisation {
         Ok(out)
     }
 
-    /// What a piece of a strand does in a state, with the tension in N that its tangent has: T = q + γ (strain − q/(E A)); of strands
-    /// stiffer than γ the rest is iterated.
+    /// What a piece of a strand does in a state, with the tension in N that its tangent has: T =
+    /// q + γ (strain − q/(E A)); of strands stiffer than γ the rest is iterated.
     pub fn pull(&self, s: &State, t: usize, tension: f64) -> Pull {
         let (ends, truss) = &self.problem.trusses[t];
         let end = |n: usize, i: usize| self.problem.nodes[n][i] + s.u[3 * n + i];
         let delta = [0, 1, 2].map(|i| end(ends[1] as usize, i) - end(ends[0] as usize, i));
         let (compliance, augment) = self.strand[t];
-        let truss = Truss { stiffness_n: augment, ..*truss };
+        let truss = Truss {
+            stiffness_n: augment,
+            ..*truss
+        };
         truss.pull(delta, share(compliance, augment) * s.q[t], tension)
     }
 
     /// The material of a brick.
     pub fn material(&self, brick: usize) -> &Material {
         let rubber = &self.materials[0];
-        if brick < rubber.bricks.end { rubber } else { &self.materials[1] }
+        if brick < rubber.bricks.end {
+            rubber
+        } else {
+            &self.materials[1]
+        }
     }
 
     /// Places of the tangent's entries.
@@ -190,13 +211,16 @@ impl Discretisation {
         self.per_brick * (self.per_brick + 1) / 2 * 9
     }
 
-    /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind it, or into the last
-    /// number, which is not read.
+    /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind
+    /// it, or into the last number, which is not read.
     fn entry(&self, a: u32, b: u32) -> u32 {
         let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
         let (high, low) = (a.max(b), a.min(b));
         match (high < n, high == n) {
-            (true, _) => self.pattern().position(high, low).unwrap_or(entries + n + 1),
+            (true, _) => self
+                .pattern()
+                .position(high, low)
+                .unwrap_or(entries + n + 1),
             (false, true) => entries + low,
             _ => entries + n + 1,
         }
@@ -229,16 +253,21 @@ impl Discretisation {
             }
         }
         let truss = |&([a, b], _): &([u32; 2], Truss)| {
-            let [at_a, at_b] = [a, b].map(|n| self.block(n, n)).map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
+            let [at_a, at_b] = [a, b]
+                .map(|n| self.block(n, n))
+                .map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
             let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
             std::array::from_fn(|_| entries.next().unwrap_or(unread))
         };
         let face = |nodes: &Vec<u32>| {
-            pairs(nodes.len(), 1).flat_map(|(a, b)| self.block(nodes[a], nodes[b])).collect::<Vec<u32>>()
+            pairs(nodes.len(), 1)
+                .flat_map(|(a, b)| self.block(nodes[a], nodes[b]))
+                .collect::<Vec<u32>>()
         };
         let truss_map = self.problem.trusses.iter().map(truss).collect();
         let face_map = self.problem.faces.iter().flat_map(face).collect();
-        (self.brick_map, self.twice, self.truss_map, self.face_map) = (map, twice, truss_map, face_map);
+        (self.brick_map, self.twice, self.truss_map, self.face_map) =
+            (map, twice, truss_map, face_map);
         Ok(())
     }
 }
@@ -250,14 +279,22 @@ fn pairs(count: usize, apart: usize) -> impl Iterator<Item = (usize, usize)> {
 
 /// Checks the cancel flag once in [`PIECE`] numbers.
 fn check_cancel(number: usize) -> Result<(), Cancelled> {
-    if number.is_multiple_of(PIECE) { cancel::check() } else { Ok(()) }
+    if number.is_multiple_of(PIECE) {
+        cancel::check()
+    } else {
+        Ok(())
+    }
 }
 
-/// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over height of a brick.
+/// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
+/// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     let one = |m: &Material| {
         let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-        let size = rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()).fold(0.0, f64::max);
+        let size = rest[m.bricks.clone()]
+            .iter()
+            .map(|r| r.volume.cbrt())
+            .fold(0.0, f64::max);
         16.0 * f64::EPSILON * greatest * modulus * size
     };
     stiff.iter().map(one).fold(0.0, f64::max)
@@ -268,8 +305,9 @@ fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
     let element = |(e, nodes): (usize, &Vec<u32>)| {
         check_cancel(e)?;
         let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
-        modes(&points, &places, problem.brick.modes())
-            .ok_or_else(|| FemError::Refused(format!("mesh: element {e} is turned inside out at rest")))
+        modes(&points, &places, problem.brick.modes()).ok_or_else(|| {
+            FemError::Refused(format!("mesh: element {e} is turned inside out at rest"))
+        })
     };
     problem.bricks.iter().enumerate().map(element).collect()
 }
@@ -303,7 +341,8 @@ fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
     (numbers, place, terminal)
 }
 
-/// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
+/// The lower half: unknowns of a node meet those of every node with which it shares a brick or a
+/// strand.
 fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pattern, Cancelled> {
     let free = place.len();
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
@@ -325,7 +364,9 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
     let (mut columns, mut rows) = (vec![0], vec![]);
     for (c, &place) in place.iter().enumerate() {
         check_cancel(c)?;
-        let all = near[place as usize / 3].iter().flat_map(|other| unknown[*other as usize]);
+        let all = near[place as usize / 3]
+            .iter()
+            .flat_map(|other| unknown[*other as usize]);
         rows.extend(all.filter(|r| (c..free).contains(&(*r as usize))));
         let start = columns[c] as usize;
         rows[start..].sort_unstable();

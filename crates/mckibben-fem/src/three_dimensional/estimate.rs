@@ -11,8 +11,8 @@ const MEASURED: ([f64; 3], f64) = ([5.0, 81.0, 258.0], 1.6e9);
 /// Bytes of an unknown beside the factor: elements, maps and state.
 const BYTES_BESIDE: f64 = 1500.0;
 
-/// What the factor's entries grow with: nested dissection of a sheet of n points with w unknowns each has w² n log n entries
-/// (George 1973 \[george1973\]).
+/// What the factor's entries grow with: nested dissection of a sheet of n points with w unknowns
+/// each has w² n log n entries (George 1973 \[george1973\]).
 fn dissected([through, around, along]: [f64; 3]) -> f64 {
     let sheet = around * along;
     through.powi(2) * sheet * sheet.ln()
@@ -29,5 +29,8 @@ pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
     let nodes = bricks.map(|n| n * spec.brick.order() as f64 + 1.0);
     let (mesh, bytes) = MEASURED;
     let beside = BYTES_BESIDE * 3.0 * nodes.iter().product::<f64>();
-    Ok(size::bytes("mesh", beside + bytes * dissected(nodes) / dissected(mesh))?)
+    Ok(size::bytes(
+        "mesh",
+        beside + bytes * dissected(nodes) / dissected(mesh),
+    )?)
 }

@@ -1,8 +1,9 @@
 //! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
 //!
-//! Stretches are those of the bricks' displacement field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
-//! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
-//! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
+//! Stretches are those of the bricks' displacement field at the nodes. Cauchy stress σ = τ/J + p 1
+//! is taken where it is most exact (Barlow 1976 \[barlow1976\]): in the middle of an eight-node
+//! brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the trilinear function
+//! carries it to the nodes. Where bricks meet, they are averaged.
 
 use super::Body;
 use super::discretisation::{Discretisation, Material};
@@ -56,17 +57,23 @@ pub struct Field {
 pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
     pub nodes: Vec<NodeField>,
-    /// Corners of every brick, through (from the axis) first, then around, then along; quadratic ones are eight of these.
+    /// Corners of every brick, through (from the axis) first, then around, then along; quadratic
+    /// ones are eight of these.
     pub bricks: Vec<Vec<u32>>,
 }
 
 impl ThreeDimensional {
-    /// The field at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the workspace
-    /// still has it.
+    /// The field at a pressure in MPa and a contraction: of the very equilibrium that was answered
+    /// with, where the workspace still has it.
     ///
     /// # Errors
     /// [`FemError`]; [`FemError::Force`] where the state has no stress.
-    pub fn field_at(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Field> {
+    pub fn field_at(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Field> {
         let c = self.continuation(workspace)?;
         match c.kept_at(pressure_mpa, contraction).cloned() {
             Some(state) => c.body.bricks.state = state,
@@ -79,11 +86,17 @@ impl ThreeDimensional {
 fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
     let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
     let force_n = body.totals.pull;
-    body.residual().map_err(|reason| FemError::Force { force_n, reason })?;
+    body.residual()
+        .map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &*body;
     let mut nodes = averages(body, 0, false);
     nodes.truncate(mesh.grid().iter().product());
-    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, mesh), mesh: BrickMesh::clone(mesh) })
+    Ok(Field {
+        nodes,
+        pieces: pieces(body),
+        plug: plug(body, mesh),
+        mesh: BrickMesh::clone(mesh),
+    })
 }
 
 fn pieces(body: &Body) -> Vec<PieceField> {
@@ -123,7 +136,10 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
         stretches: [1.0; 3],
         stress_mpa: [0.0; 6],
     };
-    let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
+    let mut out = PlugField {
+        nodes: which.iter().map(at).collect(),
+        bricks,
+    };
     if body.discretisation.materials.len() > 1 {
         let field = averages(body, 1, true);
         out.nodes = which.iter().map(|n| field[*n]).collect();
@@ -135,31 +151,48 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
-    let length = |v: [f64; 3]| f.map(|row| dot(&row, &v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+    let length = |v: [f64; 3]| {
+        f.map(|row| dot(&row, &v))
+            .map(|x| x * x)
+            .iter()
+            .sum::<f64>()
+            .sqrt()
+    };
     [length(hoop), length([0.0, 0.0, 1.0]), largest_principal(f)]
 }
 
-/// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at the nodes or, of a plug, in the `middle` of
-/// its bricks.
+/// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at
+/// the nodes or, of a plug, in the `middle` of its bricks.
 fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
-    let (problem, Material { bricks, law, .. }) =
-        (&body.discretisation.problem, &body.discretisation.materials[material]);
+    let (problem, Material { bricks, law, .. }) = (
+        &body.discretisation.problem,
+        &body.discretisation.materials[material],
+    );
     let order = problem.brick.order();
     let p = order + 1;
-    let corner = |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
+    let corner =
+        |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
     let places = |a: usize| if middle { [0.0; 3] } else { corner(a) };
     let places: Vec<[f64; 3]> = (0..problem.brick.nodes()).map(places).collect();
     let gauss = |k: usize| [GAUSS2[k % 2].0, GAUSS2[k / 2 % 2].0, GAUSS2[k / 4].0];
-    let points = if order == 1 || middle { vec![[0.0; 3]] } else { (0..8).map(gauss).collect() };
+    let points = if order == 1 || middle {
+        vec![[0.0; 3]]
+    } else {
+        (0..8).map(gauss).collect()
+    };
     let [at_nodes, at_points] =
         [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
     let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
-        let stress: Vec<[f64; 6]> =
-            at_points.iter().map(|p| with(law, |law| stress(body, law.space, e, p))).collect();
+        let stress: Vec<[f64; 6]> = at_points
+            .iter()
+            .map(|p| with(law, |law| stress(body, law.space, e, p)))
+            .collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
-            let Some((f, at)) = gradient(body, e, &at_nodes[a]) else { continue };
+            let Some((f, at)) = gradient(body, e, &at_nodes[a]) else {
+                continue;
+            };
             let node = NodeField {
                 rest_mm: problem.nodes[k],
                 now_mm: now(body, k),
@@ -174,7 +207,9 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
 
 /// Cauchy stress at a point of brick `e`.
 fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6] {
-    let Some((f, at)) = gradient(body, e, p) else { return [0.0; 6] };
+    let Some((f, at)) = gradient(body, e, p) else {
+        return [0.0; 6];
+    };
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;
@@ -184,7 +219,12 @@ fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
 fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
     let rest = &d.rest[e];
-    let monomials = [1.0, at[0] - rest.centre[0], at[1] - rest.centre[1], at[2] - rest.centre[2]];
+    let monomials = [
+        1.0,
+        at[0] - rest.centre[0],
+        at[1] - rest.centre[1],
+        at[2] - rest.centre[2],
+    ];
     (0..d.modes)
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
@@ -200,7 +240,13 @@ fn carried(values: &[[f64; 6]], at: [f64; 3]) -> [f64; 6] {
     let [only] = values else {
         let weights = at.map(|x| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)]);
         let weight = |k: usize| weights[0][k % 2] * weights[1][k / 2 % 2] * weights[2][k / 4];
-        return std::array::from_fn(|c| values.iter().enumerate().map(|(k, v)| weight(k) * v[c]).sum());
+        return std::array::from_fn(|c| {
+            values
+                .iter()
+                .enumerate()
+                .map(|(k, v)| weight(k) * v[c])
+                .sum()
+        });
     };
     *only
 }

@@ -1,7 +1,8 @@
 //! First iterates: the axisymmetric equilibrium of the same muscle, carried over to the nodes.
 //!
-//! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its
-//! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
+//! It only says where Newton's method begins. What comes out is an equilibrium of the
+//! three-dimensional body by its residual; where the guess does not lead to one,
+//! [`crate::solver::continuation`] walks from rest.
 
 use super::muscle::MuscleInBricks;
 use crate::axisymmetric::Section;
@@ -10,7 +11,12 @@ use std::cmp::Ordering;
 
 /// Lagrange's weights through three places.
 fn lagrange(x: [f64; 3], at: f64) -> [f64; 3] {
-    [0, 1, 2].map(|i| (0..3).filter(|&j| j != i).map(|j| (at - x[j]) / (x[i] - x[j])).product())
+    [0, 1, 2].map(|i| {
+        (0..3)
+            .filter(|&j| j != i)
+            .map(|j| (at - x[j]) / (x[i] - x[j]))
+            .product()
+    })
 }
 
 /// Weights of the section's nodes at (R, Z) at rest.
@@ -34,8 +40,15 @@ impl<'a> Finder<'a> {
     /// First of three places around `at`, and their weights.
     fn triple(places: &[f64], at: f64) -> (usize, [f64; 3]) {
         let last = places.len() - 3;
-        let first = (0..last + 1).step_by(2).rev().find(|&i| places[i] <= at).unwrap_or(0);
-        (first, lagrange([places[first], places[first + 1], places[first + 2]], at))
+        let first = (0..last + 1)
+            .step_by(2)
+            .rev()
+            .find(|&i| places[i] <= at)
+            .unwrap_or(0);
+        (
+            first,
+            lagrange([places[first], places[first + 1], places[first + 2]], at),
+        )
     }
 
     /// Calls `each` with nodes and weights.
@@ -44,7 +57,10 @@ impl<'a> Finder<'a> {
         let (j, y) = Self::triple(&self.stations, z);
         for (b, wy) in y.into_iter().enumerate() {
             for (a, wx) in x.into_iter().enumerate() {
-                each(&self.section.nodes[self.section.index(i + a, j + b)], wx * wy);
+                each(
+                    &self.section.nodes[self.section.index(i + a, j + b)],
+                    wx * wy,
+                );
             }
         }
     }
@@ -53,8 +69,12 @@ impl<'a> Finder<'a> {
 impl MuscleInBricks {
     /// Fills displacements, pressures and tensions of the state.
     pub(super) fn carry_over(&mut self, section: &Section) {
-        let (d, mesh, width, state) =
-            (&self.bricks.discretisation, &self.mesh, self.width, &mut self.bricks.state);
+        let (d, mesh, width, state) = (
+            &self.bricks.discretisation,
+            &self.mesh,
+            self.width,
+            &mut self.bricks.state,
+        );
         let find = Finder::new(section);
         let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
         for (node, x) in d.problem.nodes.iter().enumerate() {
@@ -67,7 +87,11 @@ impl MuscleInBricks {
                 dr += w * (n.now_mm[0] - n.rest_mm[0]);
                 dz += w * (n.now_mm[1] - n.rest_mm[1]);
             });
-            let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
+            let u = if bonded {
+                [0.0, 0.0, state.terminal]
+            } else {
+                [dr * x[0] / r, dr * x[1] / r, dz]
+            };
             for i in 0..3 {
                 let number = d.unknown[node][i] as usize;
                 state.u[3 * node + i] = match number.cmp(&d.free) {
@@ -90,7 +114,8 @@ impl MuscleInBricks {
             state.p[e * d.modes] = mean;
         }
         for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
-            let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
+            let z =
+                0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
             let [.., per_width, _] = helices::state(&section.strands, z);
             *q = width * per_width;
         }

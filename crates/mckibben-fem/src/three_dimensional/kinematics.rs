@@ -8,7 +8,10 @@ use crate::element::spatial_stretches::principal_axes;
 
 /// Place now of a node in mm.
 pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
-    let (x, u) = (&body.discretisation.problem.nodes[node], &body.state.u[3 * node..3 * node + 3]);
+    let (x, u) = (
+        &body.discretisation.problem.nodes[node],
+        &body.state.u[3 * node..3 * node + 3],
+    );
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
 
@@ -19,18 +22,30 @@ pub(super) fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
 
 /// Largest principal stretch at F.
 pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
-    principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt()
+    principal_axes(&left(f))
+        .0
+        .into_iter()
+        .fold(0.0, f64::max)
+        .sqrt()
 }
 
 /// F at a point of a brick, and its place in the reference configuration.
-pub(super) fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([[f64; 3]; 3], [f64; 3])> {
+pub(super) fn gradient(
+    body: &Body,
+    brick: usize,
+    p: &ShapePoint,
+) -> Option<([[f64; 3]; 3], [f64; 3])> {
     let problem = &body.discretisation.problem;
     let nodes = &problem.bricks[brick];
-    let rest: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(brick, *node)).collect();
+    let rest: Vec<[f64; 3]> = nodes
+        .iter()
+        .map(|node| problem.rest(brick, *node))
+        .collect();
     let here: Vec<[f64; 3]> = nodes.iter().map(|node| now(body, *node as usize)).collect();
     let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
     let (volume, inverse) = (determinant(&before), adjugate(&before));
-    let f = after.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
+    let f = after
+        .map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
     let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, n)| n * x[i]).sum());
     (volume != 0.0).then_some((f, at))
 }

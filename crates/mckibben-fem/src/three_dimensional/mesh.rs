@@ -1,8 +1,9 @@
 //! A structured mesh of one eighth of a tube: a quarter of the circumference, half of the length.
 //!
-//! The grid of nodes runs through the wall (i), around (j, from y = 0 to x = 0) and along (k, from the middle z = 0 to the
-//! terminal). A linear brick has two nodes each way, a quadratic one three. Strands run along both diagonals of the
-//! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
+//! The grid of nodes runs through the wall (i), around (j, from y = 0 to x = 0) and along (k, from
+//! the middle z = 0 to the terminal). A linear brick has two nodes each way, a quadratic one three.
+//! Strands run along both diagonals of the quads of the outer grid; a diagonal is at θ0 where tanθ0
+//! = chord/Δz.
 
 use super::plug::{Plug, PlugGrid, profile};
 use crate::{FemError, Result};
@@ -56,7 +57,11 @@ impl Brick {
     }
 
     /// Nodes of a sheet of so many faces along its first and its second direction.
-    pub fn faces(self, [n0, n1]: [usize; 2], node: impl Fn(usize, usize) -> usize) -> Vec<Vec<u32>> {
+    pub fn faces(
+        self,
+        [n0, n1]: [usize; 2],
+        node: impl Fn(usize, usize) -> usize,
+    ) -> Vec<Vec<u32>> {
         let p = self.order();
         let one = |e: usize| {
             let at = |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
@@ -71,8 +76,8 @@ impl Brick {
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Keep")]
 pub enum Match {
-    // Where the bricks along are the program's choice, the last ones at the terminal are longer or shorter than the others;
-    // where they are given, strands lie at the angle that makes.
+    // Where the bricks along are the program's choice, the last ones at the terminal are longer or
+    // shorter than the others; where they are given, strands lie at the angle that makes.
     /// The length.
     #[default]
     Length,
@@ -103,27 +108,36 @@ pub struct BrickSpec {
     pub along: Option<usize>,
     /// What is kept.
     pub keep: Match,
-    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones and with
-    /// [`Match::Angle`].
+    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic
+    /// ones and with [`Match::Angle`].
     pub ring: Option<Ring>,
     /// The terminal as a body; without one it is the plane at the end.
     pub plug: Option<Plug>,
 }
 
 impl BrickSpec {
-    /// Reads `12` (bricks around the quarter), `2x12` (through the wall x around) or `2x12x39` (x along the half length);
-    /// `:quadratic` behind it takes quadratic bricks, `:circle` puts the nodes of linear ones on the circle. `None` where
-    /// the text is none of them.
+    /// Reads `12` (bricks around the quarter), `2x12` (through the wall x around) or `2x12x39` (x
+    /// along the half length); `:quadratic` behind it takes quadratic bricks, `:circle` puts the
+    /// nodes of linear ones on the circle. `None` where the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
         let mut words = text.split(':').map(str::trim);
-        let counts = words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<_>>>()?;
+        let counts = words
+            .next()?
+            .split('x')
+            .map(|t| t.trim().parse().ok())
+            .collect::<Option<Vec<_>>>()?;
         let [through, around, along] = match counts[..] {
             [a] => [None, Some(a), None],
             [t, a] => [Some(t), Some(a), None],
             [t, a, l] => [Some(t), Some(a), Some(l)],
             _ => return None,
         };
-        let mut out = Self { through, around, along, ..Self::default() };
+        let mut out = Self {
+            through,
+            around,
+            along,
+            ..Self::default()
+        };
         for word in words {
             match word {
                 "circle" => out.ring = Some(Ring::OnCircle),
@@ -141,14 +155,16 @@ impl BrickSpec {
         })
     }
 
-    /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its height with strands at the braid's
-    /// angle.
+    /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its
+    /// height with strands at the braid's angle.
     fn cell(&self, tube: &Quarter, cells: usize) -> (f64, f64) {
-        let chord = 2.0 * self.ring().width(cells) * tube.outer_mm * (FRAC_PI_4 / cells as f64).sin();
+        let chord =
+            2.0 * self.ring().width(cells) * tube.outer_mm * (FRAC_PI_4 / cells as f64).sin();
         (chord, chord / tube.angle_rad.tan())
     }
 
-    /// Rows of bricks along half a length that put the strands at the braid's angle, as a number that is not whole.
+    /// Rows of bricks along half a length that put the strands at the braid's angle, as a number
+    /// that is not whole.
     pub(super) fn rows(&self, tube: &Quarter, around: usize) -> f64 {
         let order = self.brick.order();
         tube.half_mm / (self.cell(tube, around * order).1 * order as f64)
@@ -164,13 +180,15 @@ impl BrickSpec {
             let rows = self.rows(tube, *around);
             (rows - rows.round()).abs()
         };
-        candidates.min_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or(12)
+        candidates
+            .min_by(|a, b| over(a).total_cmp(&over(b)))
+            .unwrap_or(12)
     }
 }
 
 impl Ring {
-    /// Radius of the nodes over that of the circle with `cells` intervals a quarter: a regular polygon of the circle's
-    /// area is wider by √(x/sin x), x = π/(2·cells).
+    /// Radius of the nodes over that of the circle with `cells` intervals a quarter: a regular
+    /// polygon of the circle's area is wider by √(x/sin x), x = π/(2·cells).
     fn width(self, cells: usize) -> f64 {
         let x = FRAC_PI_2 / cells as f64;
         match self {
@@ -199,7 +217,12 @@ impl Quarter {
         let tube = muscle.tube();
         let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
         let angle_rad = muscle.braid().angle_rad();
-        Self { inner_mm, outer_mm, half_mm: 0.5 * tube.length_mm, angle_rad }
+        Self {
+            inner_mm,
+            outer_mm,
+            half_mm: 0.5 * tube.length_mm,
+            angle_rad,
+        }
     }
 }
 
@@ -230,7 +253,10 @@ impl BrickMesh {
     /// Whether given numbers make a mesh.
     pub fn check(spec: &BrickSpec) -> Result<()> {
         let names = ["through", "around", "along"];
-        for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
+        for ((name, value), high) in names
+            .into_iter()
+            .zip([spec.through, spec.around, spec.along])
+            .zip(MOST)
         {
             let value = value.map_or(1.0, |n| n as f64);
             FemError::check_mesh(name, value, 1.0, high)?;
@@ -238,19 +264,28 @@ impl BrickMesh {
         Ok(())
     }
 
-    /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
+    /// Bricks through the wall, around and along, and the last over the insertion, of a tube that
+    /// is divided so.
     pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4]> {
         let order = spec.brick.order();
         Self::check(spec)?;
-        let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
+        let measures = spec
+            .plug
+            .map(|p| p.measures(tube.inner_mm, tube.half_mm))
+            .transpose()?;
         let insertion = measures.map_or(0.0, |m| m.0);
         // Where the bond begins the wall bends: one brick through it is too stiff.
         let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(tube));
         let (_, height) = spec.cell(tube, around * order);
         let natural = spec.rows(tube, around).round();
-        let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
-        Self::check(&BrickSpec { along: Some(along), ..*spec })?;
+        let along = spec
+            .along
+            .unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
+        Self::check(&BrickSpec {
+            along: Some(along),
+            ..*spec
+        })?;
         // Rows over the insertion are as high as the others.
         let height = if spec.keep == Match::Length && (spec.along.is_some() || along == 1) {
             tube.half_mm / (along * order) as f64
@@ -258,32 +293,50 @@ impl BrickMesh {
             height
         };
         let bonded = if insertion > 0.0 {
-            (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
+            (insertion / (height * order as f64))
+                .round()
+                .clamp(1.0, 2.0 * MOST[2]) as usize
         } else {
             0
         };
-        Self::check(&BrickSpec { along: Some(along + bonded), ..*spec })?;
+        Self::check(&BrickSpec {
+            along: Some(along + bonded),
+            ..*spec
+        })?;
         Ok([through, around, along, bonded])
     }
 
     /// Divides one eighth of a tube.
     pub fn new(tube: &Quarter, spec: &BrickSpec) -> Result<Self> {
         let order = spec.brick.order();
-        let Quarter { inner_mm: inner, outer_mm: outer, half_mm: half, .. } = *tube;
+        let Quarter {
+            inner_mm: inner,
+            outer_mm: outer,
+            half_mm: half,
+            ..
+        } = *tube;
         let [through, around, along, bonded] = Self::count(tube, spec)?;
-        let measures = spec.plug.map(|p| p.measures(tube.inner_mm, tube.half_mm)).transpose()?;
+        let measures = spec
+            .plug
+            .map(|p| p.measures(tube.inner_mm, tube.half_mm))
+            .transpose()?;
         let insertion = measures.map_or(0.0, |m| m.0);
         let (chord, height) = spec.cell(tube, around * order);
         let rows = (along * order) as f64;
         // Height of the rows, and of the last ones at the terminal.
         let (height, last) = match (spec.keep, spec.along) {
             (Match::Angle, _) => (height, height),
-            (Match::Length, None) if along > 1 => {
-                (height, (half - height * (rows - order as f64)) / order as f64)
-            }
+            (Match::Length, None) if along > 1 => (
+                height,
+                (half - height * (rows - order as f64)) / order as f64,
+            ),
             (Match::Length, _) => (half / rows, half / rows),
         };
-        let half = if spec.keep == Match::Length { half } else { height * rows };
+        let half = if spec.keep == Match::Length {
+            half
+        } else {
+            height * rows
+        };
         let wide = spec.ring().width(around * order);
         let free = along * order;
         let elements = [through, around, along + bonded];
@@ -306,17 +359,31 @@ impl BrickMesh {
                 }
             }
         }
-        let plug = spec.plug.zip(measures).map(|(p, (insertion_mm, nose_mm))| PlugGrid {
-            material: p.material,
-            insertion_mm,
-            nose_mm,
-            first_row: free,
-            profile: profile(inner, nose_mm, around, order),
-            base: nodes.len(),
-        });
-        let tube = Quarter { half_mm: half, angle_rad: (chord / height).atan(), ..*tube };
+        let plug = spec
+            .plug
+            .zip(measures)
+            .map(|(p, (insertion_mm, nose_mm))| PlugGrid {
+                material: p.material,
+                insertion_mm,
+                nose_mm,
+                first_row: free,
+                profile: profile(inner, nose_mm, around, order),
+                base: nodes.len(),
+            });
+        let tube = Quarter {
+            half_mm: half,
+            angle_rad: (chord / height).atan(),
+            ..*tube
+        };
         let last_angle_rad = (chord / last).atan();
-        let mut out = Self { brick: spec.brick, elements, nodes, tube, last_angle_rad, plug };
+        let mut out = Self {
+            brick: spec.brick,
+            elements,
+            nodes,
+            tube,
+            last_angle_rad,
+            plug,
+        };
         out.fill_plug(wide, &rows);
         Ok(out)
     }
@@ -332,18 +399,22 @@ impl BrickMesh {
         (k * nj + j) * ni + i
     }
 
-    /// Nodes of every brick, as the shape functions want them: through the wall first, then around, then along.
+    /// Nodes of every brick, as the shape functions want them: through the wall first, then around,
+    /// then along.
     pub fn bricks(&self) -> Vec<Vec<u32>> {
-        self.brick.bricks(self.elements, |i, j, k| self.node(i, j, k))
+        self.brick
+            .bricks(self.elements, |i, j, k| self.node(i, j, k))
     }
 
     /// Nodes of every face of the inner surface up to the terminal: around first, then along.
     pub fn cavity_faces(&self) -> Vec<Vec<u32>> {
         let rows = self.free_rows() / self.brick.order();
-        self.brick.faces([self.elements[1], rows], |j, k| self.node(0, j, k))
+        self.brick
+            .faces([self.elements[1], rows], |j, k| self.node(0, j, k))
     }
 
-    /// Both ends of every strand piece: the family that turns left first, quad by quad from the middle, then the other.
+    /// Both ends of every strand piece: the family that turns left first, quad by quad from the
+    /// middle, then the other.
     pub fn strands(&self) -> Vec<[u32; 2]> {
         let [ni, nj, nk] = self.grid();
         let outer = |j, k| self.node(ni - 1, j, k) as u32;
@@ -353,9 +424,11 @@ impl BrickMesh {
         left.chain(right).collect()
     }
 
-    /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands of a family).
+    /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands
+    /// of a family).
     pub fn strand_width_mm(&self, muscle: &Muscle) -> f64 {
-        PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * (self.grid()[1] - 1)) as f64
+        PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos()
+            / (4 * (self.grid()[1] - 1)) as f64
     }
 
     /// Area of the terminal's lid, which is round, of the quarter, in mm².

@@ -9,15 +9,18 @@ use mckibben::muscle::Muscle;
 
 pub(crate) const ENTRY: ModelEntry = ModelEntry {
     name: "fe3d",
-    description: "three-dimensional finite elements: bricks and single strands; the reference for fe",
-    source: "three-dimensional finite elements (one eighth in mixed bricks, strands between their nodes, bonded terminals)",
+    description: "three-dimensional finite elements: bricks and single strands; the reference for \
+        fe",
+    source: "three-dimensional finite elements (one eighth in mixed bricks, strands between their \
+        nodes, bonded terminals)",
 };
 
-/// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
-/// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
+/// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands
+/// between their nodes along both diagonals, terminals as rigid planes or as plugs
+/// ([`super::Plug`]), pressure as −P·V.
 ///
-/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`MuscleMesh::mesh`] tells it), or at θ0
-/// with another length ([`super::Match::Angle`]).
+/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`MuscleMesh::mesh`] tells
+/// it), or at θ0 with another length ([`super::Match::Angle`]).
 pub type ThreeDimensional = FiniteElements<MuscleMesh>;
 
 impl ThreeDimensional {
@@ -37,7 +40,12 @@ impl ThreeDimensional {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;
         // What an insertion adds has no limit to compare with.
-        let accuracy = match divided.mesh.plug.as_ref().is_some_and(|p| p.insertion_mm > 0.0) {
+        let accuracy = match divided
+            .mesh
+            .plug
+            .as_ref()
+            .is_some_and(|p| p.insertion_mm > 0.0)
+        {
             true => Accuracy::UNKNOWN,
             false => Accuracy::share(0.0, Reference::Equations),
         };
@@ -53,15 +61,21 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
     let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
     if (mesh.tube.angle_rad.to_degrees() - angle).abs() > 0.005 {
         let meshed = degrees(mesh.tube.angle_rad);
-        out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
+        out.push(format!(
+            "the strands of the mesh lie at {meshed}, those of the braid at {angle}°"
+        ));
     }
     if (mesh.last_angle_rad - mesh.tube.angle_rad).abs() > 0.01 {
         let last = degrees(mesh.last_angle_rad);
-        out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
+        out.push(format!(
+            "in the last row of bricks at the terminal the strands lie at {last}"
+        ));
     }
     let (length, meshed) = (muscle.length_mm(), 2.0 * mesh.tube.half_mm);
     if (meshed - length).abs() > 1e-6 * length {
-        out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
+        out.push(format!(
+            "the mesh is {meshed:.2} mm long, the muscle {length} mm"
+        ));
     }
     if let Some(plug) = &mesh.plug {
         let name = format!("{:?}", plug.material).to_lowercase();
@@ -72,8 +86,9 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
             ""
         };
         out.push(format!(
-                "the terminal is a plug ({name}) with {insertion} mm in the tube{assumed} and a nose of {nose} mm radius"
-            ));
+            "the terminal is a plug ({name}) with {insertion} mm in the tube{assumed} and a \
+                 nose of {nose} mm radius"
+        ));
     }
     out
 }

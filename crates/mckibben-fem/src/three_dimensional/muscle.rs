@@ -1,4 +1,5 @@
-//! A muscle in bricks, ready to be led from equilibrium to equilibrium; its first guesses are axisymmetric equilibria of the same muscle.
+//! A muscle in bricks, ready to be led from equilibrium to equilibrium; its first guesses are
+//! axisymmetric equilibria of the same muscle.
 
 use super::body::Body;
 use super::discretisation::Discretisation;
@@ -48,14 +49,20 @@ impl MuscleMesh {
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
             return Err(FemError::Refused(format!(
-                "three-dimensional elements have no {key}: their strands are trusses on the cylinder of the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
+                "three-dimensional elements have no {key}: their strands are trusses on the \
+                 cylinder of the tube's surface, their rubber is that of a first inflation; take \
+                 fe, or leave the key out"
             )));
         }
         // How far the plug reaches into the tube is the muscle's to say.
         let insertion = muscle.terminals().insertion_mm();
-        let stated = |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
+        let stated =
+            |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
         let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));
-        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
+        let plug = spec.plug.map(|p| Plug {
+            insertion_mm: p.insertion_mm.or(Some(insertion)),
+            ..p
+        });
         let spec = &BrickSpec { plug, ..*spec };
         let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), spec)?;
         Ok(Self {
@@ -91,7 +98,8 @@ impl Divided for MuscleMesh {
     }
 }
 
-/// The axisymmetric model of the same muscle, with the mesh's length and angle and the same strands.
+/// The axisymmetric model of the same muscle, with the mesh's length and angle and the same
+/// strands.
 fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
     let mut tube = muscle.tube().clone();
     tube.length_mm = 2.0 * mesh.tube.half_mm;
@@ -123,7 +131,9 @@ impl MuscleInBricks {
     /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
     fn guess_from_section(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.bricks.discretisation.half;
-        let Some((muscle, c)) = &mut self.section else { return false };
+        let Some((muscle, c)) = &mut self.section else {
+            return false;
+        };
         if c.reach(pressure, contraction).is_err() {
             return false;
         }
@@ -137,7 +147,11 @@ impl MuscleInBricks {
 
 impl body::Body for MuscleInBricks {
     const SETTINGS: Settings = Settings {
-        newton: NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::DEFAULT },
+        newton: NewtonOptions {
+            tolerance: 1e-9,
+            iterations: 14,
+            ..NewtonOptions::DEFAULT
+        },
         kept: 4,
         near_pressure: 0.15,
         near_contraction: 0.01,
@@ -202,25 +216,36 @@ impl body::Body for MuscleInBricks {
     }
 
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64> {
-        let Some((_, section)) = &mut self.section else { return Ok(0.0) };
+        let Some((_, section)) = &mut self.section else {
+            return Ok(0.0);
+        };
         section.reach_force(force, pressure)?;
         Ok(section.contraction())
     }
 
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
         let Some((_, section)) = &mut self.section else {
-            return Err(FemError::Force { force_n: force, reason: Stopped::Diverged });
+            return Err(FemError::Force {
+                force_n: force,
+                reason: Stopped::Diverged,
+            });
         };
         section.reach_pressure(force, contraction)?;
         Ok(section.body.state.pressure)
     }
 
     fn taut_pressure(&self, contraction: f64) -> f64 {
-        self.section.as_ref().map_or(0.0, |section| section.1.body.taut_pressure(contraction))
+        self.section
+            .as_ref()
+            .map_or(0.0, |section| section.1.body.taut_pressure(contraction))
     }
 
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
-        self.section.as_ref()?.1.body.expected_pull(pressure, contraction)
+        self.section
+            .as_ref()?
+            .1
+            .body
+            .expected_pull(pressure, contraction)
     }
 
     fn radius(&self) -> f64 {

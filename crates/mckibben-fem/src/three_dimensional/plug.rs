@@ -1,11 +1,14 @@
-//! The terminal as a body: a plug that fills the end of the tube, with a rounded nose towards the cavity.
+//! The terminal as a body: a plug that fills the end of the tube, with a rounded nose towards the
+//! cavity.
 //!
-//! The plug's side meets the inner surface from z = L0/2 on, over the insertion; tube and plug are bonded there, so that L0 stays the length
-//! between the terminals. Its nose is in the cavity: a quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then
-//! a plane to the axis. The tube's outer face stays free over the insertion, the far end of tube and braid is held.
+//! The plug's side meets the inner surface from z = L0/2 on, over the insertion; tube and plug are
+//! bonded there, so that L0 stays the length between the terminals. Its nose is in the cavity: a
+//! quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then a plane to the axis.
+//! The tube's outer face stays free over the insertion, the far end of tube and braid is held.
 //!
-//! The grid carries the tube's on to the axis: columns m from the axis (0) to the inner surface, around as the tube, rows along as the
-//! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
+//! The grid carries the tube's on to the axis: columns m from the axis (0) to the inner surface,
+//! around as the tube, rows along as the tube's rows of the insertion. Bricks at the axis are
+//! wedges (two edges in one).
 
 use crate::{FemError, Result};
 use schemars::JsonSchema;
@@ -52,10 +55,12 @@ impl PlugMaterial {
 pub struct Plug {
     /// What the plug is made of.
     pub material: PlugMaterial,
-    /// How far the plug reaches into the tube, mm; the muscle's `[terminals] insertion` where it is not given.
+    /// How far the plug reaches into the tube, mm; the muscle's `[terminals] insertion` where it is
+    /// not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub insertion_mm: Option<f64>,
-    /// Radius of its nose, mm; a quarter of the inner radius where it is not given, 0 for a sharp edge.
+    /// Radius of its nose, mm; a quarter of the inner radius where it is not given, 0 for a sharp
+    /// edge.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nose_mm: Option<f64>,
 }
@@ -71,7 +76,8 @@ pub struct PlugGrid {
     pub nose_mm: f64,
     /// Row of the tube's nodes at which the bond begins.
     pub first_row: usize,
-    /// Nodes from the axis to the inner surface: (r, how far the face is before the beginning of the bond), in mm.
+    /// Nodes from the axis to the inner surface: (r, how far the face is before the beginning of
+    /// the bond), in mm.
     pub profile: Vec<(f64, f64)>,
     /// Number of its first node.
     pub base: usize,
@@ -81,22 +87,39 @@ impl Plug {
     /// Insertion and nose in mm for an inner surface of radius `inner` and half length `half`.
     pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64)> {
         let insertion = self.insertion_mm.unwrap_or(0.0);
-        let least = if self.material == PlugMaterial::Rigid { 0.0 } else { SHORTEST * inner };
-        FemError::check_mesh("the terminal's insertion in mm", insertion, least, 100.0 * inner)?;
+        let least = if self.material == PlugMaterial::Rigid {
+            0.0
+        } else {
+            SHORTEST * inner
+        };
+        FemError::check_mesh(
+            "the terminal's insertion in mm",
+            insertion,
+            least,
+            100.0 * inner,
+        )?;
         let nose = self.nose_mm.unwrap_or((NOSE * inner).min(0.5 * half));
-        FemError::check_mesh("the radius of the terminal's nose in mm", nose, 0.0, inner.min(0.9 * half))?;
+        FemError::check_mesh(
+            "the radius of the terminal's nose in mm",
+            nose,
+            0.0,
+            inner.min(0.9 * half),
+        )?;
         Ok((insertion, nose))
     }
 }
 
-/// (r, how far before the bond) from the axis to the inner surface, with intervals of `order` and as many columns as suit `around` bricks.
+/// (r, how far before the bond) from the axis to the inner surface, with intervals of `order` and
+/// as many columns as suit `around` bricks.
 pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
     let columns = (around / 4).clamp(2, 16);
     let (flat, round) = (inner - nose, columns * order);
     let mut out = vec![];
     // Thinner than rounding is no column.
     if flat > 1e-9 * inner {
-        out.extend((0..columns * order).map(|m| (flat * m as f64 / (columns * order) as f64, nose)));
+        out.extend(
+            (0..columns * order).map(|m| (flat * m as f64 / (columns * order) as f64, nose)),
+        );
     }
     if nose > 0.0 {
         let arc = (0..round).map(|m| FRAC_PI_2 * m as f64 / round as f64);

@@ -4,7 +4,8 @@ use super::mesh::{BrickMesh, direction};
 use super::plug::PlugGrid;
 
 impl BrickMesh {
-    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the inner surface.
+    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to
+    /// the inner surface.
     pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
         let Some(plug) = &self.plug else { return };
         let (order, [_, nj, _]) = (self.brick.order(), self.grid());
@@ -13,7 +14,11 @@ impl BrickMesh {
         let behind = *rows.get(order).unwrap_or(&self.tube.half_mm);
         let z = |m: usize, k: usize| {
             let face = self.tube.half_mm - plug.profile[m].1;
-            if k >= order { rows[k] } else { face + (behind - face) * k as f64 / order as f64 }
+            if k >= order {
+                rows[k]
+            } else {
+                face + (behind - face) * k as f64 / order as f64
+            }
         };
         let mut nodes: Vec<[f64; 3]> = (0..rows.len()).map(|k| [0.0, 0.0, z(0, k)]).collect();
         for k in 0..rows.len() {
@@ -30,10 +35,13 @@ impl BrickMesh {
 
     /// Row of nodes at which the tube's free length ends.
     pub fn free_rows(&self) -> usize {
-        self.plug.as_ref().map_or(self.grid()[2] - 1, |p| p.first_row)
+        self.plug
+            .as_ref()
+            .map_or(self.grid()[2] - 1, |p| p.first_row)
     }
 
-    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the inner surface it is the tube's.
+    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the
+    /// inner surface it is the tube's.
     pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
         let ([_, nj, nk], columns) = (self.grid(), plug.columns());
         match m {
@@ -45,16 +53,22 @@ impl BrickMesh {
 
     /// Nodes of every brick of the plug, as [`BrickMesh::bricks`] has those of the tube.
     pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
-        let Some(plug) = &self.plug else { return vec![] };
+        let Some(plug) = &self.plug else {
+            return vec![];
+        };
         let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
         let count = [plug.columns() / p, nc, nz - plug.first_row / p];
-        self.brick.bricks(count, |m, j, k| self.plug_node(plug, m, j, k))
+        self.brick
+            .bricks(count, |m, j, k| self.plug_node(plug, m, j, k))
     }
 
     /// Nodes of every face of the plug towards the cavity, their normals out of it.
     pub fn plug_face(&self) -> Vec<Vec<u32>> {
-        let Some(plug) = &self.plug else { return vec![] };
+        let Some(plug) = &self.plug else {
+            return vec![];
+        };
         let count = [plug.columns() / self.brick.order(), self.elements[1]];
-        self.brick.faces(count, |m, j| self.plug_node(plug, m, j, 0))
+        self.brick
+            .faces(count, |m, j| self.plug_node(plug, m, j, 0))
     }
 }

@@ -23,10 +23,15 @@ impl Freedom {
     /// Of what is bonded to the terminal.
     pub const MOVES: [Self; 3] = [Self::Held, Self::Held, Self::Terminal];
 
-    /// Of a node at (j around, k along) of a quarter between planes of symmetry, whose far end moves with the terminal.
+    /// Of a node at (j around, k along) of a quarter between planes of symmetry, whose far end
+    /// moves with the terminal.
     pub fn in_quarter([j, k]: [usize; 2], [nj, nk]: [usize; 2]) -> [Self; 3] {
         let held = |is: bool| if is { Self::Held } else { Self::Free };
-        let along = if k + 1 == nk { Self::Terminal } else { held(k == 0) };
+        let along = if k + 1 == nk {
+            Self::Terminal
+        } else {
+            held(k == 0)
+        };
         [held(j + 1 == nj), held(j == 0), along]
     }
 }
@@ -46,8 +51,9 @@ pub struct Problem {
     pub faces: Vec<Vec<u32>>,
     /// Area in mm² with which the terminal closes the cavity.
     ///
-    /// The cavity is V = ⅓ ∮ x·n dA over the faces and the lid. What a round lid has beyond the polygon of the faces' rim closes the
-    /// cavity as prisms of all its length, not as pyramids, and counts three times here.
+    /// The cavity is V = ⅓ ∮ x·n dA over the faces and the lid. What a round lid has beyond the
+    /// polygon of the faces' rim closes the cavity as prisms of all its length, not as pyramids,
+    /// and counts three times here.
     pub cap_mm2: f64,
     /// Dead loads on nodes in N per MPa of pressure; empty without any.
     pub dead: Vec<[f64; 3]>,
@@ -61,9 +67,11 @@ pub struct Problem {
     pub bulk: Bulk,
     /// Another material of the last bricks.
     pub other: Option<Other>,
-    /// Length along z at rest in mm to which contractions refer; where it is `None`, the greatest z.
+    /// Length along z at rest in mm to which contractions refer; where it is `None`, the greatest
+    /// z.
     pub length_mm: Option<f64>,
-    /// λp: by how much the rubber, which is the first material, is stretched along z where nothing is displaced.
+    /// λp: by how much the rubber, which is the first material, is stretched along z where nothing
+    /// is displaced.
     pub prestretch: f64,
 }
 
@@ -108,7 +116,12 @@ impl Problem {
     /// Rubber that was mounted with a stretch is wider there by √λp and shorter by 1/λp.
     pub fn rest(&self, brick: usize, node: u32) -> [f64; 3] {
         let [x, y, z] = self.nodes[node as usize];
-        if self.prestretch == 1.0 || self.other.as_ref().is_some_and(|other| brick >= other.first) {
+        if self.prestretch == 1.0
+            || self
+                .other
+                .as_ref()
+                .is_some_and(|other| brick >= other.first)
+        {
             return [x, y, z];
         }
         let wider = self.prestretch.sqrt();
@@ -120,12 +133,23 @@ impl Problem {
         let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
         for (j, k) in (0..nk).flat_map(|k| (0..nj).map(move |j| (j, k))) {
-            let here = if k + 1 == nk { Freedom::MOVES } else { Freedom::in_quarter([j, k], [nj, nk]) };
+            let here = if k + 1 == nk {
+                Freedom::MOVES
+            } else {
+                Freedom::in_quarter([j, k], [nj, nk])
+            };
             (0..ni).for_each(|i| freedom[mesh.node(i, j, k)] = here);
         }
-        let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick.order() };
+        let sheet = Sheet {
+            around: nj,
+            along: nk - 1,
+            stride: mesh.brick.order(),
+        };
         let mut order = Vec::with_capacity(mesh.nodes.len());
-        let elastic = mesh.plug.as_ref().filter(|p| p.material.moduli_mpa().is_some());
+        let elastic = mesh
+            .plug
+            .as_ref()
+            .filter(|p| p.material.moduli_mpa().is_some());
         for (j, k) in sheet.order() {
             // What lies between the axis and the wall stays together with the wall.
             if let Some((plug, k)) = elastic.and_then(|p| Some((p, k.checked_sub(p.first_row)?))) {
@@ -136,14 +160,20 @@ impl Problem {
         if let Some(plug) = &mesh.plug {
             hold_plug(mesh, plug, &mut freedom);
             if elastic.is_some() {
-                order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
+                order.extend(
+                    (0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32),
+                );
             }
         }
         let (mut bricks, mut faces, mut other) = (mesh.bricks(), mesh.cavity_faces(), None);
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });
-            other = Some(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
+            other = Some(Other {
+                first: bricks.len(),
+                law,
+                bulk: Bulk::Modulus(k),
+            });
             bricks.extend(mesh.plug_bricks());
         }
         let cap_mm2 = match mesh.plug {
@@ -154,11 +184,20 @@ impl Problem {
         let nodes = &mesh.nodes;
         // A family is as stiff as the braid's; strands that do not stretch are infinitely stiff.
         let width = mesh.strand_width_mm(muscle);
-        let stiffness_n = muscle.family_stiffness_n_per_mm().map_or(f64::INFINITY, |k| k * width);
+        let stiffness_n = muscle
+            .family_stiffness_n_per_mm()
+            .map_or(f64::INFINITY, |k| k * width);
         let trusses = mesh.strands().into_iter().map(|ends| {
             let [a, b] = ends.map(|n| nodes[n as usize]);
             let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
+            (
+                ends,
+                Truss {
+                    length_mm,
+                    stiffness_n,
+                    compression: muscle.braid().compression,
+                },
+            )
         });
         Self {
             trusses: trusses.collect(),
@@ -168,12 +207,18 @@ impl Problem {
             other,
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
-            ..Self::free(nodes.clone(), (mesh.brick, bricks), order, (rubber.law.clone(), rubber.bulk))
+            ..Self::free(
+                nodes.clone(),
+                (mesh.brick, bricks),
+                order,
+                (rubber.law.clone(), rubber.bulk),
+            )
         }
     }
 }
 
-/// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an elastic one is held at its far end.
+/// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an
+/// elastic one is held at its far end.
 fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
     let [_, nj, nk] = mesh.grid();
     let rows = nk - plug.first_row;

@@ -1,4 +1,5 @@
-//! What an equilibrium tells, in the words of the axisymmetric model: averages around the circumference.
+//! What an equilibrium tells, in the words of the axisymmetric model: averages around the
+//! circumference.
 
 use super::body::Body;
 use super::kinematics::{gradient, largest_principal, now};
@@ -16,7 +17,8 @@ impl MuscleBody for MuscleInBricks {
     fn derivatives(&mut self) -> Result<[f64; 3]> {
         let body = &mut self.bricks;
         let force_n = body.totals.pull;
-        body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
+        body.factorise()
+            .map_err(|reason| FemError::at_force(force_n, reason))?;
         // By Maxwell's relation ∂F/∂P = −∂V/∂L.
         let (stiffness, force_per_pressure) = body.terminal_response();
         let volume_per_pressure = body.volume_per_pressure();
@@ -41,7 +43,13 @@ impl MuscleBody for MuscleInBricks {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
             let (inner_z_mm, inner_r_mm) = ring(body, mesh, 0, k);
             let rest_z_mm = mesh.nodes[mesh.node(0, 0, k)][2];
-            ProfilePoint { rest_z_mm, outer_z_mm, outer_r_mm, inner_z_mm, inner_r_mm }
+            ProfilePoint {
+                rest_z_mm,
+                outer_z_mm,
+                outer_r_mm,
+                inner_z_mm,
+                inner_r_mm,
+            }
         };
         (0..=mesh.free_rows()).map(row).collect()
     }
@@ -52,15 +60,19 @@ impl MuscleBody for MuscleInBricks {
         let [_, nj, nk] = mesh.grid();
         let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
         let width = mesh.strand_width_mm(muscle);
-        let spacing =
-            muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
+        let spacing = muscle
+            .braid()
+            .strands
+            .map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
         let one = |k: usize| {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
             for t in pieces {
                 let pull = body.discretisation.pull(&body.state, t, 0.0);
                 stretch += 1.0 + pull.strain;
-                angle += pull.direction[0].hypot(pull.direction[1]).atan2(pull.direction[2].abs());
+                angle += pull.direction[0]
+                    .hypot(pull.direction[1])
+                    .atan2(pull.direction[2].abs());
                 tension += pull.tension;
             }
             let count = 2.0 * row as f64;
@@ -78,15 +90,24 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn bulge_mm(&self) -> f64 {
-        self.profile().iter().map(|p| p.outer_r_mm).fold(0.0, f64::max)
+        self.profile()
+            .iter()
+            .map(|p| p.outer_r_mm)
+            .fold(0.0, f64::max)
     }
 
     /// Looked at in three layers of every brick.
     fn largest_stretch(&self) -> StretchAt {
         const LAYERS: [f64; 3] = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
-        let along = if self.mesh.brick == Brick::Linear { &LAYERS[1..2] } else { &LAYERS };
-        let places: Vec<[f64; 3]> =
-            LAYERS.iter().flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z])).collect();
+        let along = if self.mesh.brick == Brick::Linear {
+            &LAYERS[1..2]
+        } else {
+            &LAYERS
+        };
+        let places: Vec<[f64; 3]> = LAYERS
+            .iter()
+            .flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z]))
+            .collect();
         largest_of_most(stretches_at(&self.bricks, &places))
     }
 
@@ -94,7 +115,10 @@ impl MuscleBody for MuscleInBricks {
     fn middle_stretch(&self) -> f64 {
         let list = stretches_at(&self.bricks, &[-1.0, 1.0].map(|x| [x, 0.0, -1.0]));
         let near = 1e-6 * self.mesh.tube.half_mm;
-        list.iter().filter(|s| s.0.rest_mm[1].abs() < near).map(|s| s.0.value).fold(1.0, f64::max)
+        list.iter()
+            .filter(|s| s.0.rest_mm[1].abs() < near)
+            .map(|s| s.0.value)
+            .fold(1.0, f64::max)
     }
 }
 
@@ -115,14 +139,30 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 /// The stretch at places of every brick of rubber.
 fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
     let d = &body.discretisation;
-    let points: Vec<ShapePoint> = places.iter().map(|x| at(d.problem.brick.order(), *x, 1.0)).collect();
+    let points: Vec<ShapePoint> = places
+        .iter()
+        .map(|x| at(d.problem.brick.order(), *x, 1.0))
+        .collect();
     let mut list = vec![];
-    for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
+    for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()]
+        .iter()
+        .enumerate()
+    {
         let rest: Vec<[f64; 3]> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
         for p in &points {
-            let Some((f, _)) = gradient(body, e, p) else { continue };
-            let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, share)| share * x[i]).sum::<f64>());
-            let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
+            let Some((f, _)) = gradient(body, e, p) else {
+                continue;
+            };
+            let at = [0, 1, 2].map(|i| {
+                rest.iter()
+                    .zip(&p.n)
+                    .map(|(x, share)| share * x[i])
+                    .sum::<f64>()
+            });
+            let at = StretchAt {
+                value: largest_principal(&f),
+                rest_mm: [at[0].hypot(at[1]), at[2]],
+            };
             list.push((at, determinant(&jacobian(&rest, &p.dn)).abs()));
         }
     }

@@ -4,8 +4,9 @@
 //!
 //!   K du + Σ β G dm = b + Σ (γ/V) G d,    G du − (V/k) dm = d
 //!
-//! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
-//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983 \[fortin1983\]).
+//! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G
+//! K⁻¹(…) − d by conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin &
+//! Glowinski 1983 \[fortin1983\]).
 
 use super::assembly::Assembled;
 use super::discretisation::{Discretisation, share};
@@ -30,12 +31,15 @@ pub struct Constraints<'a> {
 impl Constraints<'_> {
     /// Whether any constraint needs conjugate gradients.
     fn iterated(&self) -> bool {
-        self.d.materials.iter().any(|m| share(m.compliance, m.augment) > 0.0)
+        self.d
+            .materials
+            .iter()
+            .any(|m| share(m.compliance, m.augment) > 0.0)
             || self.d.strand.iter().any(|&(c, g)| share(c, g) > 0.0)
     }
 
-    /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint that acts: first the
-    /// bricks' (number 0 …), then the strands' (number bricks·modes …).
+    /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint
+    /// that acts: first the bricks' (number 0 …), then the strands' (number bricks·modes …).
     fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
@@ -44,17 +48,35 @@ impl Constraints<'_> {
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];
-                each(m, nodes, gradient, volume, material.compliance, material.augment);
+                each(
+                    m,
+                    nodes,
+                    gradient,
+                    volume,
+                    material.compliance,
+                    material.augment,
+                );
             }
         }
         let first = d.bricks() * d.modes;
-        for (t, ((ends, truss), &(n, _, carries))) in
-            d.problem.trusses.iter().zip(&self.assembled.strands).enumerate()
+        for (t, ((ends, truss), &(n, _, carries))) in d
+            .problem
+            .trusses
+            .iter()
+            .zip(&self.assembled.strands)
+            .enumerate()
         {
             if carries {
                 let gradient = [-n[0], -n[1], -n[2], n[0], n[1], n[2]];
                 let (compliance, augment) = d.strand[t];
-                each(first + t, ends, &gradient, truss.length_mm, compliance, augment);
+                each(
+                    first + t,
+                    ends,
+                    &gradient,
+                    truss.length_mm,
+                    compliance,
+                    augment,
+                );
             }
         }
     }
@@ -99,8 +121,9 @@ impl Constraints<'_> {
         });
     }
 
-    /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
-    /// takes the solution; `dm` holds d and takes the multipliers. Where the work is cancelled what is there is no solution.
+    /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given
+    /// (the terminal's), and takes the solution; `dm` holds d and takes the multipliers. Where the
+    /// work is cancelled what is there is no solution.
     pub fn solve(&mut self, b: &mut [f64], du: &mut [f64], dm: &mut [f64]) {
         self.cholesky.solve(b);
         spread(self.d, b, du);
@@ -121,13 +144,24 @@ impl Constraints<'_> {
         });
     }
 
-    /// Right-hand side in `r`; corrects `du` as well. The matrix is symmetric in the inner product Σ β x y, in which
-    /// constraints with β = 0 have no part.
-    fn conjugate_gradients(&mut self, shares: &[f64], du: &mut [f64], r: &mut [f64], x: &mut [f64]) {
+    /// Right-hand side in `r`; corrects `du` as well. The matrix is symmetric in the inner product
+    /// Σ β x y, in which constraints with β = 0 have no part.
+    fn conjugate_gradients(
+        &mut self,
+        shares: &[f64],
+        du: &mut [f64],
+        r: &mut [f64],
+        x: &mut [f64],
+    ) {
         let (d, tolerance) = (self.d, self.tolerance);
         let n = r.len();
-        let inner =
-            |a: &[f64], b: &[f64]| a.iter().zip(b).zip(shares).map(|((x, y), w)| w * x * y).sum::<f64>();
+        let inner = |a: &[f64], b: &[f64]| {
+            a.iter()
+                .zip(b)
+                .zip(shares)
+                .map(|((x, y), w)| w * x * y)
+                .sum::<f64>()
+        };
         let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
         self.precondition(r, &mut z);
@@ -188,13 +222,22 @@ pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
 }
 
 /// d = −c: the defects of the constraints.
-pub(super) fn constraint_residual(d: &Discretisation, s: &State, work: &Assembled, out: &mut [f64]) {
+pub(super) fn constraint_residual(
+    d: &Discretisation,
+    s: &State,
+    work: &Assembled,
+    out: &mut [f64],
+) {
     let bricks = d.bricks() * d.modes;
     for (o, c) in out.iter_mut().zip(&work.defect) {
         *o = -c;
     }
     for (t, (_, strain, carries)) in work.strands.iter().enumerate() {
         let length = d.problem.trusses[t].1.length_mm;
-        out[bricks + t] = if *carries { -length * (strain - s.q[t] * d.strand[t].0) } else { 0.0 };
+        out[bricks + t] = if *carries {
+            -length * (strain - s.q[t] * d.strand[t].0)
+        } else {
+            0.0
+        };
     }
 }

@@ -1,4 +1,5 @@
-//! A. Homogeneous states (Rivlin 1948 \[rivlin1948\]; Treloar 1975 \[treloar1975\]), at a point and on a distorted patch.
+//! A. Homogeneous states (Rivlin 1948 \[rivlin1948\]; Treloar 1975 \[treloar1975\]), at a point and
+//! on a distorted patch.
 //!
 //! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
@@ -43,7 +44,12 @@ fn distance(body: &Body, stretch: f64) -> f64 {
 fn cauchy(law: &Law, f: Gradient) -> [f64; 4] {
     let Gradient { a, b, c, d, t } = f;
     let s = law::with(law, |law| law.plane.stress_at(&f, 0.0));
-    [s.r[0] * a + s.r[1] * b, s.z[0] * c + s.z[1] * d, s.r[2] * t, s.r[0] * c + s.r[1] * d]
+    [
+        s.r[0] * a + s.r[1] * b,
+        s.z[0] * c + s.z[1] * d,
+        s.r[2] * t,
+        s.r[0] * c + s.r[1] * d,
+    ]
 }
 
 /// The rows of A.
@@ -53,19 +59,48 @@ pub fn homogeneous(rows: &mut Rows) {
         // λz = 1/4 is equibiaxial λ = 2: the true stresses differ by the sign alone.
         ("equibiaxial tension", 0.25, 0.70875, -0.125),
     ] {
-        let solved =
-            body(distorted(), rubber(), None, Ends::Sliding).and_then(|c| stretched(c, 0.0, stretch));
+        let solved = body(distorted(), rubber(), None, Ends::Sliding)
+            .and_then(|c| stretched(c, 0.0, stretch));
         let ours = solved.map(|b| [factor * b.totals.pull / (3.0 * PI), distance(&b, stretch)]);
-        let exact = [("nominal stress (MPa)", nominal), ("distance from the linear field (mm)", 0.0)];
-        rows.each(&format!("{name}, λ = 2, distorted patch: "), exact, ours, 1e-11);
+        let exact = [
+            ("nominal stress (MPa)", nominal),
+            ("distance from the linear field (mm)", 0.0),
+        ];
+        rows.each(
+            &format!("{name}, λ = 2, distorted patch: "),
+            exact,
+            ours,
+            1e-11,
+        );
     }
-    let rest = Gradient { a: 1.0, b: 0.0, c: 0.0, d: 1.0, t: 1.0 };
-    let planar = cauchy(&rubber(), Gradient { a: 2.0, d: 0.5, ..rest });
-    rows.add("planar tension, λ = 2: nominal stress (MPa)", 0.45, (planar[0] - planar[1]) / 2.0, 1e-12);
+    let rest = Gradient {
+        a: 1.0,
+        b: 0.0,
+        c: 0.0,
+        d: 1.0,
+        t: 1.0,
+    };
+    let planar = cauchy(
+        &rubber(),
+        Gradient {
+            a: 2.0,
+            d: 0.5,
+            ..rest
+        },
+    );
+    rows.add(
+        "planar tension, λ = 2: nominal stress (MPa)",
+        0.45,
+        (planar[0] - planar[1]) / 2.0,
+        1e-12,
+    );
     let g = 0.7;
     let shear = cauchy(&rubber(), Gradient { b: g, ..rest });
     let ours = [shear[3], shear[0] - shear[2], shear[1] - shear[2]];
-    let exact =
-        [("σ12 (MPa)", 0.24 * g), ("σ11 − σ33 (MPa)", 0.2 * g * g), ("σ22 − σ33 (MPa)", -0.04 * g * g)];
+    let exact = [
+        ("σ12 (MPa)", 0.24 * g),
+        ("σ11 − σ33 (MPa)", 0.2 * g * g),
+        ("σ22 − σ33 (MPa)", -0.04 * g * g),
+    ];
     rows.each("simple shear, γ = 0.7: ", exact, Some(ours), 1e-12);
 }

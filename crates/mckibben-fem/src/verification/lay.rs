@@ -1,11 +1,14 @@
-//! K. Strands off the tube's surface, and a sleeve that is wider than the tube: slices of an infinitely long muscle.
+//! K. Strands off the tube's surface, and a sleeve that is wider than the tube: slices of an
+//! infinitely long muscle.
 //!
-//! Loaded and held as in F and G. The strands' midline lies half of the braid's thickness t off the tube, rb = r + t/2:
+//! Loaded and held as in F and G. The strands' midline lies half of the braid's thickness t off the
+//! tube, rb = r + t/2:
 //!
 //!   rigid strands, rubber without stiffness:   F = π P r (2 rb cot²θ − r),   cosθ = λ cosθ0,   rb = Rs sinθ/sinθ0
 //!
-//! (work of the pressure, −P dV/dL). A stiff wide sleeve is first touched at the pressure at which the bare tube, an incompressible
-//! neo-Hookean one of radii Ri, Ro at an axial stretch λ, has inflated to the radius ro at which the strands have their length at rest:
+//! (work of the pressure, −P dV/dL). A stiff wide sleeve is first touched at the pressure at which
+//! the bare tube, an incompressible neo-Hookean one of radii Ri, Ro at an axial stretch λ, has
+//! inflated to the radius ro at which the strands have their length at rest:
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
@@ -55,7 +58,12 @@ pub fn strand_lay(rows: &mut Rows) {
     }
     // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
-    rows.add("blocked force that 0.3 mm of braid add (%)", 2.3, gain, 0.01);
+    rows.add(
+        "blocked force that 0.3 mm of braid add (%)",
+        2.3,
+        gain,
+        0.01,
+    );
     rows.source = "K: inflation of the bare thick tube";
     let k = 1e4;
     for (diameter, stretch) in [(15.0, 1.0), (16.0, 0.95), (14.5, 1.0)] {
@@ -63,7 +71,8 @@ pub fn strand_lay(rows: &mut Rows) {
         let ro = taut(&lay, stretch);
         let ri = (ro * ro - (OUTER * OUTER - INNER * INNER) / stretch).sqrt();
         let spread = (INNER * INNER - stretch * ri * ri) * (1.0 / (ro * ro) - 1.0 / (ri * ri));
-        let exact = MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
+        let exact =
+            MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
         let above = |share: f64| {
             let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)))?;
             let body = inflated(slice, share * exact, stretch)?;
@@ -73,16 +82,40 @@ pub fn strand_lay(rows: &mut Rows) {
             let (a, b) = (above(1.001)?, above(1.002)?);
             (a > 0.0 && b > a).then(|| exact * (1.001 - 0.001 * a / (b - a)))
         })();
-        let name = format!("sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)");
+        let name = format!(
+            "sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)"
+        );
         rows.add(name, exact, ours, 1e-5);
     }
     rows.source = "K: strands that are longer by what their crimp gives";
-    let (k, crimp) = (1e3, Some(Crimp { strain: 0.01, stiffness_ratio: 0.1 }));
-    let crimped = BraidSpec { crimp, ..braid(lay(OUTER, 0.0), Some(k)) };
+    let (k, crimp) = (
+        1e3,
+        Some(Crimp {
+            strain: 0.01,
+            stiffness_ratio: 0.1,
+        }),
+    );
+    let crimped = BraidSpec {
+        crimp,
+        ..braid(lay(OUTER, 0.0), Some(k))
+    };
     let ours = slice(WALL, neo_hookean(MU), crimped).and_then(|c| inflated(c, 0.5, 0.9));
     let stiffness = BraidStiffness::NewtonPerMm(k);
-    let braid = Braid { angle_deg: ANGLE_DEG, stiffness, crimp, ..Braid::paper() };
-    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
-        .and_then(|m| ThickWall::new(&m).force_n(&mut Workspace::new(), 0.5, 0.1).ok());
-    rows.add("strands with 1 % of crimp, ε 0.1: F (N)", exact, ours.map(|b| b.totals.pull), 1e-8);
+    let braid = Braid {
+        angle_deg: ANGLE_DEG,
+        stiffness,
+        crimp,
+        ..Braid::paper()
+    };
+    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid).and_then(|m| {
+        ThickWall::new(&m)
+            .force_n(&mut Workspace::new(), 0.5, 0.1)
+            .ok()
+    });
+    rows.add(
+        "strands with 1 % of crimp, ε 0.1: F (N)",
+        exact,
+        ours.map(|b| b.totals.pull),
+        1e-8,
+    );
 }

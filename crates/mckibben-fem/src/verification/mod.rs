@@ -1,7 +1,9 @@
 //! Cases with exact values: are the equations solved right?
 //!
 //! Each case is a row of the table that `mckibben validate` prints. The letters of the sources are
-//! those of `docs/verification.md`, which says for each problem what is loaded and held. Unless stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
+//! those of `docs/verification.md`, which says for each problem what is loaded and held. Unless
+//! stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm,
+//! MPa, N.
 
 pub mod bricks;
 mod endless;
@@ -41,7 +43,13 @@ impl Rows {
         tolerance: f64,
     ) {
         let reference = reference.into().unwrap_or(f64::INFINITY);
-        self.list.push(VerificationRow::new(name.into(), self.source, reference, ours.into(), tolerance));
+        self.list.push(VerificationRow::new(
+            name.into(),
+            self.source,
+            reference,
+            ours.into(),
+            tolerance,
+        ));
     }
 
     /// A row for each of the values that one computation gives, with what is exact.
@@ -53,7 +61,12 @@ impl Rows {
         tolerance: f64,
     ) {
         for (i, (what, reference)) in exact.into_iter().enumerate() {
-            self.add(format!("{begins}{what}"), reference, ours.map(|values| values[i]), tolerance);
+            self.add(
+                format!("{begins}{what}"),
+                reference,
+                ours.map(|values| values[i]),
+                tolerance,
+            );
         }
     }
 }
@@ -63,17 +76,41 @@ type Case = (&'static str, fn(&mut Rows));
 
 /// Every case of the section.
 const SECTION: [Case; 11] = [
-    ("A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]", homogeneous::homogeneous),
-    ("B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]", tube::thick_tube),
-    ("C: Green & Zerna 1954 [green1954], thick sphere", sphere::thick_sphere),
-    ("E: pressure as −P·V of a closed cavity", pressure::follower_pressure),
-    ("G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch", endless::endless_braid),
-    ("G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch", endless::long_muscles),
-    ("K: work of the pressure, braid of a thickness", lay::strand_lay),
+    (
+        "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]",
+        homogeneous::homogeneous,
+    ),
+    (
+        "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]",
+        tube::thick_tube,
+    ),
+    (
+        "C: Green & Zerna 1954 [green1954], thick sphere",
+        sphere::thick_sphere,
+    ),
+    (
+        "E: pressure as −P·V of a closed cavity",
+        pressure::follower_pressure,
+    ),
+    (
+        "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch",
+        endless::endless_braid,
+    ),
+    (
+        "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch",
+        endless::long_muscles,
+    ),
+    (
+        "K: work of the pressure, braid of a thickness",
+        lay::strand_lay,
+    ),
     ("I: Maxwell relation", muscle::identities),
     ("independent axisymmetric prototype", muscle::prototype),
     ("J: numerical conduct", numerics::numerics),
-    ("J: sensitivities against finite differences", numerics::sensitivities),
+    (
+        "J: sensitivities against finite differences",
+        numerics::sensitivities,
+    ),
 ];
 
 /// Every case, one after the other.
@@ -82,7 +119,10 @@ const SECTION: [Case; 11] = [
 /// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
     let cases: Vec<Case> = SECTION.into_iter().chain(bricks::CASES).collect();
-    let mut rows = Rows { source: "", list: vec![] };
+    let mut rows = Rows {
+        source: "",
+        list: vec![],
+    };
     for (done, (source, case)) in cases.iter().enumerate() {
         progress.report(done, cases.len());
         progress.check()?;
@@ -95,7 +135,10 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> 
 
 /// The rubber of the cases.
 fn rubber() -> Law {
-    Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 })
+    Law::MooneyRivlin(MooneyRivlin {
+        c10_mpa: 0.10,
+        c01_mpa: 0.02,
+    })
 }
 
 fn neo_hookean(mu_mpa: f64) -> Law {
@@ -108,7 +151,9 @@ fn body(mesh: Mesh, law: Law, braid: Option<BraidSpec>, ends: Ends) -> Option<Co
 }
 
 fn at_rest(mesh: Mesh, problem: Problem) -> Option<Continuation<Body>> {
-    Some(Continuation::new(Body::new(Discretisation::new(mesh, problem).ok()?)))
+    Some(Continuation::new(Body::new(
+        Discretisation::new(mesh, problem).ok()?,
+    )))
 }
 
 /// The body at a pressure and an axial stretch of the whole, to the last digit.
@@ -124,7 +169,12 @@ fn stretched(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<B
 /// The same, first inflated: then strands are taut.
 fn inflated(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<Body> {
     c.walk(pressure, 0.0, 1.0).ok()?;
-    c.walk(pressure, (stretch - 1.0) * c.body.discretisation.half_length(), 1.0).ok()?;
+    c.walk(
+        pressure,
+        (stretch - 1.0) * c.body.discretisation.half_length(),
+        1.0,
+    )
+    .ok()?;
     Some(c.body)
 }
 
@@ -136,12 +186,22 @@ fn radius(body: &Body, i: usize, j: usize) -> f64 {
 
 /// A braid of strands that carry no compression; `stiffness` in N/mm.
 fn braid(lay: StrandLay, stiffness: Option<f64>) -> BraidSpec {
-    BraidSpec { lay, crimp: None, stiffness, compression: false }
+    BraidSpec {
+        lay,
+        crimp: None,
+        stiffness,
+        compression: false,
+    }
 }
 
 /// A slice of an infinitely long muscle of radii `inner` and `outer` in mm.
 fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Continuation<Body>> {
-    body(Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)), law, Some(braid), Ends::Sliding)
+    body(
+        Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)),
+        law,
+        Some(braid),
+        Ends::Sliding,
+    )
 }
 
 /// Elements through the wall of a slice.
@@ -157,16 +217,28 @@ fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> O
 fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
     let (mut tube, mut braid) = (Muscle::prototype().tube().clone(), Braid::paper());
     change(&mut tube, &mut braid);
-    Muscle::prototype().with_tube(tube).ok()?.with_braid(braid).ok()
+    Muscle::prototype()
+        .with_tube(tube)
+        .ok()?
+        .with_braid(braid)
+        .ok()
 }
 
 /// Pull in N of a muscle by the section.
 fn pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
-    Axisymmetric::new(muscle).ok()?.force_n(&mut Workspace::new(), pressure_mpa, contraction).ok()
+    Axisymmetric::new(muscle)
+        .ok()?
+        .force_n(&mut Workspace::new(), pressure_mpa, contraction)
+        .ok()
 }
 
-/// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is no fault.
-fn order_of_newton<S: NewtonSystem>(system: &mut S, options: &NewtonOptions, rounding: f64) -> Option<f64> {
+/// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is
+/// no fault.
+fn order_of_newton<S: NewtonSystem>(
+    system: &mut S,
+    options: &NewtonOptions,
+    rounding: f64,
+) -> Option<f64> {
     let mut seen = vec![];
     newton::solve(system, options, &mut Effort::default(), |residual| {
         seen.extend(Some(residual).filter(|r| *r > rounding));

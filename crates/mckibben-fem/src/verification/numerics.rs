@@ -1,6 +1,8 @@
-//! J. Numerical conduct: tangent, quadratic convergence, independence of steps, order of mesh convergence.
+//! J. Numerical conduct: tangent, quadratic convergence, independence of steps, order of mesh
+//! convergence.
 //!
-//! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice of tube under pressure, its length given.
+//! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice
+//! of tube under pressure, its length given.
 
 use super::{Rows, at_rest, body, changed, order_of_newton, pull, radius, rubber, stretched};
 use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
@@ -22,7 +24,10 @@ fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuatio
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
     })?;
-    at_rest(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::from_parts(muscle.parts()))
+    at_rest(
+        Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)),
+        Problem::from_parts(muscle.parts()),
+    )
 }
 
 /// The rows of J.
@@ -39,17 +44,27 @@ pub fn numerics(rows: &mut Rows) {
                 tangent_error(&mut w.body)
             });
             let name = law.name();
-            let name = format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}");
+            let name =
+                format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}");
             rows.add(name, 0.0, error, 2e-7);
         }
     }
     let order = bonded(rubber(), Bulk::Incompressible, STIFFNESS).and_then(|mut w| {
         w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
         w.body.control = Control::Length(-0.10 * 142.5);
-        let options = NewtonOptions { small: 0.0, tolerance: 1e-13, ..NewtonOptions::DEFAULT };
+        let options = NewtonOptions {
+            small: 0.0,
+            tolerance: 1e-13,
+            ..NewtonOptions::DEFAULT
+        };
         order_of_newton(&mut w.body, &options, 3e-13)
     });
-    rows.add("order of Newton's last residuals (2 or more)", 2.0, order, 0.2);
+    rows.add(
+        "order of Newton's last residuals (2 or more)",
+        2.0,
+        order,
+        0.2,
+    );
     let in_steps = |n: usize| {
         let mut w = bonded(rubber(), Bulk::Incompressible, STIFFNESS)?;
         for i in 1..=n {
@@ -58,26 +73,37 @@ pub fn numerics(rows: &mut Rows) {
         }
         Some(w.body.totals.pull)
     };
-    rows.add("F after one step against twenty (N)", in_steps(20), in_steps(1), 1e-8);
-    // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled. Theory: the energy, and with
-    // it the answer to the only load, converges with h⁴.
+    rows.add(
+        "F after one step against twenty (N)",
+        in_steps(20),
+        in_steps(1),
+        1e-8,
+    );
+    // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled.
+    // Theory: the energy, and with it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
         let mesh = Mesh::mapped(n, 1, |x, y| [1.0 + x, y]);
-        let b = stretched(body(mesh, rubber(), None, Ends::Sliding)?, 0.137_772_857_4, 1.0)?;
+        let b = stretched(
+            body(mesh, rubber(), None, Ends::Sliding)?,
+            0.137_772_857_4,
+            1.0,
+        )?;
         Some((radius(&b, 0, 0) - 2.0).abs())
     };
     let rate = (|| Some((error(4)? / error(8)?).log2()))();
     rows.add("order of mesh convergence, thick tube", 4.0, rate, 0.05);
 }
 
-/// Takes a random change v of the unknowns, the change K v of the residual by differences, solves for it with the
-/// factorised tangent, and compares with v.
+/// Takes a random change v of the unknowns, the change K v of the residual by differences, solves
+/// for it with the factorised tangent, and compares with v.
 pub fn tangent_error(body: &mut Body) -> Option<f64> {
     body.factorise().ok()?;
     let (l, state) = (body.discretisation.layout, body.state.clone());
     let mut v = vec![0.0; state.u.len()];
     let mut random = Random(1);
-    v[..l.end()].iter_mut().for_each(|x| *x = random.between(-0.5, 0.5));
+    v[..l.end()]
+        .iter_mut()
+        .for_each(|x| *x = random.between(-0.5, 0.5));
     for i in 0..l.nodes() {
         v[2 * i + 1] = 0.0;
     }
@@ -94,17 +120,25 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
     }
     body.state.copy_from(&state);
     body.solve_linear(&mut change, 0.0);
-    let worst = change[..l.end()].iter().zip(&v).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let worst = change[..l.end()]
+        .iter()
+        .zip(&v)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     Some(worst)
 }
 
-/// ∂F of every constant and measure by implicit differentiation against answers of neighbouring muscles.
+/// ∂F of every constant and measure by implicit differentiation against answers of neighbouring
+/// muscles.
 pub fn sensitivities(rows: &mut Rows) {
     let (p, e) = (0.2, 0.1);
     let muscle = changed(|tube, braid| (tube.rubber.law, braid.stiffness) = (rubber(), STIFFNESS));
-    let solved = muscle
-        .as_ref()
-        .and_then(|m| Axisymmetric::new(m).ok()?.solve(&mut Workspace::new(), Given::at(p, e)).ok());
+    let solved = muscle.as_ref().and_then(|m| {
+        Axisymmetric::new(m)
+            .ok()?
+            .solve(&mut Workspace::new(), Given::at(p, e))
+            .ok()
+    });
     let beside = |name: &str, value: f64| -> Option<Muscle> {
         let (muscle, law) = (muscle.as_ref()?, rubber());
         let measure = of_section("tube")
@@ -114,13 +148,21 @@ pub fn sensitivities(rows: &mut Rows) {
         if let Some(measure) = measure {
             return muscle.with(measure, value).ok();
         }
-        let index = law.constants().iter().position(|c| name.ends_with(&c.name))?;
+        let index = law
+            .constants()
+            .iter()
+            .position(|c| name.ends_with(&c.name))?;
         let mut tube = muscle.tube().clone();
         tube.rubber.law = law.with_constants(|i, old| if i == index { value } else { old });
         muscle.with_tube(tube).ok()
     };
     let slopes = solved.map_or(vec![], |s| s.sensitivities);
-    rows.add("constants and measures with a ∂F", 7.0, slopes.len() as f64, 0.0);
+    rows.add(
+        "constants and measures with a ∂F",
+        7.0,
+        slopes.len() as f64,
+        0.0,
+    );
     for s in slopes {
         let pull = |h: f64| pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();

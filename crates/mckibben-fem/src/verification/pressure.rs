@@ -1,6 +1,7 @@
 //! E. Follower pressure: derivatives of the volume, forces in balance, and the energy along a path.
 //!
-//! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
+//! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of
+//! pressures and lengths.
 
 use super::Rows;
 use crate::axisymmetric::Axisymmetric;
@@ -21,10 +22,13 @@ pub fn follower_pressure(rows: &mut Rows) {
         down[i] -= h;
         let (up, down) = (volume::<true>(&up), volume::<true>(&down));
         // The volume is a cubic: central differences leave its third derivative h²/6.
-        slope = slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
+        slope =
+            slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
         for j in 0..6 {
-            curvature = curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
-            // Problem that integrate to the ends of the line are not symmetric inside of it; the sum is.
+            curvature =
+                curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
+            // Problem that integrate to the ends of the line are not symmetric inside of it; the
+            // sum is.
             skew = skew.max((v.second[i][j] - v.second[j][i]).abs());
         }
     }
@@ -32,21 +36,37 @@ pub fn follower_pressure(rows: &mut Rows) {
     rows.add("∂V/∂x against differences", 0.0, slope, 1e-8);
     rows.add("∂²V/∂x∂x against differences (mm)", 0.0, curvature, 1e-8);
     rows.add("asymmetry of the pressure's tangent (mm)", 0.0, skew, 1e-12);
-    rows.add("sum of the axial forces of the cavity (mm²)", 0.0, together, 1e-11);
+    rows.add(
+        "sum of the axial forces of the cavity (mm²)",
+        0.0,
+        together,
+        1e-11,
+    );
     let model = Axisymmetric::new(&Muscle::prototype()).ok();
-    rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, model.and_then(|m| balance(&m)), 1e-7);
+    rows.add(
+        "(∫P dV + ∫F dL)/ΔW along a path",
+        1.0,
+        model.and_then(|m| balance(&m)),
+        1e-7,
+    );
 }
 
-/// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV = [PV] − ∫V dP.
+/// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV =
+/// [PV] − ∫V dP.
 pub(super) fn balance(model: &dyn Simulation) -> Option<f64> {
     const STEPS: usize = 32;
     let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
     let (mut work, mut stored) = (0.0, 0.0);
     for i in 0..=STEPS {
         let t = i as f64 / STEPS as f64;
-        let s = model.solve(&mut Workspace::new(), Given::at(p(t), e(t))).ok()?;
+        let s = model
+            .solve(&mut Workspace::new(), Given::at(p(t), e(t)))
+            .ok()?;
         let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
-        let end = [(0, -1.0), (STEPS, 1.0)].into_iter().find(|end| end.0 == i).map(|end| end.1);
+        let end = [(0, -1.0), (STEPS, 1.0)]
+            .into_iter()
+            .find(|end| end.0 == i)
+            .map(|end| end.1);
         let weight = end.map_or([2.0, 4.0][i % 2], |_| 1.0) / (3.0 * STEPS as f64);
         work += weight * (-volume * 0.15 - force * 0.08 * model.muscle().length_mm());
         work += end.unwrap_or(0.0) * p(t) * volume;

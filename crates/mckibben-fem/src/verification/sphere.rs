@@ -1,6 +1,7 @@
 //! C. Thick sphere under inside pressure: A = 1, B = 2.
 //!
-//! Loaded and held: pressure inside, outside free; u_z = 0 at the equator, r = 0 at the pole, whose z is free.
+//! Loaded and held: pressure inside, outside free; u_z = 0 at the equator, r = 0 at the pole, whose
+//! z is free.
 
 use super::{Rows, body, neo_hookean, radius, rubber, stretched};
 use crate::axisymmetric::{Ends, Mesh};
@@ -16,22 +17,36 @@ fn half_sphere(through: usize, along: usize, radius: impl Fn(f64) -> f64) -> Mes
 
 /// The rows of C.
 pub fn thick_sphere(rows: &mut Rows) {
-    for (swell, pressure) in [(1.1, 0.070_218_021_7), (1.5, 0.199_702_676_3), (2.0, 0.239_043_099_0)] {
+    for (swell, pressure) in [
+        (1.1, 0.070_218_021_7),
+        (1.5, 0.199_702_676_3),
+        (2.0, 0.239_043_099_0),
+    ] {
         let ours = body(half_sphere(8, 20, |x| 1.0 + x), rubber(), None, Ends::Pole)
             .and_then(|c| Some(radius(&stretched(c, pressure, 1.0)?, 0, 0)));
-        rows.add(format!("thick sphere 1/2, p {pressure}: a/A"), swell, ours, 1e-5);
+        rows.add(
+            format!("thick sphere 1/2, p {pressure}: a/A"),
+            swell,
+            ours,
+            1e-5,
+        );
     }
     rows.source = "C: limit point at λ = 7^(1/6)";
     let limit = 7.0_f64.powf(1.0 / 6.0);
     let exact = 2.0 * MU * THIN * (1.0 / limit - limit.powi(-7));
-    rows.add("thin neo-Hookean balloon: largest pressure (MPa)", exact, balloon(exact), 2e-3);
+    rows.add(
+        "thin neo-Hookean balloon: largest pressure (MPa)",
+        exact,
+        balloon(exact),
+        2e-3,
+    );
 }
 
 const MU: f64 = 0.24;
 const THIN: f64 = 1e-3;
 
-/// A thin neo-Hookean balloon, p = 2μ (t/A)(1/λ − 1/λ⁷): the largest pressure is at λ = 7^(1/6). The limit
-/// between pressures with and without an equilibrium.
+/// A thin neo-Hookean balloon, p = 2μ (t/A)(1/λ − 1/λ⁷): the largest pressure is at λ = 7^(1/6).
+/// The limit between pressures with and without an equilibrium.
 fn balloon(exact: f64) -> Option<f64> {
     let mesh = half_sphere(1, 12, |x| 1.0 + THIN * (x - 0.5));
     let mut path = body(mesh, neo_hookean(MU), None, Ends::Pole)?;

@@ -1,6 +1,8 @@
-//! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949 \[rivlin1949\]; Haughton & Ogden 1979 \[haughton1979\]), and Lamé's.
+//! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949 \[rivlin1949\];
+//! Haughton & Ogden 1979 \[haughton1979\]), and Lamé's.
 //!
-//! Loaded and held: pressure inside, outside free, the axial stretch given; all z of an end move together, r is free.
+//! Loaded and held: pressure inside, outside free, the axial stretch given; all z of an end move
+//! together, r is free.
 
 use super::{Rows, at_rest, body, neo_hookean, radius, rubber, stretched};
 use crate::axisymmetric::{Ends, Mesh, Problem};
@@ -9,11 +11,51 @@ use mckibben::muscle::Bulk;
 
 /// (A, B, λz, a/A, p, b, N − πa²p).
 pub(super) const ROWS: [(f64, f64, f64, f64, f64, f64, f64); 5] = [
-    (8.0, 9.5, 1.0, 1.25, 0.022_254_974_0, 11.236_102_53, -1.000_745_23),
-    (8.0, 9.5, 1.0, 1.50, 0.031_428_505_7, 13.047_988_35, -3.543_633_44),
-    (8.0, 9.5, 0.8, 1.25, 0.015_417_518_9, 11.524_430_57, -16.130_692_06),
-    (8.0, 9.5, 1.2, 1.25, 0.024_647_538_8, 11.039_701_08, 8.459_104_99),
-    (1.0, 2.0, 1.0, 2.00, 0.137_772_857_4, 2.645_751_31, -0.623_300_96),
+    (
+        8.0,
+        9.5,
+        1.0,
+        1.25,
+        0.022_254_974_0,
+        11.236_102_53,
+        -1.000_745_23,
+    ),
+    (
+        8.0,
+        9.5,
+        1.0,
+        1.50,
+        0.031_428_505_7,
+        13.047_988_35,
+        -3.543_633_44,
+    ),
+    (
+        8.0,
+        9.5,
+        0.8,
+        1.25,
+        0.015_417_518_9,
+        11.524_430_57,
+        -16.130_692_06,
+    ),
+    (
+        8.0,
+        9.5,
+        1.2,
+        1.25,
+        0.024_647_538_8,
+        11.039_701_08,
+        8.459_104_99,
+    ),
+    (
+        1.0,
+        2.0,
+        1.0,
+        2.00,
+        0.137_772_857_4,
+        2.645_751_31,
+        -0.623_300_96,
+    ),
 ];
 
 /// A slice of tube: places of the nodes in equal steps of ln R, where the solution is smoothest.
@@ -31,7 +73,13 @@ pub fn thick_tube(rows: &mut Rows) {
         let through = if outer / inner > 1.5 { 24 } else { 8 };
         let ours = body(slice(inner, outer, through), rubber(), None, Ends::Sliding)
             .and_then(|c| stretched(c, pressure, stretch))
-            .map(|b| [radius(&b, 0, 0) / inner, radius(&b, 2 * through, 0), b.totals.pull]);
+            .map(|b| {
+                [
+                    radius(&b, 0, 0) / inner,
+                    radius(&b, 2 * through, 0),
+                    b.totals.pull,
+                ]
+            });
         let exact = [("a/A", swell), ("b (mm)", outside), ("N − πa²p (N)", axial)];
         let begins = format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: ");
         rows.each(&begins, exact, ours, 1e-7);
@@ -55,13 +103,21 @@ pub fn thick_tube(rows: &mut Rows) {
         Some(path.body.state.u[0])
     });
     rows.source = "B: Lamé & Clapeyron 1833";
-    rows.add("Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)", exact, ours, 2e-6);
+    rows.add(
+        "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)",
+        exact,
+        ours,
+        2e-6,
+    );
 }
 
 /// Inner radius under the pressure of the first row.
 fn swollen(bulk: Bulk) -> Option<f64> {
     let (inner, outer, _, _, pressure, ..) = ROWS[0];
-    let mut path = at_rest(slice(inner, outer, 4), Problem::new(rubber(), bulk, None, Ends::Sliding))?;
+    let mut path = at_rest(
+        slice(inner, outer, 4),
+        Problem::new(rubber(), bulk, None, Ends::Sliding),
+    )?;
     path.newton.tolerance = 1e-13;
     path.walk(pressure, 0.0, 1.0).ok()?;
     path.solve(Control::Length(0.0)).ok()?;

@@ -28,9 +28,17 @@ fn ended(point: Result<f64, FemError>) -> Ended {
     })
 }
 
-fn isometric(model: &Axisymmetric, workspace: &mut Workspace, e: f64, pressures: &[f64]) -> Vec<Ended> {
+fn isometric(
+    model: &Axisymmetric,
+    workspace: &mut Workspace,
+    e: f64,
+    pressures: &[f64],
+) -> Vec<Ended> {
     let curve = model.isometric(workspace, e, pressures, Detail::Point);
-    curve.into_iter().map(|point| ended(point.map(|p| p.force_n))).collect()
+    curve
+        .into_iter()
+        .map(|point| ended(point.map(|p| p.force_n)))
+        .collect()
 }
 
 /// Where two answers to one question differ, in words.
@@ -46,9 +54,20 @@ fn difference(what: &str, one: &Ended, other: &Ended, scale: f64) -> Option<Stri
 fn differences(muscle: &Muscle) -> Vec<String> {
     let model = Axisymmetric::new(muscle).unwrap();
     let contractions = SHARES.map(|share| share * muscle.max_ideal_contraction());
-    let (up, down, coarse) = (&mut Workspace::new(), &mut Workspace::new(), &mut Workspace::new());
-    let fine: Vec<_> = contractions.iter().map(|&e| isometric(&model, up, e, &PRESSURES)).collect();
-    let again: Vec<_> = contractions.iter().rev().map(|&e| isometric(&model, down, e, &PRESSURES)).collect();
+    let (up, down, coarse) = (
+        &mut Workspace::new(),
+        &mut Workspace::new(),
+        &mut Workspace::new(),
+    );
+    let fine: Vec<_> = contractions
+        .iter()
+        .map(|&e| isometric(&model, up, e, &PRESSURES))
+        .collect();
+    let again: Vec<_> = contractions
+        .iter()
+        .rev()
+        .map(|&e| isometric(&model, down, e, &PRESSURES))
+        .collect();
     let mut out = vec![];
     for (k, &e) in contractions.iter().enumerate() {
         let few = isometric(&model, coarse, e, &PRESSURES[..COARSE]);
@@ -65,7 +84,10 @@ fn differences(muscle: &Muscle) -> Vec<String> {
     let p = PRESSURES[1];
     let along = &mut Workspace::new();
     for (k, &e) in contractions.iter().enumerate() {
-        let (scale, what) = (p * PI * muscle.tube().outer_radius_mm().powi(2), format!("isobaric, ε {e:.4}"));
+        let (scale, what) = (
+            p * PI * muscle.tube().outer_radius_mm().powi(2),
+            format!("isobaric, ε {e:.4}"),
+        );
         out.extend(difference(
             &what,
             &fine[k][1],
@@ -81,26 +103,48 @@ fn random_muscles_have_the_same_answers_on_two_grids_in_two_orders_and_two_tests
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let muscles = rounds(MUSCLES);
     let of_thread = |thread: usize| {
-        let mine = (0..muscles).filter(|i| i % threads == thread).filter_map(|i| super::sweep::case(7, i));
-        mine.flat_map(|(muscle, ..)| differences(&muscle)).collect::<Vec<_>>()
+        let mine = (0..muscles)
+            .filter(|i| i % threads == thread)
+            .filter_map(|i| super::sweep::case(7, i));
+        mine.flat_map(|(muscle, ..)| differences(&muscle))
+            .collect::<Vec<_>>()
     };
     let differences: Vec<String> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..threads).map(|thread| scope.spawn(move || of_thread(thread))).collect();
-        handles.into_iter().flat_map(|handle| handle.join().unwrap()).collect()
+        let handles: Vec<_> = (0..threads)
+            .map(|thread| scope.spawn(move || of_thread(thread)))
+            .collect();
+        handles
+            .into_iter()
+            .flat_map(|handle| handle.join().unwrap())
+            .collect()
     });
-    assert!(differences.is_empty(), "{} differences: {differences:#?}", differences.len());
+    assert!(
+        differences.is_empty(),
+        "{} differences: {differences:#?}",
+        differences.len()
+    );
 }
 
 fn hard(name: &str) -> Muscle {
-    read_muscle(format!("{}/tests/hard/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    read_muscle(format!(
+        "{}/tests/hard/{name}.toml",
+        env!("CARGO_MANIFEST_DIR")
+    ))
+    .unwrap()
 }
 
-/// This muscle lies slack at ε .3636: thick-wall, which knows no folds, gives −424 N at 0.05 MPa. A folded tube "pulls" with 52 N there.
+/// This muscle lies slack at ε .3636: thick-wall, which knows no folds, gives −424 N at 0.05 MPa. A
+/// folded tube "pulls" with 52 N there.
 #[test]
 fn a_folded_tube_is_no_answer() {
     let model = Axisymmetric::new(&hard("wrong_branch")).unwrap();
     let pressures = [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5];
     let curve = isometric(&model, &mut Workspace::new(), 0.363_551, &pressures);
-    assert!(curve.iter().all(|point| point.as_ref().is_ok_and(|f| *f < 0.0) || point.is_err()), "{curve:?}");
+    assert!(
+        curve
+            .iter()
+            .all(|point| point.as_ref().is_ok_and(|f| *f < 0.0) || point.is_err()),
+        "{curve:?}"
+    );
     assert!(curve[0].is_err() && curve[8].is_ok());
 }

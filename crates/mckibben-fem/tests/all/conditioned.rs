@@ -12,16 +12,33 @@ use mckibben_fem::simulation::free_contraction;
 use mckibben_fem::solver::continuation::Continuation;
 use std::sync::Arc;
 
-const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.1 };
+const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {
+    r: 1.5,
+    m_mpa: 0.05,
+    beta: 0.1,
+};
 
 fn yeoh() -> Law {
-    Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.004, c30_mpa: 0.0 })
+    Law::Yeoh(Yeoh {
+        c10_mpa: 0.1,
+        c20_mpa: 0.004,
+        c30_mpa: 0.0,
+    })
 }
 
 fn muscle(law: Law, conditioned_mpa: Option<f64>) -> Muscle {
     let conditioned = conditioned_mpa.map(Conditioned::Pressure);
-    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::new(law) };
-    Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap()
+    let rubber = Rubber {
+        softening: Some(SOFTENING),
+        conditioned,
+        ..Rubber::new(law)
+    };
+    Muscle::prototype()
+        .with_tube(Tube {
+            rubber,
+            ..Tube::prototype()
+        })
+        .unwrap()
 }
 
 fn fe(conditioned_mpa: Option<f64>) -> Axisymmetric {
@@ -34,7 +51,10 @@ fn at(model: &Axisymmetric, p: f64, e: f64) -> Response {
 
 #[test]
 fn a_first_inflation_has_the_digits_of_rubber_without_softening() {
-    let tube = Tube { rubber: Rubber::new(yeoh()), ..Tube::prototype() };
+    let tube = Tube {
+        rubber: Rubber::new(yeoh()),
+        ..Tube::prototype()
+    };
     let plain = Axisymmetric::new(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let first = fe(None);
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.05, 0.1), (0.02, 0.2)] {
@@ -42,23 +62,35 @@ fn a_first_inflation_has_the_digits_of_rubber_without_softening() {
     }
 }
 
-/// Slopes against central differences, and ∂F/∂P at fixed L = −∂V/∂L at fixed P: stress and tangent come from one energy. For laws in the
-/// invariants and in the stretches, incompressible and not.
+/// Slopes against central differences, and ∂F/∂P at fixed L = −∂V/∂L at fixed P: stress and tangent
+/// come from one energy. For laws in the invariants and in the stretches, incompressible and not.
 #[test]
 fn slopes_are_those_of_differences_and_maxwell_holds() {
-    let ogden = Law::Ogden(Ogden { terms: vec![(0.15, 1.6), (0.01, 3.0)] });
-    for (law, bulk) in
-        [(yeoh(), Bulk::Incompressible), (yeoh(), Bulk::Modulus(50.0)), (ogden, Bulk::Incompressible)]
-    {
+    let ogden = Law::Ogden(Ogden {
+        terms: vec![(0.15, 1.6), (0.01, 3.0)],
+    });
+    for (law, bulk) in [
+        (yeoh(), Bulk::Incompressible),
+        (yeoh(), Bulk::Modulus(50.0)),
+        (ogden, Bulk::Incompressible),
+    ] {
         let m = muscle(law, Some(0.3));
         let tube = m.tube().clone();
-        let m = m.with_tube(Tube { rubber: Rubber { bulk, ..tube.rubber.clone() }, ..tube }).unwrap();
+        let m = m
+            .with_tube(Tube {
+                rubber: Rubber {
+                    bulk,
+                    ..tube.rubber.clone()
+                },
+                ..tube
+            })
+            .unwrap();
         slopes_are_those_of_differences(&m, (0.2, 0.12));
     }
 }
 
-/// What has seen one state alone is there the muscle of the first inflation, η = 1 at every point; at less pressure it pulls harder, as less of
-/// the pressure is lost to the rubber.
+/// What has seen one state alone is there the muscle of the first inflation, η = 1 at every point;
+/// at less pressure it pulls harder, as less of the pressure is lost to the rubber.
 #[test]
 fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
     let m = muscle(yeoh(), None);
@@ -75,36 +107,62 @@ fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
         soft.memory = Some(memory);
         let mut soft = Continuation::new(Body::of_muscle(Arc::new(soft), endless.clone()));
         soft.reach(p, e).unwrap();
-        assert!((soft.pull() - virgin.pull()).abs() < 1e-7 * virgin.pull().abs().max(1.0), "{p} {e}");
+        assert!(
+            (soft.pull() - virgin.pull()).abs() < 1e-7 * virgin.pull().abs().max(1.0),
+            "{p} {e}"
+        );
         virgin.reach(0.6 * p, e).unwrap();
         soft.reach(0.6 * p, e).unwrap();
-        assert!(soft.pull() > virgin.pull() + 0.5, "{p} {e}: {} {}", soft.pull(), virgin.pull());
+        assert!(
+            soft.pull() > virgin.pull() + 0.5,
+            "{p} {e}: {} {}",
+            soft.pull(),
+            virgin.pull()
+        );
     }
 }
 
-/// A bar with one largest energy everywhere bears η times the stress of its first loading: a tube without a braid, drawn by its ends.
+/// A bar with one largest energy everywhere bears η times the stress of its first loading: a tube
+/// without a braid, drawn by its ends.
 #[test]
 fn a_bar_bears_eta_times_the_stress_of_the_first_loading() {
     for seen in [0.0, 0.05, 0.3, 2.0] {
-        for law in [yeoh(), Law::Ogden(Ogden { terms: vec![(0.15, 1.6), (0.01, 3.0)] })] {
+        for law in [
+            yeoh(),
+            Law::Ogden(Ogden {
+                terms: vec![(0.15, 1.6), (0.01, 3.0)],
+            }),
+        ] {
             let problem = Problem::new(law.clone(), Bulk::Incompressible, None, Ends::Sliding);
-            let mut d = Discretisation::new(Mesh::tube(1.0, 2.0, 3.0, (2, 3, 1.0)), problem).unwrap();
+            let mut d =
+                Discretisation::new(Mesh::tube(1.0, 2.0, 3.0, (2, 3, 1.0)), problem).unwrap();
             let seen_mpa = vec![[seen; 9]; d.elements.len()];
-            d.memory = Some(Memory { softening: SOFTENING, seen_mpa });
+            d.memory = Some(Memory {
+                softening: SOFTENING,
+                seen_mpa,
+            });
             let mut body = Continuation::new(Body::new(d));
             for stretch in [1.1, 1.4, 1.8] {
                 body.walk_from_rest(0.0, 1.0 - stretch).unwrap();
                 let stress = body.pull() / (3.0 * std::f64::consts::PI);
-                let law = Softened { law: &law, softening: SOFTENING, w_max_mpa: seen };
+                let law = Softened {
+                    law: &law,
+                    softening: SOFTENING,
+                    w_max_mpa: seen,
+                };
                 let exact = law.uniaxial_stress_mpa(stretch);
-                assert!((stress - exact).abs() < 1e-9, "{seen} {stretch}: {stress} {exact}");
+                assert!(
+                    (stress - exact).abs() < 1e-9,
+                    "{seen} {stretch}: {stress} {exact}"
+                );
             }
         }
     }
 }
 
-/// Free contraction has the larger energy at every point of this muscle: at the pressure of the cycles it comes back to rounding, and
-/// beyond it there is no difference. Below it the conditioned muscle contracts further and pulls harder, as less of the pressure goes into the rubber.
+/// Free contraction has the larger energy at every point of this muscle: at the pressure of the
+/// cycles it comes back to rounding, and beyond it there is no difference. Below it the conditioned
+/// muscle contracts further and pulls harder, as less of the pressure goes into the rubber.
 #[test]
 fn free_contraction_at_the_pressure_of_the_cycles_comes_back() {
     let (first, cycled) = (fe(None), fe(Some(0.25)));
@@ -121,18 +179,37 @@ fn free_contraction_at_the_pressure_of_the_cycles_comes_back() {
     assert!(at(&more, 0.1, 0.1).force_n > at(&cycled, 0.1, 0.1).force_n + 1.0);
 }
 
-/// Rubber that has seen far more than the muscle asks of it, with β = 0: η = 1 − 1/r everywhere, which is a law with so much less of its moduli. And
-/// rubber that has seen nearly nothing is on its first inflation.
+/// Rubber that has seen far more than the muscle asks of it, with β = 0: η = 1 − 1/r everywhere,
+/// which is a law with so much less of its moduli. And rubber that has seen nearly nothing is on
+/// its first inflation.
 #[test]
 fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
-    let softening = OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 };
+    let softening = OgdenRoxburgh {
+        r: 1.5,
+        m_mpa: 0.05,
+        beta: 0.0,
+    };
     let model = |law: Law, strain: Option<f64>| {
         let conditioned = strain.map(|strain| Conditioned::Strain { strain });
-        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::new(law) };
-        Axisymmetric::new(&Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap())
-            .unwrap()
+        let rubber = Rubber {
+            softening: Some(softening),
+            conditioned,
+            ..Rubber::new(law)
+        };
+        Axisymmetric::new(
+            &Muscle::prototype()
+                .with_tube(Tube {
+                    rubber,
+                    ..Tube::prototype()
+                })
+                .unwrap(),
+        )
+        .unwrap()
     };
-    let (far, softer) = (model(yeoh(), Some(9.0)), model(yeoh().scaled(1.0 - 1.0 / 1.5), None));
+    let (far, softer) = (
+        model(yeoh(), Some(9.0)),
+        model(yeoh().scaled(1.0 - 1.0 / 1.5), None),
+    );
     let (little, first) = (model(yeoh(), Some(1e-4)), model(yeoh(), None));
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.1, 0.1)] {
         let (a, b) = (at(&far, p, e).force_n, at(&softer, p, e).force_n);
@@ -147,34 +224,62 @@ fn models_say_what_they_leave_out() {
     let m = muscle(yeoh(), Some(0.25));
     for kind in [ModelKind::ThickWall, ModelKind::Universal, ModelKind::Ideal] {
         let notes = kind.build(&m).unwrap().info().notes.clone();
-        assert!(notes.iter().any(|n| n.contains("tube.material.conditioned not used")), "{notes:?}");
+        assert!(
+            notes
+                .iter()
+                .any(|n| n.contains("tube.material.conditioned not used")),
+            "{notes:?}"
+        );
     }
     assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
     let refused = mckibben_fem::three_dimensional::MuscleMesh::new(&m, &Default::default());
-    assert!(matches!(refused, Err(FemError::Refused(said)) if said.contains("tube.material.conditioned")));
-    assert!(ThickWall::new(&muscle(yeoh(), None)).info().notes.is_empty());
+    assert!(
+        matches!(refused, Err(FemError::Refused(said)) if said.contains("tube.material.conditioned"))
+    );
+    assert!(
+        ThickWall::new(&muscle(yeoh(), None))
+            .info()
+            .notes
+            .is_empty()
+    );
 }
 
 #[test]
 fn a_pressure_at_which_no_muscle_was_cycled_is_refused() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 1e-4 });
-    let error = Axisymmetric::new(&muscle(law, Some(1e6))).unwrap_err().to_string();
+    let error = Axisymmetric::new(&muscle(law, Some(1e6)))
+        .unwrap_err()
+        .to_string();
     assert!(
-        error.contains("1000000\u{a0}MPa") && error.contains("state another tube.material.conditioned"),
+        error.contains("1000000\u{a0}MPa")
+            && error.contains("state another tube.material.conditioned"),
         "{error}"
     );
 }
 
-/// At length and pressure held for long the rubber of the muscle bears 1 − Σg of its stresses: the muscle pulls harder and at constant pull
-/// creeps to the free contraction of the softer rubber. Strands and pressure do not relax.
+/// At length and pressure held for long the rubber of the muscle bears 1 − Σg of its stresses: the
+/// muscle pulls harder and at constant pull creeps to the free contraction of the softer rubber.
+/// Strands and pressure do not relax.
 #[test]
 fn a_held_muscle_is_one_of_softer_rubber() {
     let prony = Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)]));
     let m = muscle(yeoh(), Some(0.25));
-    let tube = |rubber| m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
-    let relaxing = Rubber { prony, ..m.tube().rubber.clone() };
+    let tube = |rubber| {
+        m.with_tube(Tube {
+            rubber,
+            ..m.tube().clone()
+        })
+        .unwrap()
+    };
+    let relaxing = Rubber {
+        prony,
+        ..m.tube().rubber.clone()
+    };
     let at_once = Axisymmetric::new(&tube(relaxing.clone())).unwrap();
-    assert_eq!(at(&at_once, 0.2, 0.1), at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1));
+    assert_eq!(
+        at(&at_once, 0.2, 0.1),
+        at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1)
+    );
     let long = Axisymmetric::new(&tube(relaxing.held(Held::Long))).unwrap();
     assert!(at(&long, 0.2, 0.1).force_n > at(&at_once, 0.2, 0.1).force_n);
     let free = |m: &Axisymmetric| free_contraction(m, &mut Workspace::new(), 0.2).unwrap();
@@ -188,10 +293,14 @@ fn the_page_prints_what_the_examples_give() {
     let page = std::fs::read_to_string(format!("{root}/docs/rubber.md")).unwrap();
     let mut missing = vec![];
     for name in ["first-inflation", "tenth-inflation", "held"] {
-        let model = Axisymmetric::new(&read_muscle(format!("{root}/examples/{name}.toml")).unwrap()).unwrap();
+        let model =
+            Axisymmetric::new(&read_muscle(format!("{root}/examples/{name}.toml")).unwrap())
+                .unwrap();
         let free = 100.0 * free_contraction(&model, &mut Workspace::new(), 0.15).unwrap();
         let points = [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.15, 0.1)];
-        let pulls = points.map(|(p, e)| format!("{:.0}", at(&model, p, e).force_n)).join(" | ");
+        let pulls = points
+            .map(|(p, e)| format!("{:.0}", at(&model, p, e).force_n))
+            .join(" | ");
         let row = format!("| `{name}.toml` | {pulls} | {free:.1} |");
         if !page.contains(&row) {
             missing.push(row);

@@ -9,11 +9,16 @@ use std::f64::consts::PI;
 fn muscle(length_mm: f64, mu_mpa: f64, stiffness: BraidStiffness) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(14.0, 0.5, length_mm, rubber);
-    let braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };
+    let braid = Braid {
+        angle_deg: 20.0,
+        stiffness,
+        ..Braid::paper()
+    };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
-/// At rest length a braid of rigid strands lies on an undeformed tube, which carries nothing: pc is the pressure.
+/// At rest length a braid of rigid strands lies on an undeformed tube, which carries nothing: pc is
+/// the pressure.
 #[test]
 fn at_rest_length_rigid_strands_press_with_the_pressure_inside() {
     let fe = Axisymmetric::new(&muscle(300.0, 0.5, BraidStiffness::Inextensible)).unwrap();
@@ -25,10 +30,14 @@ fn at_rest_length_rigid_strands_press_with_the_pressure_inside() {
     assert!((area / (PI * 14.0 * 150.0) - 1.0).abs() < 1e-12);
 }
 
-/// Per length G is that of the infinitely long muscle, but for the ends: what is missing halves as the length doubles.
+/// Per length G is that of the infinitely long muscle, but for the ends: what is missing halves as
+/// the length doubles.
 #[test]
 fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
-    for stiffness in [BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm(300.0)] {
+    for stiffness in [
+        BraidStiffness::Inextensible,
+        BraidStiffness::NewtonPerMm(300.0),
+    ] {
         let off = |length_mm: f64| {
             let m = muscle(length_mm, 0.5, stiffness);
             let w = &mut Workspace::new();
@@ -37,11 +46,15 @@ fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
             ours / exact - 1.0
         };
         let (short, long) = (off(600.0), off(1200.0));
-        assert!((short / long - 2.0).abs() < 0.05 && long.abs() < 0.02, "{short} {long}");
+        assert!(
+            (short / long - 2.0).abs() < 0.05 && long.abs() < 0.02,
+            "{short} {long}"
+        );
     }
 }
 
-/// Rings: a family of tension q per width at the angle θ presses with q sin²θ/r, and the area under it has grown by λm r/R.
+/// Rings: a family of tension q per width at the angle θ presses with q sin²θ/r, and the area under
+/// it has grown by λm r/R.
 #[test]
 fn in_the_middle_the_strands_press_as_rings_of_their_tension_do() {
     let fe = Axisymmetric::new(&muscle(600.0, 0.5, BraidStiffness::NewtonPerMm(300.0))).unwrap();
@@ -55,5 +68,8 @@ fn in_the_middle_the_strands_press_as_rings_of_their_tension_do() {
     // λm of the middle from the strands: λf cosθ = λm cosθ0.
     let axial = stretch * state.angle_deg.to_radians().cos() / 20f64.to_radians().cos();
     let ring = 2.0 * state.tension_n_per_mm * stretch * sin * sin / r * 7.0 / (r * axial);
-    assert!((place.pressure_mpa / ring - 1.0).abs() < 1e-4, "{place:?} {ring}");
+    assert!(
+        (place.pressure_mpa / ring - 1.0).abs() < 1e-4,
+        "{place:?} {ring}"
+    );
 }

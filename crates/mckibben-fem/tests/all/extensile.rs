@@ -12,12 +12,22 @@ use std::f64::consts::PI;
 
 fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {
     let stiffness = BraidStiffness::NewtonPerMm(300.0);
-    let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
-    let tube = Tube::new(20.0, 2.0, length_mm, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })));
+    let braid = Braid {
+        angle_deg,
+        stiffness,
+        ..Braid::paper()
+    };
+    let tube = Tube::new(
+        20.0,
+        2.0,
+        length_mm,
+        Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 })),
+    );
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
-/// Without its ends a muscle is the infinitely long one: what 100 mm more of length change, at equal strokes, is a slice of that.
+/// Without its ends a muscle is the infinitely long one: what 100 mm more of length change, at
+/// equal strokes, is a slice of that.
 #[test]
 fn a_slice_of_a_long_muscle_is_the_thick_wall() {
     for (angle, e) in [(57.0, -0.01), (60.0, -0.05), (65.0, -0.15), (65.0, 0.0)] {
@@ -28,11 +38,14 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
         let at = slice.force_n(w, p, e).unwrap();
         let shortened = |m: &Muscle| {
             let model = Axisymmetric::new(m).unwrap();
-            Evaluation::new(&model, &mut Workspace::new(), Options::default()).contraction_at(at, p).unwrap()
+            Evaluation::new(&model, &mut Workspace::new(), Options::default())
+                .contraction_at(at, p)
+                .unwrap()
                 * m.length_mm()
         };
         let limit = (shortened(&longer) - shortened(&long)) / 100.0;
-        // The stations of the mesh are set by the length: what that changes is some 1e-6 of the slice.
+        // The stations of the mesh are set by the length: what that changes is some 1e-6 of the
+        // slice.
         assert!((limit - e).abs() < 5e-6, "{angle} {e}: {limit}");
     }
 }
@@ -49,9 +62,18 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn bricks_agree() {
     let m = muscle(62.0, 60.0);
     for e in [0.0, -0.08] {
-        let plane = Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, e).unwrap();
-        let bricks = ThreeDimensional::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, e).unwrap();
-        assert!((bricks - plane).abs() < 0.01 * plane.abs().max(5.0), "{e}: {bricks} {plane}");
+        let plane = Axisymmetric::new(&m)
+            .unwrap()
+            .force_n(&mut Workspace::new(), 0.2, e)
+            .unwrap();
+        let bricks = ThreeDimensional::new(&m)
+            .unwrap()
+            .force_n(&mut Workspace::new(), 0.2, e)
+            .unwrap();
+        assert!(
+            (bricks - plane).abs() < 0.01 * plane.abs().max(5.0),
+            "{e}: {bricks} {plane}"
+        );
     }
 }
 
@@ -63,30 +85,55 @@ fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
         let fe = Axisymmetric::new(&m).unwrap();
         for model in [&ThickWall::new(&m) as &dyn ForceModel, &fe] {
             let (w, options) = (&mut Workspace::new(), Options::default());
-            let free = Evaluation::new(model, w, options).free_contraction(0.2).unwrap();
-            assert!(free < 0.0 && free > m.max_ideal_contraction(), "{angle} {free}");
+            let free = Evaluation::new(model, w, options)
+                .free_contraction(0.2)
+                .unwrap();
+            assert!(
+                free < 0.0 && free > m.max_ideal_contraction(),
+                "{angle} {free}"
+            );
             assert!(model.force_n(w, 0.2, free).unwrap().abs() < 1e-4);
             let e = 0.5 * free;
             let push = model.force_n(w, 0.2, e).unwrap();
             assert!(push < 0.0, "{angle} {push}");
             assert!(
-                (Evaluation::new(model, w, options).contraction_at(push, 0.2).unwrap() - e).abs() < 1e-7,
+                (Evaluation::new(model, w, options)
+                    .contraction_at(push, 0.2)
+                    .unwrap()
+                    - e)
+                    .abs()
+                    < 1e-7,
                 "{angle}"
             );
             assert!(
-                (Evaluation::new(model, w, options).pressure_at(push, e).unwrap() - 0.2).abs() < 1e-7,
+                (Evaluation::new(model, w, options)
+                    .pressure_at(push, e)
+                    .unwrap()
+                    - 0.2)
+                    .abs()
+                    < 1e-7,
                 "{angle}"
             );
         }
     }
 }
 
-/// A thick wall with strands that go slack one after the other: 45.5, 43.1, 29.5 and 21.4 N by an independent implementation of the same elements.
+/// A thick wall with strands that go slack one after the other: 45.5, 43.1, 29.5 and 21.4 N by an
+/// independent implementation of the same elements.
 #[test]
 fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
     let stiffness = BraidStiffness::NewtonPerMm(426.0);
-    let tube = Tube::new(38.09, 10.0, 120.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })));
-    let braid = Braid { angle_deg: 72.0, stiffness, ..Braid::paper() };
+    let tube = Tube::new(
+        38.09,
+        10.0,
+        120.0,
+        Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })),
+    );
+    let braid = Braid {
+        angle_deg: 72.0,
+        stiffness,
+        ..Braid::paper()
+    };
     let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
     let (fe, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
     for (p, pull) in [(0.0, 45.5), (0.03, 43.1), (0.05, 29.5), (0.06, 21.4)] {
@@ -94,21 +141,38 @@ fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
         assert!((force - pull).abs() < 0.051, "{p} MPa: {force}");
     }
     let push = -30.0;
-    let p = Evaluation::new(&fe, w, Options::default()).pressure_at(push, -0.1).unwrap();
-    assert!((fe.force_n(w, p, -0.1).unwrap() - push).abs() < 1e-6 && p < 0.13, "{p}");
+    let p = Evaluation::new(&fe, w, Options::default())
+        .pressure_at(push, -0.1)
+        .unwrap();
+    assert!(
+        (fe.force_n(w, p, -0.1).unwrap() - push).abs() < 1e-6 && p < 0.13,
+        "{p}"
+    );
 }
 
-/// A tube that is stretched and pulls has one equilibrium: no random one is without an answer, and without its ends it would be the thick wall.
+/// A tube that is stretched and pulls has one equilibrium: no random one is without an answer, and
+/// without its ends it would be the thick wall.
 #[test]
 fn stretched_muscles_always_have_an_answer() {
     let mut random = Random(18);
     for _ in 0..rounds(40) {
         let outer = random.between(8.0, 45.0);
-        let law = Law::NeoHookean(NeoHookean { mu_mpa: random.between(0.05, 0.6) });
+        let law = Law::NeoHookean(NeoHookean {
+            mu_mpa: random.between(0.05, 0.6),
+        });
         let length_mm = outer * random.between(3.0, 12.0);
-        let tube = Tube::new(outer, outer * random.between(0.12, 0.3), length_mm, Rubber::new(law.clone()));
+        let tube = Tube::new(
+            outer,
+            outer * random.between(0.12, 0.3),
+            length_mm,
+            Rubber::new(law.clone()),
+        );
         let stiffness = BraidStiffness::NewtonPerMm(random.between(200.0, 2000.0));
-        let braid = Braid { angle_deg: random.between(56.0, 75.0), stiffness, ..Braid::paper() };
+        let braid = Braid {
+            angle_deg: random.between(56.0, 75.0),
+            stiffness,
+            ..Braid::paper()
+        };
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
         let (fe, long) = (Axisymmetric::new(&m).unwrap(), ThickWall::new(&m));
         for e in [-0.03, -0.1] {

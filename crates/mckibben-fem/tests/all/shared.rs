@@ -1,4 +1,5 @@
-//! One model shared by two threads, each with its workspace, answers as one thread does, bit by bit.
+//! One model shared by two threads, each with its workspace, answers as one thread does, bit by
+//! bit.
 
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals};
@@ -9,15 +10,31 @@ use std::sync::Arc;
 /// A muscle that states what any of the models needs.
 fn muscle() -> Muscle {
     let m = Muscle::prototype();
-    let measured = MeasuredStrand { strand_length_mm: m.strand_length_mm(), turns: m.turns() };
-    let braid = Braid { measured: Some(measured), ..Braid::paper() };
+    let measured = MeasuredStrand {
+        strand_length_mm: m.strand_length_mm(),
+        turns: m.turns(),
+    };
+    let braid = Braid {
+        measured: Some(measured),
+        ..Braid::paper()
+    };
     let end_factor = Some(EndFactor::Constant(1.1));
-    let terminals = Terminals { end_factor, cone_factor: Some(0.3), ..Terminals::default() };
-    m.with_braid(braid).unwrap().with_terminals(terminals).unwrap()
+    let terminals = Terminals {
+        end_factor,
+        cone_factor: Some(0.3),
+        ..Terminals::default()
+    };
+    m.with_braid(braid)
+        .unwrap()
+        .with_terminals(terminals)
+        .unwrap()
 }
 
 /// Bits of everything a model says about a walk through pressures and contractions; `Err` in words.
-fn answers(model: &dyn ForceModel, questions: &[(f64, f64)]) -> Vec<Result<Vec<Option<u64>>, String>> {
+fn answers(
+    model: &dyn ForceModel,
+    questions: &[(f64, f64)],
+) -> Vec<Result<Vec<Option<u64>>, String>> {
     let workspace = &mut Workspace::new();
     let one = |&(p, e): &(f64, f64)| {
         let r = model.response(workspace, p, e).map_err(|e| e.to_string())?;
@@ -40,11 +57,15 @@ fn answers(model: &dyn ForceModel, questions: &[(f64, f64)]) -> Vec<Result<Vec<O
 #[test]
 fn threads_share_a_model_of_every_kind() {
     let m = muscle();
-    let mut models: Vec<Arc<dyn ForceModel>> =
-        ModelKind::ALL.into_iter().map(|kind| Arc::from(kind.build(&m).unwrap())).collect();
+    let mut models: Vec<Arc<dyn ForceModel>> = ModelKind::ALL
+        .into_iter()
+        .map(|kind| Arc::from(kind.build(&m).unwrap()))
+        .collect();
     models.push(Arc::new(Axisymmetric::new(&m).unwrap()));
     let coarse = BrickSpec::parse("1x6").unwrap();
-    models.push(Arc::new(ThreeDimensional::with_mesh(&Muscle::prototype(), &coarse).unwrap()));
+    models.push(Arc::new(
+        ThreeDimensional::with_mesh(&Muscle::prototype(), &coarse).unwrap(),
+    ));
     for model in models {
         let count = if model.info().name == "fe3d" { 3 } else { 40 };
         let up: Vec<(f64, f64)> = (0..count)
@@ -63,10 +84,14 @@ fn threads_share_a_model_of_every_kind() {
     }
 }
 
-/// A workspace that served another model, or questions from elsewhere, changes no answer beyond the tolerance of the solver.
+/// A workspace that served another model, or questions from elsewhere, changes no answer beyond the
+/// tolerance of the solver.
 #[test]
 fn what_a_workspace_held_before_does_not_matter() {
-    let (a, b) = (Axisymmetric::new(&muscle()).unwrap(), Axisymmetric::new(&Muscle::prototype()).unwrap());
+    let (a, b) = (
+        Axisymmetric::new(&muscle()).unwrap(),
+        Axisymmetric::new(&Muscle::prototype()).unwrap(),
+    );
     let used = &mut Workspace::new();
     let fresh = |model: &Axisymmetric| model.force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
     for model in [&a, &b, &a] {

@@ -4,8 +4,10 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::Random;
 use mckibben_fem::axisymmetric::sweep::law;
 
-/// A muscle, a pressure in MPa and a contraction, number `index` of a seed: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25, θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid
-/// stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa, contraction up to 95 % of the ideal maximum; `None` where these make no muscle.
+/// A muscle, a pressure in MPa and a contraction, number `index` of a seed: log-uniform D0 5–80 mm,
+/// s/D0 0.02–0.20, L0/D0 3–25, θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness
+/// 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa, contraction up to 95 % of the ideal
+/// maximum; `None` where these make no muscle.
 pub fn case(seed: u64, index: usize) -> Option<(Muscle, f64, f64)> {
     let mut r = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ (index as u64) << 20);
     r.unit();
@@ -21,7 +23,11 @@ pub fn case(seed: u64, index: usize) -> Option<(Muscle, f64, f64)> {
         BraidStiffness::NewtonPerMm(outer_diameter_mm * r.log(5.0, 100.0))
     };
     let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
-    let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
+    let braid = Braid {
+        angle_deg,
+        stiffness,
+        ..Braid::paper()
+    };
     let muscle = Muscle::new(tube, braid, Terminals::default(), None).ok()?;
     let pressure_mpa = r.between(0.0, 0.8);
     let contraction = r.between(0.0, 0.95) * muscle.max_ideal_contraction();

@@ -16,8 +16,16 @@ pub(super) fn random(r: &mut Random) -> Option<(Muscle, f64, f64)> {
     let k = p * d0 / (4.0 * angle_deg.to_radians().sin().powi(2) * r.log(0.001, 0.06));
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(d0, wall_mm, length_mm, rubber);
-    let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
-    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p, p / mu_mpa))
+    let braid = Braid {
+        angle_deg,
+        stiffness: BraidStiffness::NewtonPerMm(k),
+        ..Braid::paper()
+    };
+    Some((
+        Muscle::new(tube, braid, Terminals::default(), None).ok()?,
+        p,
+        p / mu_mpa,
+    ))
 }
 
 /// A point: its muscle, P/μ, and the error over the stated half-width.
@@ -28,17 +36,32 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
     let mut r = Random(seed);
     let mut out = vec![];
     for _ in 0..count {
-        let Some((muscle, p, by_mu)) = random(&mut r) else { continue };
+        let Some((muscle, p, by_mu)) = random(&mut r) else {
+            continue;
+        };
         let shares = [r.unit(), r.unit(), r.unit()];
-        let (fe, small) =
-            (Axisymmetric::new(&muscle).unwrap(), ModelKind::UniversalSmall.build(&muscle).unwrap());
-        let (w, share) = (&mut Workspace::new(), small.info().accuracy.share_of_blocked.unwrap());
-        let Some(blocked) = fe.force_n(w, p, 0.0).ok().filter(|f| *f > 0.0) else { continue };
+        let (fe, small) = (
+            Axisymmetric::new(&muscle).unwrap(),
+            ModelKind::UniversalSmall.build(&muscle).unwrap(),
+        );
+        let (w, share) = (
+            &mut Workspace::new(),
+            small.info().accuracy.share_of_blocked.unwrap(),
+        );
+        let Some(blocked) = fe.force_n(w, p, 0.0).ok().filter(|f| *f > 0.0) else {
+            continue;
+        };
         for share_of_ideal in shares {
             let e = share_of_ideal * muscle.max_ideal_contraction();
-            let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else { continue };
+            let Some(force) = fe.force_n(w, p, e).ok().filter(|f| *f > 0.0) else {
+                continue;
+            };
             let ours = small.force_n(&mut Workspace::new(), p, e).unwrap();
-            out.push((muscle.clone(), by_mu, (ours - force).abs() / (share * blocked)));
+            out.push((
+                muscle.clone(),
+                by_mu,
+                (ours - force).abs() / (share * blocked),
+            ));
         }
     }
     out
@@ -48,9 +71,13 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
 fn the_half_width_of_universal_small_holds_95_percent_of_random_muscles() {
     let all = errors(rounds(400), 3);
     let list = |chosen: &dyn Fn(&Point) -> bool| -> Vec<f64> {
-        all.iter().filter(|point| chosen(point)).map(|point| point.2).collect()
+        all.iter()
+            .filter(|point| chosen(point))
+            .map(|point| point.2)
+            .collect()
     };
-    let share = |list: &[f64]| list.iter().filter(|e| **e <= 1.0).count() as f64 / list.len() as f64;
+    let share =
+        |list: &[f64]| list.iter().filter(|e| **e <= 1.0).count() as f64 / list.len() as f64;
     let among = |chosen: &dyn Fn(&Point) -> bool| {
         let list = list(chosen);
         assert!(list.len() > 100, "{}", list.len());
@@ -58,9 +85,13 @@ fn the_half_width_of_universal_small_holds_95_percent_of_random_muscles() {
     };
     let within = |chosen: &dyn Fn(&Muscle) -> bool| among(&|point| chosen(&point.0));
     let everywhere = within(&|_| true);
-    // Few points of 400 muscles, so that their share is printed and not held against a bound; docs/universal.md has it of more.
+    // Few points of 400 muscles, so that their share is printed and not held against a bound;
+    // docs/universal.md has it of more.
     let soft = share(&list(&|point| point.1 < 0.2));
-    println!("{} points: {everywhere:.3} within the ±, of P/μ below 0.2 {soft:.3}", all.len());
+    println!(
+        "{} points: {everywhere:.3} within the ±, of P/μ below 0.2 {soft:.3}",
+        all.len()
+    );
     assert!(everywhere >= 0.95, "{everywhere}");
     let slender = |m: &Muscle| m.length_mm() / m.outer_diameter_mm();
     let parts = [

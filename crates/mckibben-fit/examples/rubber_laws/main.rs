@@ -1,4 +1,5 @@
-//! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
+//! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints
+//! `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
 
 mod table_of_fits;
 mod windows;
@@ -25,7 +26,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         for mut window in windows_of(&points)? {
             // One line a law.
             let laws = std::mem::take(&mut window.laws);
-            let laws = laws.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
+            let laws = laws
+                .iter()
+                .map(serde_json::to_string)
+                .collect::<Result<Vec<_>, _>>()?;
             let head = serde_json::to_string(&window)?.replace("\"laws\":[]}", "\"laws\":[");
             windows.push(format!("{head}\n{}\n]}}", laws.join(",\n")));
         }

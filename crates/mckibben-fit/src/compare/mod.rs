@@ -38,12 +38,16 @@ pub struct Comparison {
     pub cause: Option<String>,
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde hands over references"
+)]
 fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
-/// Compares a model with measured pulls and with measured volumes of the cavity. Where the model is slack it counts as 0 N.
+/// Compares a model with measured pulls and with measured volumes of the cavity. Where the model is
+/// slack it counts as 0 N.
 pub fn compare(
     evaluation: &mut Evaluation<'_>,
     pulls: &[MeasuredPoint],
@@ -54,7 +58,11 @@ pub fn compare(
     let (mut unanswered, mut first) = (0, None);
     for point in pulls {
         cancel::check()?;
-        let MeasuredPoint { pressure_mpa, contraction, .. } = *point;
+        let MeasuredPoint {
+            pressure_mpa,
+            contraction,
+            ..
+        } = *point;
         let checked = if evaluation.options.extrapolate {
             Ok(())
         } else {
@@ -76,7 +84,9 @@ pub fn compare(
     let mut volume_differences = vec![];
     for point in volumes {
         cancel::check()?;
-        let response = evaluation.response(point.at.pressure_mpa, point.at.contraction).ok();
+        let response = evaluation
+            .response(point.at.pressure_mpa, point.at.contraction)
+            .ok();
         volume_differences.extend(response.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
     }
     let errors = |differences: &[f64]| Some(spread("", differences)).filter(|s| s.points > 0);

@@ -1,4 +1,5 @@
-//! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
+//! Sentences about data and result: what does not fit together, what is not identifiable, where the
+//! model does not follow.
 
 use super::parameter::{NO_LOCK, sets_limit};
 use super::{Build, Identification, IdentifyError, PointFit, Request, Result, Target, signs};
@@ -18,13 +19,21 @@ pub(super) fn lines(list: &[u64]) -> String {
     let shown: Vec<String> = list.iter().take(SHOWN).map(u64::to_string).collect();
     let more = list.len().saturating_sub(SHOWN);
     let word = if list.len() == 1 { "line" } else { "lines" };
-    let tail = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let tail = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
     format!("{word} {}{tail}", shown.join(", "))
 }
 
 /// A number with three digits.
 fn show(v: f64) -> String {
-    let decimals = if v == 0.0 { 0 } else { (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize };
+    let decimals = if v == 0.0 {
+        0
+    } else {
+        (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize
+    };
     // Adding zero takes the sign from −0.
     format!("{:.decimals$}", v + 0.0)
 }
@@ -41,14 +50,21 @@ pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>> {
 
 /// Points that state no branch.
 fn no_branch(points: &[DataPoint]) -> Option<String> {
-    let list: Vec<u64> = points.iter().filter(|p| p.at.branch.is_none()).map(|p| p.line).collect();
+    let list: Vec<u64> = points
+        .iter()
+        .filter(|p| p.at.branch.is_none())
+        .map(|p| p.line)
+        .collect();
     let which = match list.len() {
         0 => return None,
         n if n == points.len() => "the points".to_owned(),
         _ => lines(&list),
     };
     Some(format!(
-        "branch not stated: {which} may be from either branch of the hysteresis loop and do not measure the friction, whose part of the ± stays; add a column `branch`: contraction (while it shortens or is inflated), elongation (while it lengthens or is deflated), or mean (of both)"
+        "branch not stated: {which} may be from either branch of the hysteresis loop and do not \
+         measure the friction, whose part of the ± stays; add a column `branch`: contraction \
+         (while it shortens or is inflated), elongation (while it lengthens or is deflated), or \
+         mean (of both)"
     ))
 }
 
@@ -68,18 +84,36 @@ pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<
     // Minor loops pass one place with several pulls.
     notes.extend(contradictions(points).filter(|_| !history));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)).len() == 1 {
-        notes.push("all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures".into());
+        notes.push(
+            "all points have the same pressure: rubber, braid and offset can hardly be \
+            distinguished; measure at two more pressures"
+                .into(),
+        );
     } else if distinct(points.iter().map(|p| p.at.contraction)).len() == 1 {
-        notes.push("all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into());
+        notes.push(
+            "all points have the same contraction: measure at others too; the decrease of \
+            the pull with contraction identifies the rubber"
+                .into(),
+        );
     }
-    let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
-    let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
+    let lengths = points
+        .iter()
+        .map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
+    let ends = [&SEATING, &SLIP, &GRIP]
+        .into_iter()
+        .map(Target::Measure)
+        .find(|t| free.contains(t));
     if let Some(end) = ends.filter(|_| distinct(lengths).len() == 1) {
         let seats = end == Target::Measure(&SEATING);
-        let look = if seats { "the zero of the length" } else { "length, angle or modulus" };
+        let look = if seats {
+            "the zero of the length"
+        } else {
+            "length, angle or modulus"
+        };
         let end = end.name(muscle);
         notes.push(format!(
-            "all points are from muscles of one length: {end} can hardly be distinguished from an error in {look}; measure muscles of other lengths"
+            "all points are from muscles of one length: {end} can hardly be distinguished from an \
+             error in {look}; measure muscles of other lengths"
         ));
     }
     Ok(notes)
@@ -90,7 +124,10 @@ pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
     cancel::check().ok()?;
     let muscle = p.section.apply(muscle).ok()?;
     let ideal = Ideal::new(&muscle);
-    let (pull, rest) = (ideal.pull(p.at.pressure_mpa, p.at.contraction), ideal.pull(p.at.pressure_mpa, 0.0));
+    let (pull, rest) = (
+        ideal.pull(p.at.pressure_mpa, p.at.contraction),
+        ideal.pull(p.at.pressure_mpa, 0.0),
+    );
     (pull > 0.2 * rest && pull > 0.0).then_some(pull)
 }
 
@@ -98,13 +135,21 @@ pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
 pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     let key = |p: &DataPoint| {
         let measures = p.section.values().map(|(_, value)| value.unwrap_or(0.0));
-        let at = [p.at.pressure_mpa, f64::from(p.at.branch.map_or(0, |b| 1 + b as u8))];
+        let at = [
+            p.at.pressure_mpa,
+            f64::from(p.at.branch.map_or(0, |b| 1 + b as u8)),
+        ];
         measures.into_iter().chain(at)
     };
-    key(a).zip(key(b)).map(|(x, y)| x.total_cmp(&y)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
+    key(a)
+        .zip(key(b))
+        .map(|(x, y)| x.total_cmp(&y))
+        .find(|o| o.is_ne())
+        .unwrap_or(Ordering::Equal)
 }
 
-/// Forces against those of the ideal muscle, which no rubber exceeds by much and no usual one cancels.
+/// Forces against those of the ideal muscle, which no rubber exceeds by much and no usual one
+/// cancels.
 fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let ratio = |p: &DataPoint| Some(p.at.force_n / ideal_pull(muscle, p)?);
     let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
@@ -118,25 +163,33 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
-                "the highest pressure is {pressure}\u{a0}MPa; if the column holds bar or MPa under another name, rename it (pressure_bar, pressure_mpa)"
+                "the highest pressure is {pressure}\u{a0}MPa; if the column holds bar or MPa under \
+                 another name, rename it (pressure_bar, pressure_mpa)"
             )
         } else if middle > 100.0 {
             "is force_n in mN or g?".into()
         } else if middle < 6.0 {
-            "is the outer diameter really the radius, or the braid angle taken to the circumference?".into()
+            "is the outer diameter really the radius, or the braid angle taken to the \
+             circumference?"
+                .into()
         } else {
             "is force_n in N (1 kgf is 9.81 N), and is the diameter in mm?".into()
         };
         (middle, why)
     } else if high < 0.12 {
         let why = if highest > 30.0 {
-            format!("pressures reach {pressure}\u{a0}MPa; if they are kPa, name the column pressure_kpa")
+            format!(
+                "pressures reach {pressure}\u{a0}MPa; if they are kPa, name the column pressure_kpa"
+            )
         } else if highest > 1.5 {
-            format!("pressures reach {pressure}\u{a0}MPa; if they are bar, name the column pressure_bar")
+            format!(
+                "pressures reach {pressure}\u{a0}MPa; if they are bar, name the column pressure_bar"
+            )
         } else if high < 0.003 {
             "is force_n in kN?".into()
         } else {
-            "is force_n in kgf (multiply by 9.81) or lbf (by 4.45), or the diameter in other units than mm?"
+            "is force_n in kgf (multiply by 9.81) or lbf (by 4.45), or the diameter in other units \
+             than mm?"
                 .into()
         };
         (high, why)
@@ -145,13 +198,17 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     };
     let ratio = show(ratio);
     Some(format!(
-        "the forces are about {ratio} times those of an ideal muscle of these measures, which no rubber explains: {why}"
+        "the forces are about {ratio} times those of an ideal muscle of these measures, which no \
+         rubber explains: {why}"
     ))
 }
 
 /// Pulls past the contraction at which the ideal muscle ends.
 fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<String> {
-    if free.iter().any(|t| [Target::Measure(&ANGLE), Target::ContractionOffset].contains(t)) {
+    if free
+        .iter()
+        .any(|t| [Target::Measure(&ANGLE), Target::ContractionOffset].contains(t))
+    {
         return None;
     }
     let end = muscle.max_ideal_contraction();
@@ -159,20 +216,31 @@ fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<S
     let list: Vec<u64> = points.iter().filter(past).map(|p| p.line).collect();
     (!list.is_empty()).then(|| {
         format!(
-            "{}: the muscle pulls at contractions past {}, where an ideal braid of {}° ends: is the contraction divided by the length at rest, and is this the angle at rest?",
-            lines(&list), show(end), show(muscle.braid().angle_deg)
+            "{}: the muscle pulls at contractions past {}, where an ideal braid of {}° ends: is \
+             the contraction divided by the length at rest, and is this the angle at rest?",
+            lines(&list),
+            show(end),
+            show(muscle.braid().angle_deg)
         )
     })
 }
 
 /// Rows that say different forces at the same place.
 fn contradictions(points: &[DataPoint]) -> Option<String> {
-    let mut order: Vec<&DataPoint> = points.iter().filter(|p| p.measured == Quantity::Force).collect();
+    let mut order: Vec<&DataPoint> = points
+        .iter()
+        .filter(|p| p.measured == Quantity::Force)
+        .collect();
     order.sort_by(|a, b| {
         let (p, q) = (&a.at, &b.at);
-        p.pressure_mpa.total_cmp(&q.pressure_mpa).then(p.contraction.total_cmp(&q.contraction))
+        p.pressure_mpa
+            .total_cmp(&q.pressure_mpa)
+            .then(p.contraction.total_cmp(&q.contraction))
     });
-    let largest = points.iter().map(|p| p.at.force_n.abs()).fold(0.0, f64::max);
+    let largest = points
+        .iter()
+        .map(|p| p.at.force_n.abs())
+        .fold(0.0, f64::max);
     let clash = |pair: &&[&DataPoint]| {
         let (a, b) = (pair[0], pair[1]);
         let same = (a.at.pressure_mpa - b.at.pressure_mpa).abs() < 1e-9
@@ -183,17 +251,29 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
         same && apart > 0.15 * a.at.force_n.abs().max(b.at.force_n.abs()) && apart > 0.03 * largest
     };
     let pairs: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
-    let &&[a, b] = pairs.first()? else { return None };
+    let &&[a, b] = pairs.first()? else {
+        return None;
+    };
     let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
     } else {
-        "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
+        "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer \
+         than later ones)"
     };
-    let (which, f, g) = (lines(&[a.line, b.line]), show(a.at.force_n), show(b.at.force_n));
+    let (which, f, g) = (
+        lines(&[a.line, b.line]),
+        show(a.at.force_n),
+        show(b.at.force_n),
+    );
     let (p, e) = (show(a.at.pressure_mpa), show(a.at.contraction));
-    let more = if pairs.len() > 1 { format!(", and {} more pairs", pairs.len() - 1) } else { String::new() };
+    let more = if pairs.len() > 1 {
+        format!(", and {} more pairs", pairs.len() - 1)
+    } else {
+        String::new()
+    };
     Some(format!(
-        "{which} contradict each other: {f}\u{a0}N and {g}\u{a0}N at the same {p}\u{a0}MPa and contraction {e}{more}{branch}"
+        "{which} contradict each other: {f}\u{a0}N and {g}\u{a0}N at the same {p}\u{a0}MPa and \
+         contraction {e}{more}{branch}"
     ))
 }
 
@@ -205,7 +285,11 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
     let (scaled, deviation) = robust_deviation(residuals, weights);
     let limit = FAR * deviation;
     let judged = residuals.len() >= 6;
-    scaled.iter().zip(residuals).map(|(s, r)| judged && *s > limit && r.abs() > 1e-6).collect()
+    scaled
+        .iter()
+        .zip(residuals)
+        .map(|(s, r)| judged && *s > limit && r.abs() > 1e-6)
+        .collect()
 }
 
 /// Sentences about the result.
@@ -215,29 +299,57 @@ pub(super) fn after(result: &Identification, request: &Request<'_>) -> Vec<Strin
     notes.extend(no_rubber(result));
     notes.extend(correlated(result));
     if request.loss == Loss::Largest {
-        notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
+        notes.push(
+            "the largest residual was made small, not the sum of squares: standard errors \
+            are a rough guide only"
+                .into(),
+        );
     }
-    let far: Vec<u64> = result.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
+    let far: Vec<u64> = result
+        .points
+        .iter()
+        .filter(|p| p.outlier)
+        .map(|p| p.point.line)
+        .collect();
     if !far.is_empty() {
-        let robust = if request.loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
+        let robust = if request.loss == Loss::Squares {
+            "; check them, or use a robust loss"
+        } else {
+            ""
+        };
         let (which, s) = (lines(&far), if far.len() == 1 { "s" } else { "" });
-        notes.push(format!("{which} lie{s} more than {FAR} robust deviations from the model{robust}"));
+        notes.push(format!(
+            "{which} lie{s} more than {FAR} robust deviations from the model{robust}"
+        ));
     }
-    let (points, parameters, freedom) = (result.points.len(), result.parameters.len(), result.freedom);
+    let (points, parameters, freedom) =
+        (result.points.len(), result.parameters.len(), result.freedom);
     if freedom < 2 * parameters {
         notes.push(format!(
-            "{points} points for {parameters} parameters: the error bars have only {freedom} degrees of freedom and are therefore wide; measure more points"
+            "{points} points for {parameters} parameters: the error bars have only {freedom} \
+             degrees of freedom and are therefore wide; measure more points"
         ));
     }
     notes.extend(misfit(result));
     notes.extend(pattern(&result.points));
     notes.extend(slack(result, request.build));
     let not_in_a_file = [
-        (Target::ContractionOffset, "contraction_offset: add it to your contractions"),
-        (Target::DeadVolume, "dead_volume: subtract it from your volumes"),
-        (Target::StiffnessExponent, "braid.stiffness_exponent: it states k at its own diameter"),
+        (
+            Target::ContractionOffset,
+            "contraction_offset: add it to your contractions",
+        ),
+        (
+            Target::DeadVolume,
+            "dead_volume: subtract it from your volumes",
+        ),
+        (
+            Target::StiffnessExponent,
+            "braid.stiffness_exponent: it states k at its own diameter",
+        ),
     ];
-    let identified = not_in_a_file.iter().filter(|(target, _)| result.parameter(*target).is_some());
+    let identified = not_in_a_file
+        .iter()
+        .filter(|(target, _)| result.parameter(*target).is_some());
     notes.extend(identified.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
 }
@@ -254,48 +366,70 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
         let (name, unit, value) = (&p.name, p.unit, show(p.value));
         if p.implausible {
             format!(
-                "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely"
+                "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer \
+                 diameter, more than that of any known muscle: it is not determined; an error in \
+                 another constant (length, angle, modulus) is more likely"
             )
         } else if let Some(law) = p.target.and_then(|target| never_locks(result, target)) {
             format!(
-                "{name} is not identifiable: no chains lock within these points, and with {value} the {law} law has no limit in a muscle; a law without one fits as well: law = \"neo-hookean\""
+                "{name} is not identifiable: no chains lock within these points, and with {value} \
+                 the {law} law has no limit in a muscle; a law without one fits as well: law \
+                 = \"neo-hookean\""
             )
         } else if !p.matters {
-            format!("{name}: it has no effect on any point with this model: hold it constant (`fix`)")
+            format!(
+                "{name}: it has no effect on any point with this model: hold it constant (`fix`)"
+            )
         } else if p.at_bound {
             let at = format!("{value} {unit}");
             let at = at.trim();
             format!(
-                "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or fix the parameter"
+                "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or \
+                 fix the parameter"
             )
         } else if p.target == Some(Target::Stiffness) && p.value > 30.0 * p.start {
             let stiffness = p.value;
             format!(
-                "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\""
+                "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these \
+                 data equally well; set it to \"inextensible\""
             )
         } else if !p.half_width.is_finite() {
             format!(
-                "{name} is not identifiable from these data: it acts like another parameter; fix one of them"
+                "{name} is not identifiable from these data: it acts like another parameter; fix \
+                 one of them"
             )
         } else {
             let (half, limit) = (show(p.half_width), format!("{} {unit}", show(p.limit)));
             let limit = limit.trim();
             format!(
-                "{name} is not identifiable from these data: ± {half} is more than {limit}; hold it constant (`fix`)"
+                "{name} is not identifiable from these data: ± {half} is more than {limit}; hold \
+                 it constant (`fix`)"
             )
         }
     };
-    result.parameters.iter().filter(|p| !p.identifiable).map(one).collect()
+    result
+        .parameters
+        .iter()
+        .filter(|p| !p.identifiable)
+        .map(one)
+        .collect()
 }
 
 /// An identified modulus that no rubber has.
 fn no_rubber(result: &Identification) -> Option<String> {
-    let is_free = result.parameters.iter().any(|p| p.target.is_some_and(Target::is_of_law));
+    let is_free = result
+        .parameters
+        .iter()
+        .any(|p| p.target.is_some_and(Target::is_of_law));
     let modulus_mpa = result.muscle.tube().rubber.law.shear_modulus_mpa();
     (is_free && !(MODULI.0..=MODULI.1).contains(&modulus_mpa)).then(|| {
         format!(
-            "the shear modulus is {} MPa, and rubbers lie between {} and {} MPa: check the units of the columns, the zero of the contraction, and wall, diameter and angle of the muscle",
-            show(modulus_mpa), MODULI.0, MODULI.1
+            "the shear modulus is {} MPa, and rubbers lie between {} and {} MPa: check the units \
+             of the columns, the zero of the contraction, and wall, diameter and angle of the \
+             muscle",
+            show(modulus_mpa),
+            MODULI.0,
+            MODULI.1
         )
     })
 }
@@ -310,9 +444,14 @@ fn correlated(result: &Identification) -> Vec<String> {
             let rho = result.correlation[i][j];
             if rho.abs() > TOGETHER {
                 let (a, b) = (&result.parameters[j].name, &result.parameters[i].name);
-                let way = if rho > 0.0 { "together" } else { "against each other" };
+                let way = if rho > 0.0 {
+                    "together"
+                } else {
+                    "against each other"
+                };
                 out.push(format!(
-                    "{a} and {b} move {way} (correlation {rho:.3}): these data determine a combination of the two better than either"
+                    "{a} and {b} move {way} (correlation {rho:.3}): these data determine a \
+                     combination of the two better than either"
                 ));
             }
         }
@@ -325,31 +464,39 @@ fn misfit(result: &Identification) -> Option<String> {
     match result.deviation {
         _ if !result.errors_stated => None,
         s if s > 1.5 => Some(format!(
-            "the residuals are {times} times the stated errors: the model does not explain the data, or the errors are larger"
+            "the residuals are {times} times the stated errors: the model does not explain the \
+             data, or the errors are larger"
         )),
-        s if s < 0.5 => {
-            Some(format!("the residuals are only {times} of the stated errors: these are stated too large"))
-        }
+        s if s < 0.5 => Some(format!(
+            "the residuals are only {times} of the stated errors: these are stated too large"
+        )),
         _ => None,
     }
 }
 
-/// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
+/// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the
+/// correlation ρ of their residuals, −1 to 1.
 pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
     let mut order: Vec<&PointFit> = points.iter().collect();
     order.sort_by(|a, b| {
-        compare_curves(&a.point, &b.point).then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
+        compare_curves(&a.point, &b.point)
+            .then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
     });
     let curves = order.chunk_by(|a, b| compare_curves(&a.point, &b.point).is_eq());
-    let pairs: Vec<(f64, f64)> =
-        curves.flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n))).collect();
+    let pairs: Vec<(f64, f64)> = curves
+        .flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n)))
+        .collect();
     let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();
     let together: f64 = pairs.iter().map(|p| p.0 * p.1).sum();
-    (pairs.len(), if square > 0.0 { together / square } else { 0.0 })
+    (
+        pairs.len(),
+        if square > 0.0 { together / square } else { 0.0 },
+    )
 }
 
-/// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the standard errors, which take
-/// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
+/// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the
+/// standard errors, which take residuals for noise, are too small. With ρ the correlation of
+/// neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
 fn pattern(points: &[PointFit]) -> Option<String> {
     let (pairs, rho) = neighbours(points);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
@@ -359,7 +506,8 @@ fn pattern(points: &[PointFit]) -> Option<String> {
     let rho = rho.min(0.999);
     let factor = show(((1.0 + rho) / (1.0 - rho)).sqrt());
     Some(format!(
-        "the residuals follow a pattern (neighbours correlate by {rho:.2}): they are the model's error, not noise, and the standard errors are too small, by a factor of about {factor}"
+        "the residuals follow a pattern (neighbours correlate by {rho:.2}): they are the model's \
+         error, not noise, and the standard errors are too small, by a factor of about {factor}"
     ))
 }
 
@@ -372,7 +520,11 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     let limit = (2.0 * result.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + result.candidate.contraction_offset;
-        let model = result.candidate.section_muscle(&p.section).ok().and_then(|m| build(&m).ok());
+        let model = result
+            .candidate
+            .section_muscle(&p.section)
+            .ok()
+            .and_then(|m| build(&m).ok());
         let force = model.and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
         force.is_some_and(|f| f > limit)
     };

@@ -35,16 +35,17 @@ impl Target {
             Target::Law(i) => *tube.rubber.law.values().get(i)?,
             Target::Modulus => 1.0,
             Target::Stiffness => muscle.family_stiffness_n_per_mm()?,
-            // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the braid `paper`.
+            // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the
+            // braid `paper`.
             Target::StiffnessExponent => {
                 let mut wide = tube.clone();
                 wide.outer_diameter_mm *= 2.0;
                 let twice = muscle.braid().family_stiffness_n_per_mm(&wide)?;
                 (twice / muscle.family_stiffness_n_per_mm()?).log2()
             }
-            Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
-                muscle.measure(m).or(self.identify().and_then(|i| i.start(muscle)))?
-            }
+            Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => muscle
+                .measure(m)
+                .or(self.identify().and_then(|i| i.start(muscle)))?,
             Target::Measure(m) => muscle.measure(m)?,
             Target::ContractionOffset | Target::DeadVolume => 0.0,
         })
@@ -75,7 +76,9 @@ impl Candidate {
                     // C alone has the exponent that a search for it starts from.
                     if *m == FRICTION_COEFFICIENT && base.measure(&FRICTION_EXPONENT).is_none() {
                         let exponent = Target::Measure(&FRICTION_EXPONENT).value(base);
-                        exponent.into_iter().for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
+                        exponent
+                            .into_iter()
+                            .for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
                     }
                     (m.set)(&mut parts, v);
                 }
@@ -88,21 +91,30 @@ impl Candidate {
         if rubber.law != base.tube().rubber.law {
             rubber.fitted_to_stretch = None;
         }
-        // Constants that are sought are those of every row of the data; the law of a named rubber would follow its measures.
+        // Constants that are sought are those of every row of the data; the law of a named rubber
+        // would follow its measures.
         if values.iter().any(|v| v.0.is_of_law()) {
             rubber.name = None;
         }
         let family = has_family.then_some(family);
         if let Some(family) = &family {
-            parts.braid.stiffness = BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
+            parts.braid.stiffness =
+                BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
         }
-        Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset, dead_volume_mm3 })
+        Ok(Self {
+            muscle: Muscle::from_parts(parts)?,
+            family,
+            contraction_offset,
+            dead_volume_mm3,
+        })
     }
 
     /// The muscle of a row of data.
     pub fn section_muscle(&self, section: &Section) -> Result<Muscle, MuscleError> {
         let muscle = section.apply(&self.muscle)?;
-        let Some(family) = self.family else { return Ok(muscle) };
+        let Some(family) = self.family else {
+            return Ok(muscle);
+        };
         let mut braid = muscle.braid().clone();
         braid.stiffness = BraidStiffness::NewtonPerMm(family.at(muscle.outer_diameter_mm()));
         muscle.with_braid(braid)

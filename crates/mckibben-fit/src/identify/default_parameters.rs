@@ -11,8 +11,9 @@ use mckibben::muscle::{Direction, Muscle};
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
 
-/// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that stretch, and the friction
-/// where both branches were measured; of rows in time order the friction with its presliding length.
+/// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that
+/// stretch, and the friction where both branches were measured; of rows in time order the friction
+/// with its presliding length.
 pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> Vec<Target> {
     let constants = muscle.tube().rubber.law.constants();
     let moduli: Vec<usize> = (0..constants.len())
@@ -27,8 +28,15 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     }
     if history {
         let law = muscle.friction().is_some_and(|f| f.coefficient > 0.0);
-        let level = if law { &FRICTION_COEFFICIENT } else { &FRICTION_LEVER };
-        out.extend([Target::Measure(level), Target::Measure(&FRICTION_PRESLIDING)]);
+        let level = if law {
+            &FRICTION_COEFFICIENT
+        } else {
+            &FRICTION_LEVER
+        };
+        out.extend([
+            Target::Measure(level),
+            Target::Measure(&FRICTION_PRESLIDING),
+        ]);
         return out;
     }
     let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
@@ -41,32 +49,43 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine keeps the
-/// value of the muscle.
+/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not
+/// determine keeps the value of the muscle.
 pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
     let mut targets = default_targets(request.muscle, request.points, request.history);
     targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify(&Request { free: &free, ..*request })
+        identify(&Request {
+            free: &free,
+            ..*request
+        })
     };
-    let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
+    let without: Vec<Target> = targets
+        .iter()
+        .copied()
+        .filter(|t| *t != Target::Stiffness)
+        .collect();
     let all = run(&targets);
     let identified = match &all {
-        Ok(result) => result.parameter(Target::Stiffness).is_none_or(|p| p.identifiable),
+        Ok(result) => result
+            .parameter(Target::Stiffness)
+            .is_none_or(|p| p.identifiable),
         Err(_) => without.len() == targets.len(),
     };
     if identified || without.is_empty() {
         return all;
     }
     let mut result = run(&without)?;
-    let note = "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value";
+    let note = "braid.stiffness is not identifiable from these data and was not changed; free it \
+        by name to see its value";
     result.notes.push(note.into());
     Ok(result)
 }
 
-/// Whether the pulls of a model at the points depend on a parameter at all, from two muscles that differ in it: the
-/// ideal formula has no modulus, and a model that computes the ends no end factor.
+/// Whether the pulls of a model at the points depend on a parameter at all, from two muscles that
+/// differ in it: the ideal formula has no modulus, and a model that computes the ends no end
+/// factor.
 pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Build<'_>) -> bool {
     let value = target.value(muscle).unwrap_or(STIFF);
     let model = |value: f64| build(&Candidate::new(muscle, &[(target, value)]).ok()?.muscle).ok();

@@ -28,7 +28,8 @@ pub enum IdentifyError {
     Flipped(String),
     /// Points that no rubber explains.
     #[error(
-        "no constants were found: {0}, which no rubber has. The measured pull is higher, or decreases less with contraction, than that of this muscle with any rubber"
+        "no constants were found: {0}, which no rubber has. The measured pull is higher, or \
+         decreases less with contraction, than that of this muscle with any rubber"
     )]
     NoRubber(String),
     /// The model fails at the start.
@@ -42,7 +43,8 @@ pub enum IdentifyError {
     Model(ModelError),
     /// No minimum.
     #[error(
-        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the data cannot determine"
+        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the \
+         data cannot determine"
     )]
     Estimate(EstimateError),
 }
@@ -56,7 +58,9 @@ impl IdentifyError {
         };
         let least = parameters + 1;
         Self::Data(format!(
-            "{points} points that pull{left_out} do not determine {parameters} parameters: at least {least} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer"
+            "{points} points that pull{left_out} do not determine {parameters} parameters: at \
+             least {least} are needed, and three for each parameter for a meaningful error bar; \
+             measure more, or free fewer"
         ))
     }
 }

@@ -2,8 +2,10 @@
 //!
 //!   F = F₀(P, ε; θ) − F_c(P, ε; θ) z
 //!
-//! F₀: the mean of both branches, F_c: half the width of the loop, z: the share of the [`Presliding`](mckibben::muscle::Presliding) at the contraction times L0, with the history
-//! of the rows before. A table begins on the branch that its first row states; without one at rest, z = 0. Between two rows the muscle moves one way.
+//! F₀: the mean of both branches, F_c: half the width of the loop, z: the share of the
+//! [`Presliding`](mckibben::muscle::Presliding) at the contraction times L0, with the history of
+//! the rows before. A table begins on the branch that its first row states; without one at rest, z
+//! = 0. Between two rows the muscle moves one way.
 
 use super::{IdentifyError, Result};
 use crate::measured::{DataPoint, Quantity};
@@ -14,14 +16,16 @@ fn continues(row: &DataPoint, before: &DataPoint) -> bool {
     row.set == before.set && row.section == before.section
 }
 
-/// The rows with the direction in which the muscle came to them, for spreads and for the ± of the bench.
+/// The rows with the direction in which the muscle came to them, for spreads and for the ± of the
+/// bench.
 pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
     let mut out: Vec<DataPoint> = vec![];
     for row in points {
         if row.measured != Quantity::Force {
             let line = row.line;
             return Err(IdentifyError::Refused(format!(
-                "line {line}: rows in time order state a measured force, at a set pressure and length"
+                "line {line}: rows in time order state a measured force, at a set pressure and \
+                 length"
             )));
         }
         let mut row = *row;
@@ -39,7 +43,11 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
 }
 
 /// z at `points`, some of the rows in their order; `None` of a muscle without friction.
-pub(super) fn shares(rows: &[DataPoint], points: &[DataPoint], muscle: &Muscle) -> Option<Vec<f64>> {
+pub(super) fn shares(
+    rows: &[DataPoint],
+    points: &[DataPoint],
+    muscle: &Muscle,
+) -> Option<Vec<f64>> {
     let friction = muscle.friction()?;
     let mut last: Option<(&DataPoint, Presliding)> = None;
     let (mut remaining, mut out) = (points.iter().peekable(), vec![]);

@@ -1,9 +1,11 @@
 //! The rubber law that the points prefer.
 //!
-//! Each law is identified in turn with all of its constants free, and with whatever else is free; they are compared by
-//! [`aicc`], which takes the errors of the points as independent. Where a model does not follow the data, neighbours on one curve err together: their correlation says how far
-//! the differences can be trusted. A muscle is a poor test of rubber: strands that lock and compliant ends change the pull as a rubber
-//! that stiffens does, and the constants that follow can be ones that no rubber has.
+//! Each law is identified in turn with all of its constants free, and with whatever else is free;
+//! they are compared by [`aicc`], which takes the errors of the points as independent. Where a
+//! model does not follow the data, neighbours on one curve err together: their correlation says how
+//! far the differences can be trusted. A muscle is a poor test of rubber: strands that lock and
+//! compliant ends change the pull as a rubber that stiffens does, and the constants that follow can
+//! be ones that no rubber has.
 
 use super::advice::neighbours;
 use super::{Identification, IdentifyError, Parameter, Request, Result, Target, identify};
@@ -13,7 +15,8 @@ use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Rubber, Tube};
 use mckibben::rubber::{Law, LawKind, RubberLaw};
 
-/// A rubber whose chains lock in tension below this stretch is not among the measured ones that ship: they stretch to 3 and more.
+/// A rubber whose chains lock in tension below this stretch is not among the measured ones that
+/// ship: they stretch to 3 and more.
 const EARLY_LOCK: f64 = 3.0;
 
 /// The identification with one law.
@@ -51,22 +54,54 @@ fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
     let law = if known.kind().name == kind.name {
         known.clone()
     } else {
-        let example = Law::examples().into_iter().find(|law| law.name() == kind.name)?;
+        let example = Law::examples()
+            .into_iter()
+            .find(|law| law.name() == kind.name)?;
         example.scaled(known.shear_modulus_mpa() / example.shear_modulus_mpa())
     };
     let constants = law.values().len();
-    let rubber = Rubber { bulk: tube.rubber.bulk, ..Rubber::new(law) };
-    let muscle = request.muscle.with_tube(Tube { rubber, ..tube.clone() }).ok()?;
-    let rest = request.free.iter().filter(|p| !p.target.is_of_law()).copied();
-    let free: Vec<Parameter> = (0..constants).map(|i| Parameter::free(Target::Law(i))).chain(rest).collect();
-    let fixed: Vec<(Target, f64)> = request.fixed.iter().filter(|f| !f.0.is_of_law()).copied().collect();
-    let result = identify(&Request { muscle: &muscle, free: &free, fixed: &fixed, ..*request });
+    let rubber = Rubber {
+        bulk: tube.rubber.bulk,
+        ..Rubber::new(law)
+    };
+    let muscle = request
+        .muscle
+        .with_tube(Tube {
+            rubber,
+            ..tube.clone()
+        })
+        .ok()?;
+    let rest = request
+        .free
+        .iter()
+        .filter(|p| !p.target.is_of_law())
+        .copied();
+    let free: Vec<Parameter> = (0..constants)
+        .map(|i| Parameter::free(Target::Law(i)))
+        .chain(rest)
+        .collect();
+    let fixed: Vec<(Target, f64)> = request
+        .fixed
+        .iter()
+        .filter(|f| !f.0.is_of_law())
+        .copied()
+        .collect();
+    let result = identify(&Request {
+        muscle: &muscle,
+        free: &free,
+        fixed: &fixed,
+        ..*request
+    });
     let identified = result.as_ref().ok();
     Some(LawTrial {
         law: kind.name,
         aicc: identified.map_or(f64::INFINITY, |i| {
             let n = i.points.len();
-            aicc(n, free.len(), i.deviation * i.deviation * i.freedom as f64 / n as f64)
+            aicc(
+                n,
+                free.len(),
+                i.deviation * i.deviation * i.freedom as f64 / n as f64,
+            )
         }),
         neighbours: identified.map_or(0.0, |i| neighbours(&i.points).1),
         doubt: identified.and_then(|i| doubt(&i.muscle.tube().rubber.law)),
@@ -79,15 +114,22 @@ fn doubt(law: &Law) -> Option<String> {
     // In tension I1 − 3 = λ² + 2/λ − 3.
     let stretch = law.locks_at().and_then(|j| {
         let beyond = |l: f64| Ok::<f64, Cancelled>(l * l + 2.0 / l - 3.0 - j);
-        find_root(beyond, 1.0, (j + 3.0).sqrt(), 1e-9).ok().flatten()
+        find_root(beyond, 1.0, (j + 3.0).sqrt(), 1e-9)
+            .ok()
+            .flatten()
     });
     if let Some(stretch) = stretch.filter(|s| *s < EARLY_LOCK) {
         return Some(format!(
-            "no rubber of the library locks at a stretch of {stretch:.1} in tension; a jammed braid, strands that lift off the tube or compliant ends have the same effect"
+            "no rubber of the library locks at a stretch of {stretch:.1} in tension; a jammed \
+             braid, strands that lift off the tube or compliant ends have the same effect"
         ));
     }
     let values = law.constants();
-    let negative = values.iter().find(|c| c.constant.is_modulus() && c.value < 0.0)?;
+    let negative = values
+        .iter()
+        .find(|c| c.constant.is_modulus() && c.value < 0.0)?;
     let (name, value) = (&negative.name, negative.value);
-    Some(format!("{name} is {value:.3} MPa, below zero: the law may lose its stability"))
+    Some(format!(
+        "{name} is {value:.3} MPa, below zero: the law may lose its stability"
+    ))
 }

@@ -1,10 +1,11 @@
 //! Constants of a muscle from measured or published points, with their errors.
 //!
-//! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]), on any mix of isometric,
-//! isobaric and isotonic points; any parameter of [`Target`] free or fixed. Standard errors are those of linearised least
-//! squares (Seber & Wild 2003 \[seber2003\], ch. 2). A parameter is identifiable where the half-width of its 95 % interval is below
-//! its limit ([`Target`]: half of the shear modulus for constants of the law, half of its value for most others) and it
-//! lies on no bound.
+//! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]),
+//! on any mix of isometric, isobaric and isotonic points; any parameter of [`Target`] free or
+//! fixed. Standard errors are those of linearised least squares (Seber & Wild 2003 \[seber2003\],
+//! ch. 2). A parameter is identifiable where the half-width of its 95 % interval is below its limit
+//! ([`Target`]: half of the shear modulus for constants of the law, half of its value for most
+//! others) and it lies on no bound.
 
 mod advice;
 mod bench;

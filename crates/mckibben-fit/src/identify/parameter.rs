@@ -10,7 +10,8 @@ use thiserror::Error;
 /// A constant or measure that data may tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
-    /// A constant of the rubber law, by its place in [`Law::constants`](mckibben::rubber::Law::constants).
+    /// A constant of the rubber law, by its place in
+    /// [`Law::constants`](mckibben::rubber::Law::constants).
     Law(usize),
     /// One factor on all moduli of the law.
     Modulus,
@@ -39,7 +40,8 @@ const NAMES: [(&str, Target); 7] = [
     ("dead_volume", DeadVolume),
 ];
 
-/// The measures that can be identified, by the tables of the muscle file: those of the braid that a ruler does not measure.
+/// The measures that can be identified, by the tables of the muscle file: those of the braid that a
+/// ruler does not measure.
 fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
     ["braid", "tube", "terminals", "friction"]
         .into_iter()
@@ -57,18 +59,25 @@ impl Target {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let first = [Modulus, Stiffness, StiffnessExponent];
         let measures = measures().map(|(m, _)| Target::Measure(m));
-        laws.chain(first).chain(measures).chain([ContractionOffset, DeadVolume]).collect()
+        laws.chain(first)
+            .chain(measures)
+            .chain([ContractionOffset, DeadVolume])
+            .collect()
     }
 
     /// The name, as in the muscle file.
     pub fn name(self, muscle: &Muscle) -> String {
         if let Law(i) = self {
-            return constant(muscle, i).map_or_else(String::new, |c| format!("tube.material.{}", c.name));
+            return constant(muscle, i)
+                .map_or_else(String::new, |c| format!("tube.material.{}", c.name));
         }
         if let Target::Measure(measure) = self {
             return measure.key.to_owned();
         }
-        NAMES.iter().find(|n| n.1 == self).map_or_else(String::new, |n| n.0.to_owned())
+        NAMES
+            .iter()
+            .find(|n| n.1 == self)
+            .map_or_else(String::new, |n| n.0.to_owned())
     }
 
     /// The target of a name.
@@ -81,9 +90,14 @@ impl Target {
             return Ok(Target::Measure(m));
         }
         let all = Target::all(muscle);
-        let short = |t: &Target| t.name(muscle).trim_start_matches("tube.material.").to_owned();
-        if let Some(t) =
-            all.iter().find(|t| t.name(muscle) == given || matches!(t, Law(_)) && short(t) == given)
+        let short = |t: &Target| {
+            t.name(muscle)
+                .trim_start_matches("tube.material.")
+                .to_owned()
+        };
+        if let Some(t) = all
+            .iter()
+            .find(|t| t.name(muscle) == given || matches!(t, Law(_)) && short(t) == given)
         {
             return Ok(*t);
         }
@@ -131,20 +145,31 @@ impl Target {
         match self {
             Law(i) => {
                 let free = (0.0, (f64::NEG_INFINITY, f64::INFINITY));
-                let (value, (low, high)) = constant(muscle, i).map_or(free, |c| (c.value, c.constant.bounds));
-                (low, if sets_limit(&muscle.tube().rubber.law, i) { value.max(NO_LOCK) } else { high })
+                let (value, (low, high)) =
+                    constant(muscle, i).map_or(free, |c| (c.value, c.constant.bounds));
+                (
+                    low,
+                    if sets_limit(&muscle.tube().rubber.law, i) {
+                        value.max(NO_LOCK)
+                    } else {
+                        high
+                    },
+                )
             }
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
             DeadVolume => (0.0, f64::INFINITY),
-            other => other.identify().map_or((0.0, f64::INFINITY), |i| i.bounds(muscle)),
+            other => other
+                .identify()
+                .map_or((0.0, f64::INFINITY), |i| i.bounds(muscle)),
         }
     }
 
-    /// A half-width of the 95 % interval above this means that the data do not determine it, at a value `v`.
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a
+    /// value `v`.
     ///
-    /// Half of the shear modulus at rest for the constants of the law, half of the value for stiffness, friction, factors, wall and
-    /// length; less for what a ruler measures.
+    /// Half of the shear modulus at rest for the constants of the law, half of the value for
+    /// stiffness, friction, factors, wall and length; less for what a ruler measures.
     pub(super) fn limit(self, muscle: &Muscle, v: f64) -> f64 {
         match self {
             Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
@@ -163,12 +188,17 @@ impl Target {
     }
 }
 
-/// A limit (I1 − 3, or a stretch) of so much is never felt: Gent's law and that of Arruda and Boyce are then neo-Hookean.
+/// A limit (I1 − 3, or a stretch) of so much is never felt: Gent's law and that of Arruda and Boyce
+/// are then neo-Hookean.
 pub(super) const NO_LOCK: f64 = 1000.0;
 
 /// Whether constant number `i` says where the chains lock.
 pub(super) fn sets_limit(law: &RubberOf, i: usize) -> bool {
-    law.locks_at().is_some() && law.constants().get(i).is_some_and(|c| !c.constant.is_modulus())
+    law.locks_at().is_some()
+        && law
+            .constants()
+            .get(i)
+            .is_some_and(|c| !c.constant.is_modulus())
 }
 
 /// Constant number `i` of the muscle's law.
@@ -189,7 +219,11 @@ pub struct Parameter {
 impl Parameter {
     /// A free parameter that starts from the value of the muscle.
     pub fn free(target: Target) -> Self {
-        Self { target, start: None, bounds: None }
+        Self {
+            target,
+            start: None,
+            bounds: None,
+        }
     }
 
     /// `name`, `name=start` or `name=start:low:high`, quantities with a unit if you like.
@@ -198,16 +232,24 @@ impl Parameter {
         let free = Self::free(target);
         match *numbers.as_slice() {
             [] => Ok(free),
-            [start] => Ok(Self { start: Some(start), ..free }),
-            [start, low, high] if low < high && start >= low && start <= high => {
-                Ok(Self { start: Some(start), bounds: Some((low, high)), ..free })
-            }
+            [start] => Ok(Self {
+                start: Some(start),
+                ..free
+            }),
+            [start, low, high] if low < high && start >= low && start <= high => Ok(Self {
+                start: Some(start),
+                bounds: Some((low, high)),
+                ..free
+            }),
             [start, low, high] => Err(out_of_bounds(&target.name(muscle), start, low, high)),
             _ => Err(form(text.trim())),
         }
     }
 
-    pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Target, (f64, f64)), ParameterError> {
+    pub fn parse_bounds(
+        text: &str,
+        muscle: &Muscle,
+    ) -> Result<(Target, (f64, f64)), ParameterError> {
         let (target, numbers) = split(text, muscle)?;
         match *numbers.as_slice() {
             [low, high] if low < high => Ok((target, (low, high))),
@@ -224,18 +266,26 @@ fn out_of_bounds(name: &str, start: f64, low: f64, high: f64) -> ParameterError 
 }
 
 fn form(given: &str) -> ParameterError {
-    ParameterError(format!("`{given}` is not of the form name, name=start or name=start:low:high"))
+    ParameterError(format!(
+        "`{given}` is not of the form name, name=start or name=start:low:high"
+    ))
 }
 
 /// The target of a word, and the numbers behind it.
 fn split(text: &str, muscle: &Muscle) -> Result<(Target, Vec<f64>), ParameterError> {
-    let (name, values) = text.split_once('=').map_or((text, None), |(name, values)| (name, Some(values)));
+    let (name, values) = text
+        .split_once('=')
+        .map_or((text, None), |(name, values)| (name, Some(values)));
     let target = Target::parse(name, muscle)?;
     let one = |t: &str| {
         parse_quantity(t, target.dimension(muscle))
             .map_err(|error| ParameterError(format!("{}: {error}", target.name(muscle))))
     };
-    let numbers = values.into_iter().flat_map(|values| values.split(':')).map(one).collect::<Result<_, _>>();
+    let numbers = values
+        .into_iter()
+        .flat_map(|values| values.split(':'))
+        .map(one)
+        .collect::<Result<_, _>>();
     Ok((target, numbers?))
 }
 
@@ -248,9 +298,22 @@ mod tests {
     fn names_starts_and_bounds_are_read() {
         let m = Muscle::prototype();
         let p = Parameter::parse("tube.material.c10=0.2MPa:50kPa:1MPa", &m).unwrap();
-        assert_eq!(p, Parameter { target: Law(0), start: Some(0.2), bounds: Some((0.05, 1.0)) });
-        assert_eq!(Parameter::parse("c01", &m).unwrap(), Parameter::free(Law(1)));
-        assert_eq!(Parameter::parse("friction.beta = 0.6", &m).unwrap().start, Some(0.6));
+        assert_eq!(
+            p,
+            Parameter {
+                target: Law(0),
+                start: Some(0.2),
+                bounds: Some((0.05, 1.0))
+            }
+        );
+        assert_eq!(
+            Parameter::parse("c01", &m).unwrap(),
+            Parameter::free(Law(1))
+        );
+        assert_eq!(
+            Parameter::parse("friction.beta = 0.6", &m).unwrap().start,
+            Some(0.6)
+        );
         assert_eq!(
             Parameter::parse_bounds("braid.angle=20:30deg", &m).unwrap(),
             (Target::Measure(&ANGLE), (20.0, 30.0))

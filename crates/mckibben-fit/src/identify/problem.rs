@@ -7,9 +7,10 @@
 //!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
 //!   volume       r = g (V(P, ε; θ) + Vd − V),  by differences
 //!
-//! g: N per unit of the measured quantity, the mean slope at the start, so that all residuals are in N; of a volume |∂F/∂ε| / |∂V/∂ε| with
-//! ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings (`dead_volume`). ∂F/∂θ is that of the model
-//! ([`Slopes`](mckibben::model::Slopes)) where it has one and no volumes were measured.
+//! g: N per unit of the measured quantity, the mean slope at the start, so that all residuals are
+//! in N; of a volume |∂F/∂ε| / |∂V/∂ε| with ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings
+//! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben::model::Slopes)) where it has
+//! one and no volumes were measured.
 
 use super::history;
 use super::{Candidate, Parameter, Request, Target};
@@ -59,16 +60,34 @@ struct Local {
     by_pressure: f64,
 }
 
-fn local(m: &dyn ForceModel, w: &mut Workspace, p: f64, e: f64, branch: Direction) -> Result<Local> {
+fn local(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+    branch: Direction,
+) -> Result<Local> {
     let mut model = Evaluation::new(m, w, branch);
     let r = model.response(p, e)?;
     let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
     let by_pressure = model.force_per_pressure_mm2(&r)?;
-    Ok(Local { pressure_mpa: p, contraction: e, force: r.force_n, by_contraction, by_pressure })
+    Ok(Local {
+        pressure_mpa: p,
+        contraction: e,
+        force: r.force_n,
+        by_contraction,
+        by_pressure,
+    })
 }
 
-/// The contraction or pressure at which the model has the measured pull, by Newton's method from the measured one.
-fn at_measured_pull(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, offset: f64) -> Result<Local> {
+/// The contraction or pressure at which the model has the measured pull, by Newton's method from
+/// the measured one.
+fn at_measured_pull(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    point: &DataPoint,
+    offset: f64,
+) -> Result<Local> {
     let at = &point.at;
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
@@ -88,17 +107,32 @@ fn at_measured_pull(m: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, of
             p = (p - (rest / slope).clamp(-largest, largest)).max(0.0);
         }
         if done {
-            return Ok(Local { pressure_mpa: p, contraction: e, ..here });
+            return Ok(Local {
+                pressure_mpa: p,
+                contraction: e,
+                ..here
+            });
         }
     }
-    Err(ModelError::NotConverged { pressure_mpa: p, contraction: e })
+    Err(ModelError::NotConverged {
+        pressure_mpa: p,
+        contraction: e,
+    })
 }
 
 impl<'a> Problem<'a> {
-    /// A problem of points, and of all rows in time order where the friction has their history; `start`: values of the free targets.
+    /// A problem of points, and of all rows in time order where the friction has their history;
+    /// `start`: values of the free targets.
     pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
         let (chunks, scales) = (chunks(points), [1.0; 4]);
-        let mut out = Self { request, points, history, chunks, scales, analytic: false };
+        let mut out = Self {
+            request,
+            points,
+            history,
+            chunks,
+            scales,
+            analytic: false,
+        };
         out.scales = out.mean_slopes(start).unwrap_or([1.0; 4]);
         out.analytic = out.knows_derivatives(start);
         out
@@ -117,7 +151,9 @@ impl<'a> Problem<'a> {
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64>>> {
         let candidate = self.candidate(x)?;
-        let shares = self.history.and_then(|rows| history::shares(rows, self.points, &candidate.muscle));
+        let shares = self
+            .history
+            .and_then(|rows| history::shares(rows, self.points, &candidate.muscle));
         let offset = candidate.contraction_offset;
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
@@ -159,7 +195,13 @@ impl<'a> Problem<'a> {
             let muscle = candidate.section_muscle(&chunk.section).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
-            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, i)).collect())
+            Some(
+                chunk
+                    .rows
+                    .iter()
+                    .map(|&i| one(model.as_ref(), &mut w, i))
+                    .collect(),
+            )
         };
         let lists = threads::map(&self.chunks, compute);
         let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
@@ -178,11 +220,22 @@ impl<'a> Problem<'a> {
         let candidate = self.candidate(start)?;
         let list = self.over_rows(&candidate, |m, w, i| {
             let at = &self.points[i].at;
-            local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.direction())
+            local(
+                m,
+                w,
+                at.pressure_mpa,
+                at.contraction + candidate.contraction_offset,
+                at.direction(),
+            )
         })?;
         let mean = |quantity: Quantity, slope: &dyn Fn(&Local) -> f64| {
-            let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
-            let slopes: Vec<f64> = rows.filter_map(|r| Some(slope(r.0.as_ref().ok()?).abs())).collect();
+            let rows = list
+                .iter()
+                .zip(self.points)
+                .filter(|r| r.1.measured == quantity);
+            let slopes: Vec<f64> = rows
+                .filter_map(|r| Some(slope(r.0.as_ref().ok()?).abs()))
+                .collect();
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
             if mean > 0.0 { mean } else { 1.0 }
         };
@@ -190,29 +243,43 @@ impl<'a> Problem<'a> {
         let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
         let contraction = mean(Quantity::Contraction, &|l| l.by_contraction);
         let pressure = mean(Quantity::Pressure, &|l| l.by_pressure);
-        Some([1.0, contraction, pressure, mean(Quantity::Volume, &by_volume)])
+        Some([
+            1.0,
+            contraction,
+            pressure,
+            mean(Quantity::Volume, &by_volume),
+        ])
     }
 
     /// Whether the model has all of ∂F/∂θ.
     fn knows_derivatives(&self, start: &[f64]) -> bool {
-        let Some(candidate) = self.candidate(start) else { return false };
+        let Some(candidate) = self.candidate(start) else {
+            return false;
+        };
         if self.history.is_some() || self.points.iter().any(|p| p.measured == Quantity::Volume) {
             return false;
         }
         // A braid that follows from the measures of the muscle has another derivative by these.
-        let follows =
-            matches!(candidate.muscle.braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
+        let follows = matches!(
+            candidate.muscle.braid().stiffness,
+            BraidStiffness::Paper | BraidStiffness::OfStrands
+        );
         if follows && self.request.free.iter().any(|p| p.target.is_geometry()) {
             return false;
         }
         // Friction from contact depends on every free parameter.
-        if candidate.muscle.friction().is_some_and(|f| f.lever_mm > 0.0) {
+        if candidate
+            .muscle
+            .friction()
+            .is_some_and(|f| f.lever_mm > 0.0)
+        {
             return false;
         }
         let names = self.names(&candidate);
         let probe = || {
             let point = self.points.first()?;
-            let model = (self.request.build)(&candidate.section_muscle(&point.section).ok()?).ok()?;
+            let model =
+                (self.request.build)(&candidate.section_muscle(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
             let w = &mut Workspace::new();
             model.force_by(w, point.at.pressure_mpa, e, &names).ok()?
@@ -244,10 +311,19 @@ impl<'a> Problem<'a> {
         here: &Local,
     ) -> Result<Vec<f64>> {
         let (p, e) = (here.pressure_mpa, here.contraction);
-        let not_known =
-            || ModelError::NotFinite { model: m.info().name.to_string(), pressure_mpa: p, contraction: e };
+        let not_known = || ModelError::NotFinite {
+            model: m.info().name.to_string(),
+            pressure_mpa: p,
+            contraction: e,
+        };
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
-        let slope = |name: &str| names.iter().zip(&slopes).find(|s| s.0 == name).map_or(0.0, |s| *s.1);
+        let slope = |name: &str| {
+            names
+                .iter()
+                .zip(&slopes)
+                .find(|s| s.0 == name)
+                .map_or(0.0, |s| *s.1)
+        };
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
         let sign = point.at.direction().sign();
@@ -256,7 +332,9 @@ impl<'a> Problem<'a> {
             Target::Measure(m) if m.section() == "friction" => {
                 let by_law = |f: Friction| match m {
                     m if *m == FRICTION_COEFFICIENT => sign * p.powf(f.exponent),
-                    m if *m == FRICTION_EXPONENT => sign * f.coefficient * p.powf(f.exponent) * p.ln(),
+                    m if *m == FRICTION_EXPONENT => {
+                        sign * f.coefficient * p.powf(f.exponent) * p.ln()
+                    }
                     // Its contact changes with everything: differences are taken.
                     _ => 0.0,
                 };
@@ -264,29 +342,45 @@ impl<'a> Problem<'a> {
             }
             // The residual is of ε + offset.
             Target::ContractionOffset => here.by_contraction,
-            other => {
-                chain_rule(other, v, muscle, candidate).iter().map(|(n, factor)| factor * slope(n)).sum()
-            }
+            other => chain_rule(other, v, muscle, candidate)
+                .iter()
+                .map(|(n, factor)| factor * slope(n))
+                .sum(),
         };
         Ok(self.request.free.iter().zip(x).map(one).collect())
     }
 }
 
-/// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of it.
-fn chain_rule(target: Target, v: f64, muscle: &Muscle, candidate: &Candidate) -> Vec<(String, f64)> {
+/// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of
+/// it.
+fn chain_rule(
+    target: Target,
+    v: f64,
+    muscle: &Muscle,
+    candidate: &Candidate,
+) -> Vec<(String, f64)> {
     let (d, family) = (muscle.outer_diameter_mm(), candidate.family);
     let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
     match target {
         Target::Modulus => {
             let constants = muscle.tube().rubber.law.constants().into_iter();
             let moduli = constants.filter(|c| c.constant.is_modulus());
-            moduli.map(|c| (format!("tube.material.{}", c.name), c.value / v)).collect()
+            moduli
+                .map(|c| (format!("tube.material.{}", c.name), c.value / v))
+                .collect()
         }
-        Target::Stiffness => vec![by_stiffness(family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)))],
-        Target::StiffnessExponent => vec![by_stiffness(family.map_or(0.0, |f| f.at(d) * f.ratio(d).ln()))],
+        Target::Stiffness => vec![by_stiffness(
+            family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)),
+        )],
+        Target::StiffnessExponent => vec![by_stiffness(
+            family.map_or(0.0, |f| f.at(d) * f.ratio(d).ln()),
+        )],
         Target::Measure(m) if *m == OUTER_DIAMETER => {
             let through = family.map(|f| by_stiffness(f.exponent * f.at(d) / d));
-            [(m.key.to_owned(), 1.0)].into_iter().chain(through).collect()
+            [(m.key.to_owned(), 1.0)]
+                .into_iter()
+                .chain(through)
+                .collect()
         }
         Target::Measure(m) if m.section() == "friction" => vec![],
         Target::ContractionOffset | Target::DeadVolume => vec![],
@@ -310,9 +404,13 @@ impl Residuals for Problem<'_> {
             let point = &self.points[i];
             let at = &point.at;
             let here = match point.measured {
-                Quantity::Force | Quantity::Volume => {
-                    local(m, w, at.pressure_mpa, at.contraction + offset, at.direction())?
-                }
+                Quantity::Force | Quantity::Volume => local(
+                    m,
+                    w,
+                    at.pressure_mpa,
+                    at.contraction + offset,
+                    at.direction(),
+                )?,
                 _ => at_measured_pull(m, w, point, offset)?,
             };
             let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
@@ -325,7 +423,11 @@ impl Residuals for Problem<'_> {
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;
         let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;
-        Some((0..x.len()).map(|c| rows.iter().map(|r| r[c]).collect()).collect())
+        Some(
+            (0..x.len())
+                .map(|c| rows.iter().map(|r| r[c]).collect())
+                .collect(),
+        )
     }
 }
 
@@ -335,17 +437,25 @@ fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
     for (i, point) in points.iter().enumerate() {
         match groups.iter_mut().find(|g| g.section == point.section) {
             Some(group) => group.rows.push(i),
-            None => groups.push(Chunk { section: point.section, rows: vec![i] }),
+            None => groups.push(Chunk {
+                section: point.section,
+                rows: vec![i],
+            }),
         }
     }
     let mut out = vec![];
     for mut group in groups {
         group.rows.sort_by(|&a, &b| {
             let (a, b) = (&points[a].at, &points[b].at);
-            a.contraction.total_cmp(&b.contraction).then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+            a.contraction
+                .total_cmp(&b.contraction)
+                .then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
         });
         let size = group.rows.len().div_ceil(PARTS).max(LEAST);
-        out.extend(group.rows.chunks(size).map(|rows| Chunk { section: group.section, rows: rows.to_vec() }));
+        out.extend(group.rows.chunks(size).map(|rows| Chunk {
+            section: group.section,
+            rows: rows.to_vec(),
+        }));
     }
     out
 }

@@ -19,7 +19,8 @@ pub struct Identified {
     pub value: f64,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
-    /// Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
+    /// Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a
+    /// bound.
     #[schemars(with = "Option<f64>")]
     pub standard_error: f64,
     /// Half-width of the 95 % interval; likewise.
@@ -35,7 +36,8 @@ pub struct Identified {
     pub at_bound: bool,
     /// Whether the points change with it at all.
     pub matters: bool,
-    /// Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the outer diameter.
+    /// Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the
+    /// outer diameter.
     #[serde(skip)]
     pub implausible: bool,
 }
@@ -115,7 +117,11 @@ impl Identification {
     /// The muscle with its bench, where it has one.
     pub fn with_bench(&self) -> Muscle {
         let muscle = self.muscle.clone();
-        if let Some(bench) = &self.bench { muscle.with_bench(bench.clone()) } else { muscle }
+        if let Some(bench) = &self.bench {
+            muscle.with_bench(bench.clone())
+        } else {
+            muscle
+        }
     }
 
     pub fn parameter(&self, target: Target) -> Option<&Identified> {
@@ -138,7 +144,11 @@ pub(crate) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
 /// By branch, by quantity and by set, where there is more than one.
 pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
     let group = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
-        let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
+        let list: Vec<f64> = points
+            .iter()
+            .filter(|p| keep(p))
+            .map(|p| p.residual_n)
+            .collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
     let branches = [
@@ -153,7 +163,8 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         ("read: pressure", Quantity::Pressure),
         ("read: volume", Quantity::Volume),
     ];
-    let branches = branches.map(|(label, branch)| group(label.into(), &|p| p.point.at.branch == branch));
+    let branches =
+        branches.map(|(label, branch)| group(label.into(), &|p| p.point.at.branch == branch));
     let read = read.map(|(label, quantity)| group(label.into(), &|p| p.point.measured == quantity));
     let mut out: Vec<Spread> = branches.into_iter().chain(read).flatten().collect();
     let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);

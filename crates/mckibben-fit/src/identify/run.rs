@@ -4,8 +4,8 @@ use super::bench::{Minimum, bench};
 use super::problem::Problem;
 use super::result::{spread, spreads};
 use super::{
-    Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result, Target, advice,
-    history, signs,
+    Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result,
+    Target, advice, history, signs,
 };
 use crate::least_squares::{EstimateError, Known, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
@@ -30,7 +30,8 @@ pub struct Request<'a> {
     pub loss: Loss,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
     pub two_sided: bool,
-    /// Whether the points are in time order, so that the friction has their history; `branch` then counts in the first row of a table.
+    /// Whether the points are in time order, so that the friction has their history; `branch` then
+    /// counts in the first row of a table.
     pub history: bool,
 }
 
@@ -43,7 +44,17 @@ impl<'a> Request<'a> {
         build: &'a Build<'a>,
     ) -> Self {
         let (fixed, progress, loss) = (&[], &Silent, Loss::Squares);
-        Self { muscle, free, fixed, points, build, progress, loss, two_sided: false, history: false }
+        Self {
+            muscle,
+            free,
+            fixed,
+            points,
+            build,
+            progress,
+            loss,
+            two_sided: false,
+            history: false,
+        }
     }
 
     /// The muscle at values of the free parameters.
@@ -70,11 +81,21 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
 /// Starts and bounds of the free parameters.
 fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
     let muscle = request.muscle;
-    let named: Vec<Target> =
-        request.free.iter().map(|p| p.target).chain(request.fixed.iter().map(|f| f.0)).collect();
-    if let Some((_, twice)) = named.iter().enumerate().find(|(i, target)| named[..*i].contains(target)) {
+    let named: Vec<Target> = request
+        .free
+        .iter()
+        .map(|p| p.target)
+        .chain(request.fixed.iter().map(|f| f.0))
+        .collect();
+    if let Some((_, twice)) = named
+        .iter()
+        .enumerate()
+        .find(|(i, target)| named[..*i].contains(target))
+    {
         let name = twice.name(muscle);
-        return Err(IdentifyError::Refused(format!("{name} is named twice, free or fixed: name it once")));
+        return Err(IdentifyError::Refused(format!(
+            "{name} is named twice, free or fixed: name it once"
+        )));
     }
     let one = |p: &Parameter| {
         let name = p.target.name(muscle);
@@ -94,14 +115,24 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
         if !(start >= low && start <= high && low < high) {
             return Err(IdentifyError::Refused(format!(
-                "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
+                "{name}: the start {start} lies outside of the bounds {low} to {high}: write \
+                 {name}=START:LOW:HIGH"
             )));
         }
         let scale = p.target.limit(muscle, start);
         let scale = if scale > 0.0 { scale } else { 1.0 };
         // A lower end without an upper one is known to the search, the reverse is not.
-        let low = if low.is_infinite() && high.is_finite() { start - 1e6 * scale } else { low };
-        Ok(Unknown { start, low, high, scale })
+        let low = if low.is_infinite() && high.is_finite() {
+            start - 1e6 * scale
+        } else {
+            low
+        };
+        Ok(Unknown {
+            start,
+            low,
+            high,
+            scale,
+        })
     };
     request.free.iter().map(one).collect()
 }
@@ -114,10 +145,15 @@ fn counted_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) 
 
 fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
-    if let Some(without) = points.iter().find(|p| p.error.is_none()).filter(|_| stated > 0) {
+    if let Some(without) = points
+        .iter()
+        .find(|p| p.error.is_none())
+        .filter(|_| stated > 0)
+    {
         let (all, line) = (points.len(), without.line);
         return Err(IdentifyError::Data(format!(
-            "{stated} of {all} points state their error (first without: line {line}): state the errors of all points, or of none"
+            "{stated} of {all} points state their error (first without: line {line}): state the \
+             errors of all points, or of none"
         )));
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
@@ -126,17 +162,28 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 
 /// Identifies the free parameters of a muscle so that its model comes closest to the points.
 pub fn identify(request: &Request<'_>) -> Result<Identification> {
-    let directed = if request.history { history::directed(request.points)? } else { vec![] };
-    let request = if request.history { &Request { points: &directed, ..*request } } else { request };
+    let directed = if request.history {
+        history::directed(request.points)?
+    } else {
+        vec![]
+    };
+    let request = if request.history {
+        &Request {
+            points: &directed,
+            ..*request
+        }
+    } else {
+        request
+    };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
     match search(request, &flipped) {
         // The search cannot tell a model without an answer from a caller who has gone.
         _ if request.progress.cancelled() => Err(Cancelled.into()),
-        Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
-            if !flipped.is_empty() =>
-        {
-            Err(IdentifyError::Flipped(flipped.join("; ")))
-        }
+        Err(
+            IdentifyError::Estimate(_)
+            | IdentifyError::NoRubber { .. }
+            | IdentifyError::Start { .. },
+        ) if !flipped.is_empty() => Err(IdentifyError::Flipped(flipped.join("; "))),
         result => result,
     }
 }
@@ -150,7 +197,11 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     let (counted, slack) = counted_and_slack(request);
     if counted.len() <= unknowns.len() {
-        return Err(IdentifyError::too_few(counted.len(), slack.len(), unknowns.len()));
+        return Err(IdentifyError::too_few(
+            counted.len(),
+            slack.len(),
+            unknowns.len(),
+        ));
     }
     let mut notes = advice::before(request, &counted)?;
     notes.extend(flipped.iter().cloned());
@@ -161,19 +212,30 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let problem_of = |points| Problem::new(request, (points, history), &start);
     let problem = problem_of(&counted);
     // Residuals at the start, point by point.
-    let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
+    let rows = problem
+        .rows(&start)
+        .ok_or(IdentifyError::Estimate(EstimateError::Start))?;
     let (points, left_out) = leave_out(&counted, &rows)?;
-    let problem = if left_out.is_some() { problem_of(&points) } else { problem };
+    let problem = if left_out.is_some() {
+        problem_of(&points)
+    } else {
+        problem
+    };
     notes.extend(left_out);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
-    let first_residuals = rows.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok();
+    let first_residuals = rows
+        .into_iter()
+        .collect::<Result<Vec<f64>, ModelError>>()
+        .ok();
     let known = match first_residuals {
         Some(residuals) => Known::new(&problem).with(&start, residuals),
         None => Known::new(&problem),
     };
     let before = spread("start", &known.at(&start).unwrap_or_default()).rms_n;
     let estimate = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
-        EstimateError::TooFew { points, unknowns } => IdentifyError::too_few(points, slack.len(), unknowns),
+        EstimateError::TooFew { points, unknowns } => {
+            IdentifyError::too_few(points, slack.len(), unknowns)
+        }
         EstimateError::NoMinimum { ref at, .. } => {
             let end = problem.candidate(at);
             end.and_then(|end| check_modulus(request, &first.muscle, &end.muscle).err())
@@ -182,16 +244,27 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         other => IdentifyError::Estimate(other),
     })?;
     // Unknowns at a bound are set to it, where that is a muscle.
-    let on_bounds: Vec<f64> = unknowns.iter().zip(&estimate.x).map(|(u, x)| u.at_its_bound(*x)).collect();
+    let on_bounds: Vec<f64> = unknowns
+        .iter()
+        .zip(&estimate.x)
+        .map(|(u, x)| u.at_its_bound(*x))
+        .collect();
     let (x, candidate) = match problem.candidate(&on_bounds) {
         Some(candidate) => (on_bounds, candidate),
         None => {
             let candidate = problem.candidate(&estimate.x);
-            (estimate.x.clone(), candidate.ok_or(IdentifyError::Estimate(EstimateError::Start))?)
+            (
+                estimate.x.clone(),
+                candidate.ok_or(IdentifyError::Estimate(EstimateError::Start))?,
+            )
         }
     };
     check_modulus(request, &first.muscle, &candidate.muscle)?;
-    let minimum = Minimum { unknowns: &unknowns, estimate: &estimate, x: &x };
+    let minimum = Minimum {
+        unknowns: &unknowns,
+        estimate: &estimate,
+        x: &x,
+    };
     let parameters = parameters(&problem, &minimum, &candidate.muscle);
     let outliers = advice::outliers(&estimate.residuals, &weights);
     let fitted: Vec<PointFit> = (0..points.len())
@@ -240,14 +313,22 @@ fn check_modulus(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<
     match request.free.iter().find(|p| p.target.is_of_law()) {
         Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
             let name = p.target.name(request.muscle);
-            Err(IdentifyError::NoRubber(format!("{name} falls towards zero, to {:.1e} MPa", modulus(end))))
+            Err(IdentifyError::NoRubber(format!(
+                "{name} falls towards zero, to {:.1e} MPa",
+                modulus(end)
+            )))
         }
         _ => Ok(()),
     }
 }
 
 /// The largest displacement of an end at the points, in mm; `None` of what is no end.
-fn end_displacement_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
+fn end_displacement_mm(
+    request: &Request<'_>,
+    target: Target,
+    value: f64,
+    muscle: &Muscle,
+) -> Option<f64> {
     match target {
         Target::Measure(m) if *m == SEATING || *m == GRIP => Some(value),
         Target::Measure(m) if *m == SLIP => {
@@ -261,27 +342,46 @@ fn end_displacement_mm(request: &Request<'_>, target: Target, value: f64, muscle
 
 type Rows = Vec<Result<f64, ModelError>>;
 
-/// Points without an answer at the start are left out, where they are few: those that remain, and a sentence on the others.
+/// Points without an answer at the start are left out, where they are few: those that remain, and a
+/// sentence on the others.
 fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>)> {
     let all = points.len();
-    let failed: Vec<(u64, ModelError)> =
-        points.iter().zip(rows).filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone()))).collect();
-    let kept = points.iter().zip(rows).filter(|(_, r)| r.is_ok()).map(|(p, _)| *p).collect();
-    let Some((line, error)) = failed.first().cloned() else { return Ok((kept, None)) };
+    let failed: Vec<(u64, ModelError)> = points
+        .iter()
+        .zip(rows)
+        .filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone())))
+        .collect();
+    let kept = points
+        .iter()
+        .zip(rows)
+        .filter(|(_, r)| r.is_ok())
+        .map(|(p, _)| *p)
+        .collect();
+    let Some((line, error)) = failed.first().cloned() else {
+        return Ok((kept, None));
+    };
     if 5 * failed.len() > all {
-        let which = format!("{} of {all} points at the starting values (first: line {line})", failed.len());
+        let which = format!(
+            "{} of {all} points at the starting values (first: line {line})",
+            failed.len()
+        );
         return Err(IdentifyError::Start(which, error));
     }
     let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
     let (n, at) = (failed.len(), advice::lines(&lines));
-    let note =
-        format!("{n} points ({at}) have no answer of the model at the start and were left out: {error}");
+    let note = format!(
+        "{n} points ({at}) have no answer of the model at the start and were left out: {error}"
+    );
     Ok((kept, Some(note)))
 }
 
 fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> Vec<Identified> {
     let request = problem.request;
-    let Minimum { unknowns, estimate, x } = *minimum;
+    let Minimum {
+        unknowns,
+        estimate,
+        x,
+    } = *minimum;
     let matters = |i: usize| {
         if estimate.standard_errors[i].is_finite() {
             return true;
@@ -290,7 +390,9 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         x[i] += 0.1 * unknowns[i].scale;
         let moved = problem.at(&x);
         moved.is_none_or(|r| {
-            r.iter().zip(&estimate.residuals).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
+            r.iter()
+                .zip(&estimate.residuals)
+                .any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
         })
     };
     let one = |i: usize| {
@@ -298,7 +400,8 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         let value = x[i];
         let limit = target.limit(muscle, value);
         let displacement = end_displacement_mm(request, target, value, muscle);
-        let implausible = displacement.is_some_and(|mm| mm > LONGEST_END * muscle.outer_diameter_mm());
+        let implausible =
+            displacement.is_some_and(|mm| mm > LONGEST_END * muscle.outer_diameter_mm());
         Identified {
             target: Some(target),
             name: target.name(request.muscle),

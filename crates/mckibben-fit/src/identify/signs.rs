@@ -5,14 +5,19 @@ use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
 
-/// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies slack.
+/// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies
+/// slack.
 const PUSH: f64 = 0.3;
 /// Share of a curve's largest pull by which a pull that rises is more than noise.
 const RISE: f64 = 0.03;
 
 /// The lines of a table, in brackets; nothing of points that are of none.
 fn lines(list: &[u64]) -> String {
-    if list.iter().all(|l| *l == 0) { String::new() } else { format!(" ({})", advice::lines(list)) }
+    if list.iter().all(|l| *l == 0) {
+        String::new()
+    } else {
+        format!(" ({})", advice::lines(list))
+    }
 }
 
 /// Sentences on single points with the wrong sign; `two_sided`: forces below zero are measurements.
@@ -32,24 +37,40 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
         .filter_map(|p| Some((*p, advice::ideal_pull(muscle, p)?)))
         .collect();
     let nothing_pulls = points.iter().all(|p| p.at.force_n <= 0.0);
-    // Slack muscles are read as a little below zero; where nothing pulls at all, every force counts.
+    // Slack muscles are read as a little below zero; where nothing pulls at all, every force
+    // counts.
     let push = if nothing_pulls { 0.0 } else { PUSH };
     if !pulls.iter().any(|(p, pull)| p.at.force_n < -push * pull) {
         return Ok(vec![]);
     }
-    let negative: Vec<u64> = pulls.iter().filter(|(p, _)| p.at.force_n < 0.0).map(|(p, _)| p.line).collect();
+    let negative: Vec<u64> = pulls
+        .iter()
+        .filter(|(p, _)| p.at.force_n < 0.0)
+        .map(|(p, _)| p.line)
+        .collect();
     let (n, all, lines) = (negative.len(), pulls.len(), lines(&negative));
-    let which = format!("the force is below zero at {n} of the {all} points where this muscle pulls{lines}");
+    let which = format!(
+        "the force is below zero at {n} of the {all} points where this muscle pulls{lines}"
+    );
     if nothing_pulls || !two_sided && 2 * negative.len() >= pulls.len() {
-        return Err(IdentifyError::Flipped(format!("{which}: is the sign of the force flipped?")));
+        return Err(IdentifyError::Flipped(format!(
+            "{which}: is the sign of the force flipped?"
+        )));
     }
-    Ok(vec![format!("{which}: is the sign of the force flipped there?")])
+    Ok(vec![format!(
+        "{which}: is the sign of the force flipped there?"
+    )])
 }
 
 /// Pulls that rise with the contraction.
 fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
-    let mut order: Vec<&DataPoint> = points.iter().copied().filter(|p| p.at.force_n > 0.0).collect();
-    let compare = |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
+    let mut order: Vec<&DataPoint> = points
+        .iter()
+        .copied()
+        .filter(|p| p.at.force_n > 0.0)
+        .collect();
+    let compare =
+        |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
     let (mut curves, mut rising, mut lines_of_rising, mut stretched) = (0, 0, vec![], vec![]);
     for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {
@@ -63,7 +84,8 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
             continue;
         }
         // Stretched, and pulling less than at rest length or shortened.
-        let below = |p: &&&DataPoint| p.at.contraction < 0.0 && p.at.force_n < (1.0 - RISE) * largest;
+        let below =
+            |p: &&&DataPoint| p.at.contraction < 0.0 && p.at.force_n < (1.0 - RISE) * largest;
         let above = |p: &&DataPoint| p.at.contraction >= 0.0 && p.at.force_n == largest;
         if curve.iter().any(above) {
             stretched.extend(curve.iter().filter(below).map(|p| p.line));
@@ -73,7 +95,8 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     if !stretched.is_empty() {
         let lines = lines(&stretched);
         notes.push(format!(
-            "the contraction is below zero{lines}, and the pull smaller than that of the muscle which is not stretched: is the sign of the contraction flipped there?"
+            "the contraction is below zero{lines}, and the pull smaller than that of the muscle \
+             which is not stretched: is the sign of the contraction flipped there?"
         ));
     }
     if rising == 0 {
@@ -82,7 +105,8 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     lines_of_rising.sort_unstable();
     let lines = lines(&lines_of_rising);
     let which = format!(
-        "the pull rises with the contraction at the same pressure{lines}, and a muscle pulls less the shorter it is"
+        "the pull rises with the contraction at the same pressure{lines}, and a muscle pulls less \
+         the shorter it is"
     );
     if curves < 2 || 2 * rising < curves {
         notes.push(format!("{which}: check these points"));
@@ -96,12 +120,16 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     Err(IdentifyError::Flipped(format!("{which}: {why}")))
 }
 
-/// By how much a straight line through a curve rises from its smallest to its largest contraction, in N; `None` where there is but one.
+/// By how much a straight line through a curve rises from its smallest to its largest contraction,
+/// in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
     let n = curve.len() as f64;
     let mean = |value: fn(&DataPoint) -> f64| curve.iter().map(|p| value(p)).sum::<f64>() / n;
     let (e, f) = (mean(|p| p.at.contraction), mean(|p| p.at.force_n));
-    let together: f64 = curve.iter().map(|p| (p.at.contraction - e) * (p.at.force_n - f)).sum();
+    let together: f64 = curve
+        .iter()
+        .map(|p| (p.at.contraction - e) * (p.at.force_n - f))
+        .sum();
     let square: f64 = curve.iter().map(|p| (p.at.contraction - e).powi(2)).sum();
     let width = curve.last()?.at.contraction - curve.first()?.at.contraction;
     (width > 1e-6 && square > 0.0).then(|| width * together / square)

@@ -23,11 +23,21 @@ pub struct Unknown {
 
 impl Unknown {
     pub fn free(start: f64, scale: f64) -> Self {
-        Self { start, low: f64::NEG_INFINITY, high: f64::INFINITY, scale }
+        Self {
+            start,
+            low: f64::NEG_INFINITY,
+            high: f64::INFINITY,
+            scale,
+        }
     }
 
     pub fn above(start: f64, low: f64, scale: f64) -> Self {
-        Self { start, low, high: f64::INFINITY, scale }
+        Self {
+            start,
+            low,
+            high: f64::INFINITY,
+            scale,
+        }
     }
 
     /// Whether the numbers make an unknown.
@@ -39,7 +49,11 @@ impl Unknown {
     /// How near to a bound counts as on it.
     fn margin(&self) -> f64 {
         let width = self.high - self.low;
-        1e-3 * if width.is_finite() { self.scale.min(width) } else { self.scale }
+        1e-3 * if width.is_finite() {
+            self.scale.min(width)
+        } else {
+            self.scale
+        }
     }
 
     /// Whether a value lies on a bound.
@@ -58,9 +72,14 @@ impl Unknown {
 
     /// u of the start.
     pub(super) fn inner_start(&self) -> f64 {
-        let inside = self.start.clamp(self.low + 20.0 * self.margin(), self.high - 20.0 * self.margin());
+        let inside = self.start.clamp(
+            self.low + 20.0 * self.margin(),
+            self.high - 20.0 * self.margin(),
+        );
         if self.high.is_finite() {
-            ((2.0 * inside - self.low - self.high) / (self.high - self.low)).clamp(-1.0, 1.0).asin()
+            ((2.0 * inside - self.low - self.high) / (self.high - self.low))
+                .clamp(-1.0, 1.0)
+                .asin()
         } else if self.low.is_finite() {
             let y = (inside - self.low) / self.scale + 1.0;
             (y * y - 1.0).max(0.0).sqrt()
@@ -73,7 +92,10 @@ impl Unknown {
     pub(super) fn outer(&self, u: f64) -> (f64, f64) {
         if self.high.is_finite() {
             let half = 0.5 * (self.high - self.low);
-            (0.5 * (self.low + self.high) + half * u.sin(), half * u.cos())
+            (
+                0.5 * (self.low + self.high) + half * u.sin(),
+                half * u.cos(),
+            )
         } else if self.low.is_finite() {
             let root = (u * u + 1.0).sqrt();
             (self.low + self.scale * (root - 1.0), self.scale * u / root)

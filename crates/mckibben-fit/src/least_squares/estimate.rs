@@ -1,11 +1,13 @@
-//! Constants from data with their standard errors and correlation, and those that the data do not determine.
+//! Constants from data with their standard errors and correlation, and those that the data do not
+//! determine.
 //!
-//! With the residuals rᵢ in units of one (or of their stated error), weights wᵢ, and J = ∂r/∂x at the minimum,
+//! With the residuals rᵢ in units of one (or of their stated error), weights wᵢ, and J = ∂r/∂x at
+//! the minimum,
 //!
 //!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
 //!
-//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). The half-width of a
-//! 95 % interval is t(n − m) √covᵢᵢ.
+//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2).
+//! The half-width of a 95 % interval is t(n − m) √covᵢᵢ.
 
 use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
@@ -33,14 +35,17 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 }
 
 /// Loss function of the residuals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "LossWord")]
 pub enum Loss {
     /// Sum of squares.
     #[default]
     Squares,
-    // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).
+    // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly
+    // beyond (Huber 1964 [huber1964]).
     /// Huber: outliers count less.
     Huber,
     // By the sixth power; standard errors then say little.
@@ -56,9 +61,11 @@ pub struct Estimate {
     pub standard_errors: Vec<f64>,
     /// Half-widths of the 95 % intervals (Student's t); likewise.
     pub half_widths: Vec<f64>,
-    /// Covariance; 0 for unknowns that are on a bound, and without the combinations of unknowns that the data do not determine at all.
+    /// Covariance; 0 for unknowns that are on a bound, and without the combinations of unknowns
+    /// that the data do not determine at all.
     pub covariance: Vec<Vec<f64>>,
-    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at all.
+    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at
+    /// all.
     pub correlation: Vec<Vec<f64>>,
     /// Whether it lies on a bound.
     pub at_bound: Vec<bool>,
@@ -79,7 +86,8 @@ pub enum EstimateError {
     #[error("{0}")]
     Refused(String),
     /// Not more points than unknowns.
-    #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and more for a meaningful error bar", .unknowns + 1)]
+    #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and \
+        more for a meaningful error bar", .unknowns + 1)]
     TooFew {
         /// Points with a weight.
         points: usize,
@@ -99,7 +107,8 @@ pub enum EstimateError {
     },
 }
 
-/// Residuals and slopes with the last results: a search, the check of its end and the statistics need the same values.
+/// Residuals and slopes with the last results: a search, the check of its end and the statistics
+/// need the same values.
 pub(crate) struct Known<'a> {
     residuals: &'a dyn Residuals,
     at: Answers<Vec<f64>>,
@@ -114,7 +123,11 @@ const KNOWN: usize = 4;
 
 impl<'a> Known<'a> {
     pub fn new(residuals: &'a dyn Residuals) -> Self {
-        Self { residuals, at: RefCell::default(), by: RefCell::default() }
+        Self {
+            residuals,
+            at: RefCell::default(),
+            by: RefCell::default(),
+        }
     }
 
     /// With the residuals at x.
@@ -157,15 +170,22 @@ struct Inner<'a> {
 
 impl Inner<'_> {
     fn x(&self, u: &DVector<f64>) -> Vec<f64> {
-        self.unknowns.iter().zip(u.iter()).map(|(k, &u)| k.outer(u).0).collect()
+        self.unknowns
+            .iter()
+            .zip(u.iter())
+            .map(|(k, &u)| k.outer(u).0)
+            .collect()
     }
 
-    /// Unknowns with a smaller sum of squares beside the end of a search, where that is no minimum; or that the model has no answer where it
-    /// falls. It is searched along the Gauss–Newton step, J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
+    /// Unknowns with a smaller sum of squares beside the end of a search, where that is no minimum;
+    /// or that the model has no answer where it falls. It is searched along the Gauss–Newton step,
+    /// J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
     /// scale.
     fn beside(&self) -> Result<Option<DVector<f64>>, &'static str> {
         let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
-        let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else { return Ok(None) };
+        let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else {
+            return Ok(None);
+        };
         let x = self.x(&self.u);
         for (k, (unknown, &x)) in self.unknowns.iter().zip(&x).enumerate() {
             if unknown.is_at_bound(x) {
@@ -174,10 +194,18 @@ impl Inner<'_> {
         }
         let svd = j.clone().svd(true, true);
         let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
-        let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else { return Ok(None) };
-        let in_scales =
-            |(k, unknown): (usize, &Unknown)| (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs();
-        let far = self.unknowns.iter().enumerate().map(in_scales).fold(0.0, f64::max);
+        let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else {
+            return Ok(None);
+        };
+        let in_scales = |(k, unknown): (usize, &Unknown)| {
+            (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs()
+        };
+        let far = self
+            .unknowns
+            .iter()
+            .enumerate()
+            .map(in_scales)
+            .fold(0.0, f64::max);
         if far <= STEP || (&j * &step).norm_squared() <= SMALLER * r.norm_squared() {
             return Ok(None);
         }
@@ -187,7 +215,9 @@ impl Inner<'_> {
             let u = &self.u + share * &step;
             let residuals = at(&u);
             answers = residuals.is_some();
-            if residuals.is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared()) {
+            if residuals
+                .is_some_and(|next| next.norm_squared() < (1.0 - SMALLER) * r.norm_squared())
+            {
                 return Ok(Some(u));
             }
         }
@@ -236,7 +266,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
         match self.residuals.at(&self.x(&self.u)) {
             Some(r) => Some(self.weighted(r)),
             // A step to where the model has no answer is a bad step: the next one is shorter.
-            None => self.wall.map(|wall| DVector::from_element(self.roots.len(), wall)),
+            None => self
+                .wall
+                .map(|wall| DVector::from_element(self.roots.len(), wall)),
         }
     }
 
@@ -269,7 +301,8 @@ const TURNS: usize = 60;
 /// Huber's constant: 95 % of the efficiency of squares where the errors are normal.
 const HUBER: f64 = 1.345;
 
-/// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a point.
+/// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a
+/// point.
 pub fn estimate(
     residuals: &dyn Residuals,
     unknowns: &[Unknown],
@@ -279,32 +312,49 @@ pub fn estimate(
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
         let u = unknowns[index];
         return Err(EstimateError::Refused(format!(
-            "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+            "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be \
+             numbers in order, and its scale {} above zero",
             u.start, u.low, u.high, u.scale
         )));
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {
-        return Err(EstimateError::TooFew { points, unknowns: unknowns.len() });
+        return Err(EstimateError::TooFew {
+            points,
+            unknowns: unknowns.len(),
+        });
     }
-    let search =
-        LevenbergMarquardt::new().with_ftol(1e-13).with_xtol(1e-11).with_gtol(1e-13).with_patience(100);
+    let search = LevenbergMarquardt::new()
+        .with_ftol(1e-13)
+        .with_xtol(1e-11)
+        .with_gtol(1e-13)
+        .with_patience(100);
     let residuals: &dyn Residuals = &Known::new(residuals);
     let mut u = DVector::from_iterator(unknowns.len(), unknowns.iter().map(Unknown::inner_start));
     let mut factors = vec![1.0; weights.len()];
     for _ in 0..TURNS {
         let roots = weights.iter().zip(&factors).map(|(w, f)| (w * f).sqrt());
         let roots = DVector::from_iterator(weights.len(), roots);
-        let mut inner = Inner { residuals, unknowns, roots, u: u.clone(), wall: None };
+        let mut inner = Inner {
+            residuals,
+            unknowns,
+            roots,
+            u: u.clone(),
+            wall: None,
+        };
         let start = inner.residuals().ok_or(EstimateError::Start)?;
         inner.wall = Some(1e3 * (1.0 + start.amax()));
-        // Where the model has no answer in places, the steps may shrink to nothing before a minimum: a new search begins with long ones.
+        // Where the model has no answer in places, the steps may shrink to nothing before a
+        // minimum: a new search begins with long ones.
         let mut searches = 0;
         let inner = loop {
             let (mut ended, report) = search.minimize(inner);
             searches += 1;
             // No step makes it smaller: the minimum within the rounding of the model.
-            let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+            let settled = matches!(
+                report.termination,
+                TerminationReason::NoImprovementPossible(_)
+            );
             let reason = if settled || report.termination.was_successful() {
                 match ended.beside() {
                     Ok(None) => break ended,
@@ -323,7 +373,10 @@ pub fn estimate(
                     _ => "the data do not determine the unknowns, or the model is not smooth",
                 }
             };
-            return Err(EstimateError::NoMinimum { reason: reason.into(), at: ended.x(&ended.u) });
+            return Err(EstimateError::NoMinimum {
+                reason: reason.into(),
+                at: ended.x(&ended.u),
+            });
         };
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
@@ -332,20 +385,46 @@ pub fn estimate(
             Loss::Huber => huber(&r, weights),
             Loss::Largest => sixth_power(&r, weights, &factors),
         };
-        let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let moved = next
+            .iter()
+            .zip(&factors)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
         factors = next;
         if moved < 1e-6 {
             break;
         }
     }
-    let all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect::<Vec<f64>>();
-    statistics(&Inner { residuals, unknowns, roots: DVector::zeros(0), u, wall: None }, all)
+    let all = weights
+        .iter()
+        .zip(&factors)
+        .map(|(w, f)| w * f)
+        .collect::<Vec<f64>>();
+    statistics(
+        &Inner {
+            residuals,
+            unknowns,
+            roots: DVector::zeros(0),
+            u,
+            wall: None,
+        },
+        all,
+    )
 }
 
 /// Weighted sizes of residuals, and 1.4826 times the median of those that count.
 pub(crate) fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
-    let scaled: Vec<f64> = r.iter().zip(weights).map(|(r, w)| r.abs() * w.sqrt()).collect();
-    let mut sorted: Vec<f64> = scaled.iter().zip(weights).filter(|p| *p.1 > 0.0).map(|p| *p.0).collect();
+    let scaled: Vec<f64> = r
+        .iter()
+        .zip(weights)
+        .map(|(r, w)| r.abs() * w.sqrt())
+        .collect();
+    let mut sorted: Vec<f64> = scaled
+        .iter()
+        .zip(weights)
+        .filter(|p| *p.1 > 0.0)
+        .map(|p| *p.0)
+        .collect();
     sorted.sort_by(f64::total_cmp);
     let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     (scaled, 1.4826 * median)
@@ -355,11 +434,20 @@ pub(crate) fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
 fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
     let (scaled, deviation) = robust_deviation(r, weights);
     let limit = HUBER * deviation;
-    scaled.iter().map(|&s| if s <= limit || s == 0.0 { 1.0 } else { limit / s }).collect()
+    scaled
+        .iter()
+        .map(|&s| {
+            if s <= limit || s == 0.0 {
+                1.0
+            } else {
+                limit / s
+            }
+        })
+        .collect()
 }
 
-/// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the logarithm: the whole
-/// step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
+/// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the
+/// logarithm: the whole step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
 fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
     let largest = size.iter().copied().fold(0.0, f64::max);
@@ -378,7 +466,11 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     let unknowns = inner.unknowns;
     let residuals = inner.residuals.at(&x).ok_or(EstimateError::Start)?;
     let columns = slopes(inner.residuals, unknowns, &x).ok_or(EstimateError::Start)?;
-    let at_bound: Vec<bool> = unknowns.iter().zip(&x).map(|(u, &x)| u.is_at_bound(x)).collect();
+    let at_bound: Vec<bool> = unknowns
+        .iter()
+        .zip(&x)
+        .map(|(u, &x)| u.is_at_bound(x))
+        .collect();
     let inside: Vec<usize> = (0..x.len()).filter(|&i| !at_bound[i]).collect();
     let points = weights.iter().filter(|w| **w > 0.0).count();
     let freedom = points.saturating_sub(inside.len()).max(1);
@@ -390,7 +482,11 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     });
     let m = inside.len();
     // Every unknown may lie on a bound; an empty matrix has no decomposition.
-    let svd = if m > 0 { j.svd(false, true) } else { DMatrix::zeros(1, 1).svd(false, false) };
+    let svd = if m > 0 {
+        j.svd(false, true)
+    } else {
+        DMatrix::zeros(1, 1).svd(false, false)
+    };
     let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let mut covariance = DMatrix::<f64>::zeros(m, m);
     let mut lost = vec![false; m];
@@ -413,12 +509,16 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     let mut full = vec![vec![0.0; x.len()]; x.len()];
     for (a, &i) in inside.iter().enumerate() {
         let scale = unknowns[i].scale;
-        standard_errors[i] =
-            if lost[a] { f64::INFINITY } else { deviation * scale * covariance[(a, a)].max(0.0).sqrt() };
+        standard_errors[i] = if lost[a] {
+            f64::INFINITY
+        } else {
+            deviation * scale * covariance[(a, a)].max(0.0).sqrt()
+        };
         for (b, &k) in inside.iter().enumerate() {
             full[i][k] = deviation * deviation * scale * unknowns[k].scale * covariance[(a, b)];
             if !lost[a] && !lost[b] {
-                correlation[i][k] = covariance[(a, b)] / (covariance[(a, a)] * covariance[(b, b)]).sqrt();
+                correlation[i][k] =
+                    covariance[(a, b)] / (covariance[(a, a)] * covariance[(b, b)]).sqrt();
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Nonlinear least squares (Levenberg–Marquardt).
 //!
-//! The one place that speaks to the library which does it; fits of constants elsewhere hand over their residuals.
-//! [`estimate`] knows bounds, weights and outliers, takes derivatives where the model has them, and gives the error of each
-//! unknown.
+//! The one place that speaks to the library which does it; fits of constants elsewhere hand over
+//! their residuals. [`estimate`] knows bounds, weights and outliers, takes derivatives where the
+//! model has them, and gives the error of each unknown.
 
 mod aicc;
 mod bounds;

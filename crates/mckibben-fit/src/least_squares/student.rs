@@ -2,8 +2,8 @@
 
 /// The 97.5 % quantile of Student's t distribution with so many degrees of freedom (at least 1).
 ///
-/// Exact for 1 and 2; from 3 on Hill's expansion (Hill 1970 \[hill1970\], algorithm 396) about the normal quantile z = 1.959964,
-/// within 1 % at 3 and 0.01 % from 8.
+/// Exact for 1 and 2; from 3 on Hill's expansion (Hill 1970 \[hill1970\], algorithm 396) about the
+/// normal quantile z = 1.959964, within 1 % at 3 and 0.01 % from 8.
 pub fn t95(freedom: usize) -> f64 {
     const Z: f64 = 1.959_963_984_540_054;
     match freedom {
@@ -16,7 +16,8 @@ pub fn t95(freedom: usize) -> f64 {
             Z + (z3 + Z) / (4.0 * n)
                 + (5.0 * z5 + 16.0 * z3 + 3.0 * Z) / (96.0 * n * n)
                 + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * Z) / (384.0 * n.powi(3))
-                + (79.0 * z9 + 776.0 * z7 + 1482.0 * z5 - 1920.0 * z3 - 945.0 * Z) / (92160.0 * n.powi(4))
+                + (79.0 * z9 + 776.0 * z7 + 1482.0 * z5 - 1920.0 * z3 - 945.0 * Z)
+                    / (92160.0 * n.powi(4))
         }
     }
 }
@@ -25,7 +26,8 @@ pub fn t95(freedom: usize) -> f64 {
 mod tests {
     use super::t95;
 
-    /// Tables of Student's distribution (e.g. Abramowitz & Stegun 1964 \[abramowitz1964\], table 26.10).
+    /// Tables of Student's distribution (e.g. Abramowitz & Stegun 1964 \[abramowitz1964\], table
+    /// 26.10).
     #[test]
     fn quantiles_are_those_of_the_tables() {
         for (n, t, tolerance) in [

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 /// The measured quantity; the others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
@@ -48,7 +50,9 @@ impl Section {
 
     /// Whether it states this measure of the muscle.
     pub fn states(&self, measure: &Measure) -> bool {
-        self.values().iter().any(|(m, value)| *m == measure && value.is_some())
+        self.values()
+            .iter()
+            .any(|(m, value)| *m == measure && value.is_some())
     }
 
     /// The muscle with these measures.
@@ -59,7 +63,12 @@ impl Section {
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        let section = Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())?;
+        let section = Muscle::new(
+            tube,
+            braid,
+            muscle.terminals().clone(),
+            muscle.friction().copied(),
+        )?;
         Ok(section.with_bench_of(muscle))
     }
 }
@@ -92,7 +101,16 @@ impl DataPoint {
     /// A measured pull of the muscle itself.
     pub fn new(at: MeasuredPoint) -> Self {
         let (measured, section) = (Quantity::Force, Section::default());
-        Self { at, measured, volume_mm3: None, error: None, weight: 1.0, section, line: 0, set: 0 }
+        Self {
+            at,
+            measured,
+            volume_mm3: None,
+            error: None,
+            weight: 1.0,
+            section,
+            line: 0,
+            set: 0,
+        }
     }
 }
 
@@ -109,13 +127,15 @@ pub fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
-/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`](super::mean_of_branches). A mean keeps the line of its
-/// lower point.
+/// The mean of the two hysteresis branches, muscle by muscle; see
+/// [`mean_of_branches`](super::mean_of_branches). A mean keeps the line of its lower point.
 pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
         let section = p.section.values().map(|(_, value)| value.map(f64::to_bits));
-        let place = *places.entry((section, p.set, p.measured as u8)).or_insert(groups.len());
+        let place = *places
+            .entry((section, p.set, p.measured as u8))
+            .or_insert(groups.len());
         match groups.get_mut(place) {
             Some(group) => group.push(*p),
             None => groups.push(vec![*p]),
@@ -129,7 +149,11 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
             continue;
         }
         let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
-        out.extend(means(&rows).into_iter().map(|(index, at)| DataPoint { at, ..group[index] }));
+        out.extend(
+            means(&rows)
+                .into_iter()
+                .map(|(index, at)| DataPoint { at, ..group[index] }),
+        );
     }
     out
 }
@@ -143,7 +167,8 @@ pub struct MeasuredPoint {
     pub contraction: f64,
     /// Pull in N.
     pub force_n: f64,
-    /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does not measure the friction.
+    /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does
+    /// not measure the friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub branch: Option<Direction>,
 }
@@ -155,8 +180,9 @@ impl MeasuredPoint {
     }
 }
 
-/// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch
-/// interpolated there, pressure by pressure. Points without a branch, and pressures with one branch only, stay as they are.
+/// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum
+/// with the upper branch interpolated there, pressure by pressure. Points without a branch, and
+/// pressures with one branch only, stay as they are.
 pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
     means(points).into_iter().map(|(_, mean)| mean).collect()
 }
@@ -168,23 +194,40 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     let mut out = Vec::new();
     for at_pressure in sorted.chunk_by(|(_, a), (_, b)| a.pressure_mpa == b.pressure_mpa) {
         let branch_points = |branch| {
-            let mut list: Vec<(usize, MeasuredPoint)> =
-                at_pressure.iter().filter(|(_, p)| p.branch == branch).copied().collect();
+            let mut list: Vec<(usize, MeasuredPoint)> = at_pressure
+                .iter()
+                .filter(|(_, p)| p.branch == branch)
+                .copied()
+                .collect();
             list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
             list
         };
         let lower = branch_points(Some(Direction::Contraction));
         let upper = branch_points(Some(Direction::Elongation));
-        out.extend(branch_points(None).into_iter().chain(branch_points(Some(Direction::Mean))));
+        out.extend(
+            branch_points(None)
+                .into_iter()
+                .chain(branch_points(Some(Direction::Mean))),
+        );
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
-        let upper: Vec<(f64, f64)> = upper.into_iter().map(|(_, p)| (p.contraction, p.force_n)).collect();
+        let upper: Vec<(f64, f64)> = upper
+            .into_iter()
+            .map(|(_, p)| (p.contraction, p.force_n))
+            .collect();
         out.extend(lower.iter().filter_map(|(index, p)| {
             let above = interpolate(&upper, p.contraction)?;
             let force_n = 0.5 * (p.force_n + above);
-            Some((*index, MeasuredPoint { force_n, branch: Some(Direction::Mean), ..*p }))
+            Some((
+                *index,
+                MeasuredPoint {
+                    force_n,
+                    branch: Some(Direction::Mean),
+                    ..*p
+                },
+            ))
         }));
     }
     out

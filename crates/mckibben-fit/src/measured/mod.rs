@@ -4,6 +4,8 @@ mod data;
 mod over_time;
 mod read;
 
-pub use data::{DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, same};
+pub use data::{
+    DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, same,
+};
 pub use over_time::PressureLog;
 pub use read::{PointOptions, read_data, read_measured, read_points};

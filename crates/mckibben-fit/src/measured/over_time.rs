@@ -1,4 +1,5 @@
-//! Logs of a test over time: a pressure that another instrument recorded, and the branches of a motion.
+//! Logs of a test over time: a pressure that another instrument recorded, and the branches of a
+//! motion.
 
 use super::data::interpolate;
 use mckibben::muscle::Direction;
@@ -18,14 +19,15 @@ pub struct PressureLog {
 const SHIFTS: i32 = 500;
 const ROWS: usize = 500;
 
-/// The pull follows the pressure if their correlation is at least this; clocks that differ must be better by the second.
-/// A pressure that varies by less than the last tells nothing.
+/// The pull follows the pressure if their correlation is at least this; clocks that differ must be
+/// better by the second. A pressure that varies by less than the last tells nothing.
 const FOLLOWS: f64 = 0.9;
 const BETTER: f64 = 0.005;
 const VARIES: f64 = 0.05;
 
 impl PressureLog {
-    /// The pressures at the times of pulls, none outside of the log, and how the two clocks were brought together.
+    /// The pressures at the times of pulls, none outside of the log, and how the two clocks were
+    /// brought together.
     pub(super) fn at(&self, times: &[f64], pulls: &[f64]) -> (Vec<Option<f64>>, String) {
         let mut points = self.points.clone();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -36,15 +38,26 @@ impl PressureLog {
                 None => (0.0, "both clocks are taken as one"),
             },
         };
-        let joined = times.iter().map(|t| interpolate(&points, t - offset)).collect();
-        (joined, format!("from {} at its times + {:.4} s, {how}", self.name, offset))
+        let joined = times
+            .iter()
+            .map(|t| interpolate(&points, t - offset))
+            .collect();
+        (
+            joined,
+            format!("from {} at its times + {:.4} s, {how}", self.name, offset),
+        )
     }
 }
 
-/// The shift of the log at which the pull follows the pressure best, of those at which half of the shorter one overlaps the other.
+/// The shift of the log at which the pull follows the pressure best, of those at which half of the
+/// shorter one overlaps the other.
 fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
-    let rows: Vec<(f64, f64)> =
-        times.iter().copied().zip(pulls.iter().copied()).step_by(times.len().div_ceil(ROWS).max(1)).collect();
+    let rows: Vec<(f64, f64)> = times
+        .iter()
+        .copied()
+        .zip(pulls.iter().copied())
+        .step_by(times.len().div_ceil(ROWS).max(1))
+        .collect();
     let (begin, end) = (log.first()?.0, log.last()?.0);
     let (low, high) = ends(times.iter().copied());
     let (least, most) = ends(log.iter().map(|p| p.1));
@@ -52,7 +65,9 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
     let follows = |shift: f64| correlation(log, &rows, shift);
     let best = |middle: f64, width: f64| {
         let shifts = (-SHIFTS..=SHIFTS).map(|i| middle + width * f64::from(i) / f64::from(SHIFTS));
-        let known = shifts.map(|shift| (shift, follows(shift))).filter(|(_, r)| r.is_finite());
+        let known = shifts
+            .map(|shift| (shift, follows(shift)))
+            .filter(|(_, r)| r.is_finite());
         known.max_by(|a, b| a.1.total_cmp(&b.1))
     };
     let (first, last) = (low + half - end, high - half - begin);
@@ -66,7 +81,9 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
 
 /// Of pressure and pull at a shift; not a number where too few rows overlap.
 fn correlation(log: &[(f64, f64)], rows: &[(f64, f64)], shift: f64) -> f64 {
-    let pairs = rows.iter().filter_map(|(t, pull)| Some((interpolate(log, t - shift)?, *pull)));
+    let pairs = rows
+        .iter()
+        .filter_map(|(t, pull)| Some((interpolate(log, t - shift)?, *pull)));
     let [n, x, y, xx, yy, xy] = pairs.fold([0.0; 6], |[n, x, y, xx, yy, xy], (p, f)| {
         [n + 1.0, x + p, y + f, xx + p * p, yy + f * f, xy + p * f]
     });
@@ -75,17 +92,25 @@ fn correlation(log: &[(f64, f64)], rows: &[(f64, f64)], shift: f64) -> f64 {
 
 /// The smallest and the largest.
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    })
 }
 
-/// A reversal moves by this share of the range: less is noise. Over less contraction the length is held.
+/// A reversal moves by this share of the range: less is noise. Over less contraction the length is
+/// held.
 const REVERSAL: f64 = 0.02;
 const HELD: f64 = 1e-3;
 
-/// The branch of each row in time order, by the sign of the velocity of the contraction; where the length is held, of the pressure. None where nothing moves.
+/// The branch of each row in time order, by the sign of the velocity of the contraction; where the
+/// length is held, of the pressure. None where nothing moves.
 pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Direction>> {
     let (low, high) = ends(contractions.iter().copied());
-    let values = if high - low < HELD { pressures } else { contractions };
+    let values = if high - low < HELD {
+        pressures
+    } else {
+        contractions
+    };
     let (low, high) = ends(values.iter().copied());
     let step = REVERSAL * (high - low);
     let mut out = vec![];
@@ -94,8 +119,16 @@ pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Di
     let mut turned = 0;
     for (row, value) in values.iter().enumerate() {
         // How far the row is ahead of the extreme, against the direction where it is below zero.
-        let ahead = if rising == Some(false) { extreme - value } else { value - extreme };
-        let turns = if rising.is_some() { ahead < -step } else { ahead.abs() > step };
+        let ahead = if rising == Some(false) {
+            extreme - value
+        } else {
+            value - extreme
+        };
+        let turns = if rising.is_some() {
+            ahead < -step
+        } else {
+            ahead.abs() > step
+        };
         if turns {
             if let Some(up) = rising {
                 out.resize(turned + 1, direction(up));
@@ -111,5 +144,9 @@ pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Di
 }
 
 fn direction(rising: bool) -> Direction {
-    if rising { Direction::Contraction } else { Direction::Elongation }
+    if rising {
+        Direction::Contraction
+    } else {
+        Direction::Elongation
+    }
 }

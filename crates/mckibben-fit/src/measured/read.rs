@@ -37,33 +37,54 @@ pub fn read_measured(text: &str) -> Result<Vec<MeasuredPoint>> {
     Ok(read_data(text)?.into_iter().map(|p| p.at).collect())
 }
 
-/// Reads points from a table in any common form ([`table`](mckibben_io::table)), with what was understood of it.
+/// Reads points from a table in any common form ([`table`](mckibben_io::table)), with what was
+/// understood of it.
 ///
-/// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
-/// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,
-/// contraction, pressure, volume), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
-/// `volume` (read in rows that state it in `measured`, and where there are no pulls), `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
-/// (points without answer, as `curve` writes them) are left out.
+/// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls,
+/// each with its unit: `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio.
+/// Understood are also `branch`, `measured` (force, contraction, pressure, volume),
+/// `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
+/// `volume` (read in rows that state it in `measured`, and where there are no pulls), `wall_mm`,
+/// `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status`
+/// is not `ok` (points without answer, as `curve` writes them) are left out.
 pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
     let mut columns = options.columns.clone();
-    columns.0.extend(options.log.as_ref().map(|log| ("pressure".to_owned(), format!("={}", log.name))));
-    let vocabulary = if options.log.is_some() { &RECORDED } else { &POINTS };
+    columns.0.extend(
+        options
+            .log
+            .as_ref()
+            .map(|log| ("pressure".to_owned(), format!("={}", log.name))),
+    );
+    let vocabulary = if options.log.is_some() {
+        &RECORDED
+    } else {
+        &POINTS
+    };
     let mut table = Table::read(text, vocabulary, &columns)?;
     table.keep(Meaning::Status, &["", "ok"]);
-    let is_volume = |row: usize| table.text(row, Meaning::Measured).is_some_and(|(_, word)| word == "volume");
+    let is_volume = |row: usize| {
+        table
+            .text(row, Meaning::Measured)
+            .is_some_and(|(_, word)| word == "volume")
+    };
     if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
         table.forget(Meaning::Volume);
     }
     leave_blank_out(&mut table)?;
     let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
-    let ours = table.column(Meaning::Length).is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let ours = table
+        .column(Meaning::Length)
+        .is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
     if length_is_l0 {
         table.rename(Meaning::Length, Meaning::RestLength);
     }
     let (pressures, joined) = match &options.log {
         Some(log) => {
-            let (times, pulls) = (table.numbers(table.needed(TIME)?)?, table.numbers(table.needed(FORCE)?)?);
+            let (times, pulls) = (
+                table.numbers(table.needed(TIME)?)?,
+                table.numbers(table.needed(FORCE)?)?,
+            );
             let (pressures, joined) = log.at(&times, &pulls);
             table.retain(|row| pressures[row].is_some());
             let outside = pressures.len() - table.lines().len();
@@ -79,8 +100,14 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
     }
-    let by_velocity = table.text(0, Meaning::Branch).is_some_and(|(_, word)| word == "velocity");
-    let branches = if by_velocity { branches(&contractions, &pressures) } else { None };
+    let by_velocity = table
+        .text(0, Meaning::Branch)
+        .is_some_and(|(_, word)| word == "velocity");
+    let branches = if by_velocity {
+        branches(&contractions, &pressures)
+    } else {
+        None
+    };
     if by_velocity {
         table.forget(Meaning::Branch);
     }
@@ -91,19 +118,27 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
-        point.at.branch = branches.as_ref().map_or(point.at.branch, |branches| Some(branches[i]));
+        point.at.branch = branches
+            .as_ref()
+            .map_or(point.at.branch, |branches| Some(branches[i]));
     }
     if points.is_empty() {
         return Err(table.no_points());
     }
     let by_velocity = by_velocity.then(|| "branches by the sign of the velocity".to_owned());
     let note: Vec<String> = note.into_iter().chain(by_velocity).collect();
-    Ok((points, understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?))
+    Ok((
+        points,
+        understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?,
+    ))
 }
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
 fn leave_blank_out(table: &mut Table) -> Result<()> {
-    let (contraction, force) = (table.needed(CONTRACTION)?.meaning, table.needed(FORCE)?.meaning);
+    let (contraction, force) = (
+        table.needed(CONTRACTION)?.meaning,
+        table.needed(FORCE)?.meaning,
+    );
     table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
         Some((_, "contraction")) => contraction,
         Some((_, "pressure")) => Meaning::Pressure,
@@ -131,20 +166,28 @@ fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>> {
         }
         force => Ok(force.unwrap_or(0.0)),
     };
-    stated.into_iter().zip(points).enumerate().map(one).collect()
+    stated
+        .into_iter()
+        .zip(points)
+        .enumerate()
+        .map(one)
+        .collect()
 }
 
 fn pressures(table: &Table) -> Result<Vec<f64>> {
     let column = table.needed(PRESSURE)?;
     if !column.chosen && is_absolute(&column.heading) {
         return Err(TableError::Refused(format!(
-            "column {column} has absolute pressures; use gauge pressures: subtract the atmospheric pressure (about 0.101 MPa)",
+            "column {column} has absolute pressures; use gauge pressures: subtract the atmospheric \
+             pressure (about 0.101 MPa)",
             column = column.heading
         )));
     }
     let values = table.numbers(column)?;
     match values.iter().position(|p| *p < 0.0) {
-        Some(row) => Err(table.impossible(row, column, "is below zero; gauge pressure starts at 0")),
+        Some(row) => {
+            Err(table.impossible(row, column, "is below zero; gauge pressure starts at 0"))
+        }
         None => Ok(values),
     }
 }
@@ -153,7 +196,11 @@ fn pressures(table: &Table) -> Result<Vec<f64>> {
 type Note = Option<String>;
 
 /// Contraction ratios, and how they were made.
-fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Result<(Vec<f64>, Note)> {
+fn contractions(
+    table: &Table,
+    rest: &[Option<f64>],
+    muscle: Option<f64>,
+) -> Result<(Vec<f64>, Note)> {
     let column = table.needed(CONTRACTION)?;
     let raw = table.numbers(column)?;
     let (values, note) = match column.meaning {
@@ -165,7 +212,8 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
                 Some(rounded(1.0 - (free + raw[at]) / rest))
             };
             let ratios: Option<Vec<f64>> = free.into_iter().enumerate().map(one).collect();
-            let needs = "the length of the muscle at that pressure without load, from which it counts, and L0: free_length=250mm in `set`, or a column free_length_mm";
+            let needs = "the length of the muscle at that pressure without load, from which it \
+                counts, and L0: free_length=250mm in `set`, or a column free_length_mm";
             let ratios = ratios.ok_or_else(|| TableError::needs(column, needs))?;
             (ratios, Some("from the free length at its pressure".into()))
         }
@@ -173,8 +221,8 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
             let in_rows = rest.iter().any(Option::is_some);
             let rest: Vec<f64> = rest.iter().filter_map(|l| l.or(muscle)).collect();
             if rest.len() != raw.len() {
-                let needs =
-                    "the length L0 at rest: give the muscle with its `length_mm`, or a column rest_length_mm";
+                let needs = "the length L0 at rest: give the muscle with its `length_mm`, or a \
+                    column rest_length_mm";
                 return Err(TableError::needs(column, needs));
             }
             let l0 = match muscle {
@@ -187,7 +235,10 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
                 let ratios = ratios.map(|(l, l0)| rounded(1.0 - l / l0));
                 (ratios.collect(), Some(format!("1 − L/L0, {l0}")))
             } else {
-                (ratios.map(|(x, l0)| rounded(x / l0)).collect(), Some(format!("over {l0}")))
+                (
+                    ratios.map(|(x, l0)| rounded(x / l0)).collect(),
+                    Some(format!("over {l0}")),
+                )
             }
         }
     };
@@ -198,9 +249,12 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
     match (column.meaning, column.unit) {
         (Meaning::Contraction, None) => Err(table.percent(row, column)),
         (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
-            "is not a valid contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
+            "is not a valid contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column \
+             contraction_percent",
         ),
-        (Meaning::Contraction, _) => wrong("is not a valid contraction: no muscle shortens by so much"),
+        (Meaning::Contraction, _) => {
+            wrong("is not a valid contraction: no muscle shortens by so much")
+        }
         (Meaning::Length, _) => {
             wrong("is not a valid length of this muscle; check its unit and L0 (`length_mm`)")
         }
@@ -210,41 +264,59 @@ fn contractions(table: &Table, rest: &[Option<f64>], muscle: Option<f64>) -> Res
 
 /// Zero without the rounding of a conversion from inches.
 fn rounded(contraction: f64) -> f64 {
-    if contraction.abs() < 1e-6 { 0.0 } else { contraction }
+    if contraction.abs() < 1e-6 {
+        0.0
+    } else {
+        contraction
+    }
 }
 
 /// A length that is the same in all lines could be that at rest.
 fn check_varies(column: &Column, lengths: &[f64]) -> Result<()> {
-    let why = "is the same in all lines and does not give the contraction: add a column of contractions, \
+    let why = "is the same in all lines and does not give the contraction: add a column of \
+        contractions, \
                or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
     if lengths.is_empty() || column.chosen || spread(lengths.iter().copied()) >= 1e-9 {
         return Ok(());
     }
-    Err(TableError::Refused(format!("column {} {why}", column.heading)))
+    Err(TableError::Refused(format!(
+        "column {} {why}",
+        column.heading
+    )))
 }
 
 /// Largest less smallest, relative to the largest.
 fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    let (low, high) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
+    let (low, high) = (
+        values.clone().fold(f64::INFINITY, f64::min),
+        values.fold(0.0, f64::max),
+    );
     if high > 0.0 { (high - low) / high } else { 0.0 }
 }
 
-/// Beside a contraction `length_mm` means L0; a length that shrinks with the contraction is another one.
+/// Beside a contraction `length_mm` means L0; a length that shrinks with the contraction is another
+/// one.
 fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Result<()> {
     let lengths = || rest.iter().flatten().copied();
     if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
         return Ok(());
     }
-    let way = table.column(Meaning::Shortening).filter(|_| table.column(Meaning::Contraction).is_none());
+    let way = table
+        .column(Meaning::Shortening)
+        .filter(|_| table.column(Meaning::Contraction).is_none());
     let ways = way.map(|column| table.numbers(column)).transpose()?;
-    let rests = lengths().zip(contractions).enumerate().map(|(i, (l, e))| match &ways {
-        Some(ways) => l + ways[i],
-        None => l / (1.0 - e),
-    });
+    let rests = lengths()
+        .zip(contractions)
+        .enumerate()
+        .map(|(i, (l, e))| match &ways {
+            Some(ways) => l + ways[i],
+            None => l / (1.0 - e),
+        });
     match table.column(Meaning::RestLength) {
         Some(Column { heading, .. }) if spread(rests.clone()) < 0.2 * spread(lengths()) => {
             Err(TableError::Refused(format!(
-                "column {heading} decreases with the contraction; together with a contraction it means the length at rest: \
+                "column {heading} decreases with the contraction; together with a contraction it \
+                 means the length at rest: \
                  give the column another name (Length [mm]), and it is left out"
             )))
         }
@@ -255,18 +327,33 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
 /// The rows, without pressure, contraction, pull and length.
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Meaning::Weight)?;
-    let errors =
-        [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError, Meaning::VolumeError];
-    let stated = errors.map(|meaning| table.some_numbers(meaning)).into_iter().collect::<Result<Vec<_>>>()?;
-    let volumes = table.above_zero(Meaning::Volume, "is not a volume of a muscle; it must be above zero")?;
+    let errors = [
+        Meaning::ForceError,
+        Meaning::ContractionError,
+        Meaning::PressureError,
+        Meaning::VolumeError,
+    ];
+    let stated = errors
+        .map(|meaning| table.some_numbers(meaning))
+        .into_iter()
+        .collect::<Result<Vec<_>>>()?;
+    let volumes = table.above_zero(
+        Meaning::Volume,
+        "is not a volume of a muscle; it must be above zero",
+    )?;
     // Without pulls the volumes were measured.
     let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
-    let otherwise = if alone { Quantity::Volume } else { Quantity::Force };
+    let otherwise = if alone {
+        Quantity::Volume
+    } else {
+        Quantity::Force
+    };
     let diameters = table.above_zero(Meaning::OuterDiameter, MEASURE)?;
     let walls = table.above_zero(Meaning::Wall, MEASURE)?;
     let angles = table.above_zero(Meaning::Angle, MEASURE)?;
     let branches = Direction::ALL.into_iter();
-    let branches = branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
+    let branches =
+        branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
     let branches: Vec<(&str, Direction)> = branches.collect();
     let quantities = [
         ("force", Quantity::Force),
@@ -280,16 +367,23 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     };
     let one = |(row, line): (usize, u64)| {
         cancel::check()?;
-        let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it lengthens) nor \"mean\" (of both)";
+        let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
+            lengthens) nor \"mean\" (of both)";
         let branch = table.word(row, Meaning::Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
-        let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or(otherwise);
+        let measured = table
+            .word(row, Meaning::Measured, &quantities, known)?
+            .unwrap_or(otherwise);
         if measured == Quantity::Volume && volumes[row].is_none() {
             let expected = "needs a volume in this row: add a column volume_mm3 or Volume [mL]";
             return Err(refused(row, Meaning::Measured, expected));
         }
         if alone && measured != Quantity::Volume {
-            return Err(refused(row, Meaning::Measured, "needs a pull in this row: add a column force_n"));
+            return Err(refused(
+                row,
+                Meaning::Measured,
+                "needs a pull in this row: add a column force_n",
+            ));
         }
         let error = stated[measured as usize][row];
         if error.is_some_and(|e| e <= 0.0) {
@@ -297,14 +391,37 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
             return Err(refused(row, errors[measured as usize], expected));
         }
         if weights[row].is_some_and(|w| w < 0.0) {
-            return Err(refused(row, Meaning::Weight, "is not a valid weight; it must not be below zero"));
+            return Err(refused(
+                row,
+                Meaning::Weight,
+                "is not a valid weight; it must not be below zero",
+            ));
         }
-        let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
+        let at = MeasuredPoint {
+            pressure_mpa: 0.0,
+            contraction: 0.0,
+            force_n: 0.0,
+            branch,
+        };
         let (outer_diameter_mm, wall_mm, angle_deg) = (diameters[row], walls[row], angles[row]);
-        let section = Section { outer_diameter_mm, wall_mm, length_mm: None, angle_deg };
+        let section = Section {
+            outer_diameter_mm,
+            wall_mm,
+            length_mm: None,
+            angle_deg,
+        };
         let volume_mm3 = volumes[row].filter(|_| measured == Quantity::Volume);
         let weight = weights[row].unwrap_or(1.0);
-        Ok(DataPoint { at, measured, volume_mm3, error, weight, section, line, set: 0 })
+        Ok(DataPoint {
+            at,
+            measured,
+            volume_mm3,
+            error,
+            weight,
+            section,
+            line,
+            set: 0,
+        })
     };
     table.lines().into_iter().enumerate().map(one).collect()
 }
@@ -331,7 +448,11 @@ fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
         Meaning::Wall,
         Meaning::Angle,
     ];
-    used.extend(others.into_iter().filter_map(|m| Some((table.column(m)?, None))));
+    used.extend(
+        others
+            .into_iter()
+            .filter_map(|m| Some((table.column(m)?, None))),
+    );
     Ok(table.understood(&used))
 }
 

@@ -7,8 +7,8 @@
 //!   [N  −Gᵀ] [x]   [d]
 //!   [G    0] [y] = [h],   y ≥ 0,   all other gₖ·x ≥ hₖ
 //!
-//! The upper left block of the inverse is Z(ZᵀNZ)⁻¹Zᵀ, Z spanning the directions in which no inequality is active: the
-//! covariance of x but for the factor s².
+//! The upper left block of the inverse is Z(ZᵀNZ)⁻¹Zᵀ, Z spanning the directions in which no
+//! inequality is active: the covariance of x but for the factor s².
 
 use nalgebra::{DMatrix, DVector};
 
@@ -37,16 +37,29 @@ impl Inequality {
 }
 
 /// The normal equations of weighted columns: N and d.
-pub(super) fn normal(columns: &[Vec<f64>], target: &[f64], weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(weights).map(|((a, b), w)| w * a * b).sum::<f64>();
+pub(super) fn normal(
+    columns: &[Vec<f64>],
+    target: &[f64],
+    weights: &[f64],
+) -> (DMatrix<f64>, DVector<f64>) {
+    let dot = |a: &[f64], b: &[f64]| {
+        a.iter()
+            .zip(b)
+            .zip(weights)
+            .map(|((a, b), w)| w * a * b)
+            .sum::<f64>()
+    };
     let m = columns.len();
     let n = DMatrix::from_fn(m, m, |i, k| dot(&columns[i], &columns[k]));
     (n, DVector::from_fn(m, |i, _| dot(&columns[i], target)))
 }
 
-/// The minimum, or `None` where the columns are not independent or the inequalities contradict each other.
+/// The minimum, or `None` where the columns are not independent or the inequalities contradict each
+/// other.
 pub(super) fn solve(n: &DMatrix<f64>, d: &DVector<f64>, cuts: &[Inequality]) -> Option<Solution> {
-    subsets(cuts.len(), n.nrows()).into_iter().find_map(|active| with_active(n, d, cuts, active))
+    subsets(cuts.len(), n.nrows())
+        .into_iter()
+        .find_map(|active| with_active(n, d, cuts, active))
 }
 
 /// All sets of at most `size` of `count` places, small ones first.
@@ -80,14 +93,24 @@ fn with_active(
         return None;
     }
     let g = |k: usize, i: usize| cuts[active[k]].g[i] * unit[i];
-    let size = |k: usize| (0..m).map(|i| g(k, i).abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let size = |k: usize| {
+        (0..m)
+            .map(|i| g(k, i).abs())
+            .fold(f64::MIN_POSITIVE, f64::max)
+    };
     let kkt = DMatrix::from_fn(m + a, m + a, |r, c| match (r < m, c < m) {
         (true, true) => n[(r, c)] * unit[r] * unit[c],
         (true, false) => -g(c - m, r) / size(c - m),
         (false, true) => g(r - m, c) / size(r - m),
         (false, false) => 0.0,
     });
-    let right = |r: usize| if r < m { d[r] * unit[r] } else { cuts[active[r - m]].h / size(r - m) };
+    let right = |r: usize| {
+        if r < m {
+            d[r] * unit[r]
+        } else {
+            cuts[active[r - m]].h / size(r - m)
+        }
+    };
     let right = DVector::from_fn(m + a, |r, _| right(r));
     let inverse = kkt.try_inverse()?;
     let both = &inverse * right;
@@ -103,35 +126,63 @@ fn with_active(
     if !cuts.iter().enumerate().all(holds) {
         return None;
     }
-    let variances = (0..m).map(|i| (inverse[(i, i)] * unit[i] * unit[i]).max(0.0)).collect();
-    Some(Solution { x, variances, active })
+    let variances = (0..m)
+        .map(|i| (inverse[(i, i)] * unit[i] * unit[i]).max(0.0))
+        .collect();
+    Some(Solution {
+        x,
+        variances,
+        active,
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// min (x − 1)² + (y + 2)² with y ≥ 0: (1, 0); the variance of y is none, that of x as without y.
+    /// min (x − 1)² + (y + 2)² with y ≥ 0: (1, 0); the variance of y is none, that of x as without
+    /// y.
     #[test]
     fn an_unknown_on_its_bound_has_no_variance() {
         let n = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0]));
         let d = DVector::from_vec(vec![2.0, -4.0]);
-        let cut = Inequality { g: vec![0.0, 1.0], h: 0.0 };
+        let cut = Inequality {
+            g: vec![0.0, 1.0],
+            h: 0.0,
+        };
         let solution = solve(&n, &d, std::slice::from_ref(&cut)).unwrap();
         assert!((solution.x[0] - 1.0).abs() < 1e-12 && solution.x[1].abs() < 1e-12);
         assert!((solution.variances[0] - 0.5).abs() < 1e-12 && solution.variances[1].abs() < 1e-12);
-        let against = Inequality { g: vec![0.0, -1.0], h: 1.0 };
+        let against = Inequality {
+            g: vec![0.0, -1.0],
+            h: 1.0,
+        };
         assert_eq!(solve(&n, &d, &[cut, against]), None);
     }
 
-    /// min (x − 2)² + (y − 2)² with x + y ≤ 2: (1, 1), and x − y is as free as before: variance 1/2 · 1/2.
+    /// min (x − 2)² + (y − 2)² with x + y ≤ 2: (1, 1), and x − y is as free as before: variance 1/2
+    /// · 1/2.
     #[test]
     fn an_edge_is_met_at_the_foot_of_the_perpendicular() {
         let n = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0]));
         let d = DVector::from_vec(vec![4.0, 4.0]);
-        let solution = solve(&n, &d, &[Inequality { g: vec![-1.0, -1.0], h: -2.0 }]).unwrap();
-        assert!(solution.x.iter().all(|x| (x - 1.0).abs() < 1e-12), "{solution:?}");
-        assert!(solution.variances.iter().all(|v| (v - 0.25).abs() < 1e-12), "{solution:?}");
+        let solution = solve(
+            &n,
+            &d,
+            &[Inequality {
+                g: vec![-1.0, -1.0],
+                h: -2.0,
+            }],
+        )
+        .unwrap();
+        assert!(
+            solution.x.iter().all(|x| (x - 1.0).abs() < 1e-12),
+            "{solution:?}"
+        );
+        assert!(
+            solution.variances.iter().all(|v| (v - 0.25).abs() < 1e-12),
+            "{solution:?}"
+        );
     }
 
     #[test]

@@ -15,29 +15,34 @@ pub fn read_tension(text: &str) -> Result<Vec<TensionPoint>> {
     Ok(read_tests(text, &Columns::default())?.0)
 }
 
-/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with what was understood of it. Where neither the table
-/// nor its constants state the mode, the tests are uniaxial.
+/// Reads points in the order of a table in any common form ([`table`](mckibben_io::table)), with
+/// what was understood of it. Where neither the table nor its constants state the mode, the tests
+/// are uniaxial.
 pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, Understood)> {
     let table = Table::read(text, &TESTS, columns)?;
     let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
     let gauges = match stretch.meaning {
         Meaning::Extension | Meaning::Length => {
-            let needs = "the length at rest: a column `gauge_length`, or `set` such as gauge_length=25mm";
+            let needs =
+                "the length at rest: a column `gauge_length`, or `set` such as gauge_length=25mm";
             of_specimen(&table, Meaning::RestLength, stretch, needs)?
         }
         _ => vec![1.0; table.lines().len()],
     };
     let areas = match stress.meaning {
         Meaning::Force => {
-            let needs =
-                "the cross-section of the specimen at rest: a column `area`, or `set` such as area=8mm2";
+            let needs = "the cross-section of the specimen at rest: a column `area`, or `set` such \
+                as area=8mm2";
             of_specimen(&table, Meaning::Area, stress, needs)?
         }
         _ => vec![],
     };
     let lengths = stretches(&table, stretch, &gauges)?;
     let mut points = vec![];
-    let tests = Tests { table: &table, areas_mm2: &areas };
+    let tests = Tests {
+        table: &table,
+        areas_mm2: &areas,
+    };
     let has_sheets = table.column(Meaning::Stretch2).is_some();
     if has_sheets {
         points = tests.sheet_points(&lengths)?;
@@ -46,7 +51,9 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
         if stress.meaning == Meaning::TrueStressDifference {
             return Err(TableError::needs(stress, NEEDS));
         }
-        for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
+        for (row, (stretch, measured)) in
+            lengths.into_iter().zip(table.numbers(stress)?).enumerate()
+        {
             let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
             let mode = tests.mode(row)?.unwrap_or_default();
             if mode == Mode::General {
@@ -66,10 +73,18 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
     let under = (stress.meaning == Meaning::Force).then(|| format!("over {} mm²", listed(&areas)));
     let mut used = vec![(stretch, over), (stress, under)];
     let of_specimen = [Meaning::Mode, Meaning::RestLength, Meaning::Area];
-    used.extend(of_specimen.into_iter().filter_map(|m| Some((table.column(m)?, None))));
+    used.extend(
+        of_specimen
+            .into_iter()
+            .filter_map(|m| Some((table.column(m)?, None))),
+    );
     if has_sheets {
         let others = sheet::MEANINGS.into_iter().filter_map(|m| table.column(m));
-        used.extend(others.filter(|c| c.index != stress.index).map(|c| (c, None)));
+        used.extend(
+            others
+                .filter(|c| c.index != stress.index)
+                .map(|c| (c, None)),
+        );
     }
     let understood = table.understood(&used);
     Ok((points, understood))
@@ -77,13 +92,22 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
 
 /// A dimension of the specimen of each row.
 fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Result<Vec<f64>> {
-    let rows = table.above_zero(meaning, "is not a dimension of a specimen; it must be above zero")?;
-    rows.into_iter().map(|row| row.ok_or_else(|| TableError::needs(of, needs))).collect()
+    let rows = table.above_zero(
+        meaning,
+        "is not a dimension of a specimen; it must be above zero",
+    )?;
+    rows.into_iter()
+        .map(|row| row.ok_or_else(|| TableError::needs(of, needs)))
+        .collect()
 }
 
 /// The different values, for people.
 fn listed(values: &[f64]) -> String {
-    distinct(values.iter().copied()).iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+    distinct(values.iter().copied())
+        .iter()
+        .map(f64::to_string)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// L/L0, row by row.
@@ -91,17 +115,21 @@ fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>>
     let (stretch, too_far, too_short): (&dyn Fn(f64, f64) -> f64, _, _) = match column.meaning {
         Meaning::Stretch => (
             &|v, _| v,
-            "is not a valid stretch L/L0; if it is a strain in percent, name the column strain_percent",
-            "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name the column engineering_strain",
+            "is not a valid stretch L/L0; if it is a strain in percent, name the column \
+             strain_percent",
+            "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name \
+             the column engineering_strain",
         ),
         Meaning::Strain => (
             &|v, _| 1.0 + v,
             "is not a valid strain ΔL/L0; if it is in percent, name the column strain_percent",
             "is not a valid strain: the specimen would have no length left",
         ),
-        Meaning::TrueStrain => {
-            (&|v, _| v.exp(), "is not a valid true strain ln(L/L0)", "is not a valid true strain ln(L/L0)")
-        }
+        Meaning::TrueStrain => (
+            &|v, _| v.exp(),
+            "is not a valid true strain ln(L/L0)",
+            "is not a valid true strain ln(L/L0)",
+        ),
         Meaning::Length => (
             &|v, gauge| v / gauge,
             "is too long for this gauge length",
@@ -114,7 +142,9 @@ fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>>
         ),
     };
     let values = table.numbers(column)?.into_iter().zip(gauges);
-    let stretches: Vec<f64> = values.map(|(value, gauge)| stretch(value, *gauge)).collect();
+    let stretches: Vec<f64> = values
+        .map(|(value, gauge)| stretch(value, *gauge))
+        .collect();
     let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);
     match stretches.iter().position(|s| !sound(s)) {
         Some(row) if stretches[row] < 0.02 => Err(table.impossible(row, column, too_short)),

@@ -19,8 +19,9 @@ pub struct Parameter {
     pub unit: &'static str,
     /// Standard error; 0 on a bound, `None` where the data do not determine it at all.
     pub standard_error: Option<f64>,
-    /// Whether the data determine it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be
-    /// zero) is so narrow that it moves the stress at the end of the data by less than a quarter of the modulus.
+    /// Whether the data determine it: it is not on a bound, and its 95 % interval does not reach
+    /// zero or (constants that may be zero) is so narrow that it moves the stress at the end of the
+    /// data by less than a quarter of the modulus.
     pub identifiable: bool,
 }
 
@@ -55,8 +56,17 @@ impl StressErrors {
             all += measured * measured;
         }
         let n = out.points.max(1) as f64;
-        let relative = if all > 0.0 { (squares / all).sqrt() } else { 0.0 };
-        Self { rms_mpa: (squares / n).sqrt(), relative, bias_mpa: out.bias_mpa / n, ..out }
+        let relative = if all > 0.0 {
+            (squares / all).sqrt()
+        } else {
+            0.0
+        };
+        Self {
+            rms_mpa: (squares / n).sqrt(),
+            relative,
+            bias_mpa: out.bias_mpa / n,
+            ..out
+        }
     }
 
     /// The errors of a law at some points.
@@ -72,7 +82,8 @@ pub struct ModeError {
     pub mode: Mode,
     #[serde(flatten)]
     pub errors: StressErrors,
-    /// Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
+    /// Stretch up to which the law is stable in this test, where it ends below the larger of the
+    /// data's and the muscle's.
     #[serde(rename = "unstable_from_stretch")]
     pub stable_to_stretch: Option<f64>,
 }
@@ -94,7 +105,8 @@ pub struct FittedLaw {
     pub parameters: Vec<Parameter>,
     /// Its errors by mode.
     pub modes: Vec<ModeError>,
-    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall
+    /// may be.
     pub held_out: Vec<HeldOutError>,
     /// The law with its constants; they may be no sound rubber where `constrained` is false.
     #[serde(skip)]
@@ -112,8 +124,8 @@ pub struct LawQuality {
     pub free_r_squared: Option<f64>,
     /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
-    // Of points that pull; of general tests over the larger of the two stresses that the neo-Hookean law which follows all points best
-    // has in that state.
+    // Of points that pull; of general tests over the larger of the two stresses that the
+    // neo-Hookean law which follows all points best has in that state.
     /// Root mean square of the differences over the measured stress.
     pub relative_rms: f64,
     /// Akaike's criterion for small samples.
@@ -136,7 +148,11 @@ struct FormNames {
 }
 
 fn names<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
-    FormNames { law: form.law(), name: form.name() }.serialize(serializer)
+    FormNames {
+        law: form.law(),
+        name: form.name(),
+    }
+    .serialize(serializer)
 }
 
 impl FittedLaw {
@@ -156,7 +172,11 @@ impl FittedLaw {
 }
 
 /// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
-pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Result<Vec<FittedLaw>> {
+pub(super) fn laws(
+    form: Form,
+    problem: &Problem,
+    settings: &FitSettings,
+) -> Result<Vec<FittedLaw>> {
     let hoop = settings.hoop_stretch;
     let fit = |held: bool| {
         let raw = match form.basis() {
@@ -173,7 +193,10 @@ pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Res
     }
     let free_r_squared = Some(free.quality.r_squared);
     let beside = |held: FittedLaw| {
-        let quality = LawQuality { free_r_squared, ..held.quality };
+        let quality = LawQuality {
+            free_r_squared,
+            ..held.quality
+        };
         FittedLaw { quality, ..held }
     };
     let held = fit(true).map(beside);
@@ -184,13 +207,28 @@ pub(super) fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Res
     }
 }
 
-fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64) -> Result<FittedLaw> {
-    let law = form.law_of(&raw.constants).ok_or_else(|| no_fit(form, "its constants are not complete"))?;
+fn judged(
+    form: Form,
+    constrained: bool,
+    raw: Raw,
+    problem: &Problem,
+    hoop: f64,
+) -> Result<FittedLaw> {
+    let law = form
+        .law_of(&raw.constants)
+        .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let squares = problem.squares(&law).filter(|s| s.is_finite());
     let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
     let t = t95(raw.freedom);
-    let parameters =
-        law.constants().into_iter().enumerate().map(|(i, ConstantValue { name, value, constant })| {
+    let parameters = law.constants().into_iter().enumerate().map(
+        |(
+            i,
+            ConstantValue {
+                name,
+                value,
+                constant,
+            },
+        )| {
             let error = raw.standard_errors[i];
             let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
             Parameter {
@@ -200,14 +238,20 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
                 standard_error: error.is_finite().then_some(error),
                 identifiable: narrow && !raw.at_bound[i],
             }
-        });
+        },
+    );
     let parameters = parameters.collect();
     let points = problem.counting();
     let aicc = aicc(points, form.constants(), squares / points as f64);
     let differences: Vec<(f64, f64)> = problem
         .points
         .iter()
-        .map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa, p.nominal_stress_mpa))
+        .map(|p| {
+            (
+                p.stress_mpa(&law) - p.nominal_stress_mpa,
+                p.nominal_stress_mpa,
+            )
+        })
         .collect();
     let count = differences.len() as f64;
     let average = differences.iter().map(|d| d.1).sum::<f64>() / count;
@@ -219,11 +263,18 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
         Some((d.0 / reference).powi(2))
     };
     let pulls: Vec<f64> = pulls.filter_map(relative).collect();
-    let modes = Mode::ALL.into_iter().filter_map(|mode| mode_error(mode, &law, problem, hoop)).collect();
+    let modes = Mode::ALL
+        .into_iter()
+        .filter_map(|mode| mode_error(mode, &law, problem, hoop))
+        .collect();
     let unstable_from_hoop_stretch = muscle_unstable_from(&law, hoop);
     let quality = LawQuality {
         shear_modulus_mpa: law.shear_modulus_mpa(),
-        r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },
+        r_squared: if spread > 0.0 {
+            1.0 - left / spread
+        } else {
+            0.0
+        },
         free_r_squared: None,
         rms_mpa: (left / count).sqrt(),
         relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
@@ -232,20 +283,35 @@ fn judged(form: Form, constrained: bool, raw: Raw, problem: &Problem, hoop: f64)
         stable: unstable_from_hoop_stretch.is_none() && law.clone().validated().is_ok(),
         unstable_from_hoop_stretch,
     };
-    Ok(FittedLaw { form, constrained, quality, parameters, modes, held_out: vec![], law })
+    Ok(FittedLaw {
+        form,
+        constrained,
+        quality,
+        parameters,
+        modes,
+        held_out: vec![],
+        law,
+    })
 }
 
 fn mode_error(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
     let errors = StressErrors::for_law(law, problem.points.iter().filter(|p| p.mode == mode));
     let stable_to_stretch = stable_to(mode, law, errors.to_stretch.max(hoop));
-    (errors.points > 0).then_some(ModeError { mode, errors, stable_to_stretch })
+    (errors.points > 0).then_some(ModeError {
+        mode,
+        errors,
+        stable_to_stretch,
+    })
 }
 
 /// Stretch from which on a law is unstable in a test, walking from rest.
 fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
     const STEPS: u32 = 400;
     let stretch = |i: u32| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS);
-    let unstable = |l: &f64| mode.across(*l).is_some_and(|across| !is_stable_at(law, *l, across));
+    let unstable = |l: &f64| {
+        mode.across(*l)
+            .is_some_and(|across| !is_stable_at(law, *l, across))
+    };
     (0..=STEPS).map(stretch).find(unstable)
 }
 
@@ -256,7 +322,8 @@ pub struct HeldOutError {
     pub mode: Option<Mode>,
     #[serde(flatten)]
     pub errors: StressErrors,
-    /// Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less one.
+    /// Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less
+    /// one.
     pub stiffer: f64,
 }
 
@@ -269,15 +336,26 @@ fn held_out_error(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Op
     let errors = StressErrors::for_law(law, points.iter().copied());
     let stiffer = both / all - 1.0;
     // Beyond the stretch at which a law locks it has no stress.
-    let sound = errors.relative.is_finite() && stiffer.is_finite() && law.shear_modulus_mpa().is_finite();
-    (!points.is_empty() && sound).then_some(HeldOutError { mode, errors, stiffer })
+    let sound =
+        errors.relative.is_finite() && stiffer.is_finite() && law.shear_modulus_mpa().is_finite();
+    (!points.is_empty() && sound).then_some(HeldOutError {
+        mode,
+        errors,
+        stiffer,
+    })
 }
 
 /// By mode, and over the states of a muscle up to a hoop stretch.
 pub(super) fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
-    let chosen = |keep: &dyn Fn(&TensionPoint) -> bool| points.iter().filter(|p| keep(p)).collect::<Vec<_>>();
+    let chosen = |keep: &dyn Fn(&TensionPoint) -> bool| {
+        points.iter().filter(|p| keep(p)).collect::<Vec<_>>()
+    };
     let by_mode = |mode| held_out_error(Some(mode), law, &chosen(&|p| p.mode == mode));
     let mut out: Vec<HeldOutError> = Mode::ALL.into_iter().filter_map(by_mode).collect();
-    out.extend(held_out_error(None, law, &chosen(&|p| p.is_of_a_muscle(hoop))));
+    out.extend(held_out_error(
+        None,
+        law,
+        &chosen(&|p| p.is_of_a_muscle(hoop)),
+    ));
     out
 }

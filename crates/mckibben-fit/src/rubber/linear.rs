@@ -1,13 +1,15 @@
-//! Laws whose stress is linear in their constants, as it is seen from the law: neo-Hookean, Mooney–Rivlin, Yeoh.
+//! Laws whose stress is linear in their constants, as it is seen from the law: neo-Hookean,
+//! Mooney–Rivlin, Yeoh.
 //!
-//! The constants free, or such that the law is stable wherever a muscle wall may be. With x = ln λθ, y = ln λz, Hill's
-//! inequality (see [`is_stable_at`](mckibben::rubber::is_stable_at)) asks the Hessian H(c) of ŵ to be positive definite, and
-//! H is linear in the constants c. So in every state
+//! The constants free, or such that the law is stable wherever a muscle wall may be. With x = ln
+//! λθ, y = ln λz, Hill's inequality (see [`is_stable_at`](mckibben::rubber::is_stable_at)) asks the
+//! Hessian H(c) of ŵ to be positive definite, and H is linear in the constants c. So in every state
 //!
 //!   vᵀ H(c) v = Σ cᵢ vᵀ Hᵢ v ≥ 0.001 μ    for every unit vector v,
 //!
-//! a convex set, which is cut out step by step: solve, look for the state and v where it is violated most, add that
-//! inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703). Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
+//! a convex set, which is cut out step by step: solve, look for the state and v where it is
+//! violated most, add that inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703).
+//! Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
 
 use super::convex::{Inequality, normal, solve};
 use super::problem::{Problem, Raw};
@@ -23,8 +25,20 @@ struct Linear<'a> {
 
 impl Residuals for Linear<'_> {
     fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        let row = |k: usize| self.columns.iter().zip(x).map(|(c, x)| c[k] * x).sum::<f64>();
-        Some(self.measured.iter().enumerate().map(|(k, b)| row(k) - b).collect())
+        let row = |k: usize| {
+            self.columns
+                .iter()
+                .zip(x)
+                .map(|(c, x)| c[k] * x)
+                .sum::<f64>()
+        };
+        Some(
+            self.measured
+                .iter()
+                .enumerate()
+                .map(|(k, b)| row(k) - b)
+                .collect(),
+        )
     }
 
     fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
@@ -33,11 +47,14 @@ impl Residuals for Linear<'_> {
 }
 
 fn columns(basis: &[Law], problem: &Problem) -> Option<Vec<Vec<f64>>> {
-    basis.iter().map(|law| problem.scaled_stresses(law)).collect()
+    basis
+        .iter()
+        .map(|law| problem.scaled_stresses(law))
+        .collect()
 }
 
-/// Size of the constant of a basis law: with it that law gives, in planar tension to the largest I1 − 3 = (λ − 1/λ)² of the
-/// data, the stress μ (λ − λ⁻³) of the modulus.
+/// Size of the constant of a basis law: with it that law gives, in planar tension to the largest I1
+/// − 3 = (λ − 1/λ)² of the data, the stress μ (λ − λ⁻³) of the modulus.
 fn scale(basis: &Law, problem: &Problem) -> f64 {
     let x = problem.largest_i1_minus_3().max(1e-6);
     let stretch = 0.5 * (x.sqrt() + (x + 4.0).sqrt());
@@ -46,9 +63,16 @@ fn scale(basis: &Law, problem: &Problem) -> f64 {
 
 pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
-    let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
-    let linear = Linear { columns: &columns, measured: problem.measured() };
-    let fit = estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| no_fit(form, e))?;
+    let unknowns: Vec<Unknown> = basis
+        .iter()
+        .map(|law| Unknown::free(0.0, scale(law, problem)))
+        .collect();
+    let linear = Linear {
+        columns: &columns,
+        measured: problem.measured(),
+    };
+    let fit = estimate(&linear, &unknowns, &problem.weights, Loss::Squares)
+        .map_err(|e| no_fit(form, e))?;
     Ok(Raw {
         constants: fit.x,
         standard_errors: fit.standard_errors,
@@ -62,31 +86,66 @@ pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> 
 const CUTS: usize = 40;
 
 /// The fit among the laws that are stable in a muscle.
-pub(super) fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -> Result<Raw> {
+pub(super) fn stable(
+    form: Form,
+    basis: &[Law],
+    problem: &Problem,
+    hoop_stretch: f64,
+) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let (n, d) = normal(&columns, &problem.measured(), &problem.weights);
     let margin = 1e-3 * problem.modulus_mpa;
     let states: Vec<Vec<[f64; 3]>> = muscle_states(hoop_stretch)
-        .map(|(hoop, axial)| basis.iter().map(|law| log_hessian(law, hoop, axial)).collect())
+        .map(|(hoop, axial)| {
+            basis
+                .iter()
+                .map(|law| log_hessian(law, hoop, axial))
+                .collect()
+        })
         .collect();
     let positive = form.kind().held_positive.is_some();
-    let mut cuts = if positive { Inequality::positive(basis.len()) } else { vec![] };
+    let mut cuts = if positive {
+        Inequality::positive(basis.len())
+    } else {
+        vec![]
+    };
     for _ in 0..CUTS {
-        let solution = solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
-        let worst = states.iter().map(|s| deepest(s, &solution.x)).min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((depth, g)) = worst else { return Err(no_fit(form, "no states")) };
+        let solution =
+            solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
+        let worst = states
+            .iter()
+            .map(|s| deepest(s, &solution.x))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((depth, g)) = worst else {
+            return Err(no_fit(form, "no states"));
+        };
         // The iteration ends within half of the margin.
         if depth >= 0.5 * margin {
-            let freedom = (problem.counting() + solution.active.len()).saturating_sub(basis.len()).max(1);
-            let squares = form.law_of(&solution.x).and_then(|law| problem.squares(&law));
-            let deviation =
-                (squares.ok_or_else(|| no_fit(form, "a stress is not finite"))? / freedom as f64).sqrt();
+            let freedom = (problem.counting() + solution.active.len())
+                .saturating_sub(basis.len())
+                .max(1);
+            let squares = form
+                .law_of(&solution.x)
+                .and_then(|law| problem.squares(&law));
+            let deviation = (squares.ok_or_else(|| no_fit(form, "a stress is not finite"))?
+                / freedom as f64)
+                .sqrt();
             let at_bound = |i: usize| {
-                let alone = |k: &usize| cuts[*k].g.iter().enumerate().all(|(j, g)| (j == i) == (*g != 0.0));
+                let alone = |k: &usize| {
+                    cuts[*k]
+                        .g
+                        .iter()
+                        .enumerate()
+                        .all(|(j, g)| (j == i) == (*g != 0.0))
+                };
                 solution.active.iter().any(alone)
             };
             return Ok(Raw {
-                standard_errors: solution.variances.iter().map(|v| deviation * v.sqrt()).collect(),
+                standard_errors: solution
+                    .variances
+                    .iter()
+                    .map(|v| deviation * v.sqrt())
+                    .collect(),
                 at_bound: (0..basis.len()).map(at_bound).collect(),
                 scales: basis.iter().map(|law| scale(law, problem)).collect(),
                 constants: solution.x,

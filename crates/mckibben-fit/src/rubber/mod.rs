@@ -1,18 +1,20 @@
 //! A rubber law from tension tests.
 //!
-//! [`read_tension`] reads uniaxial, planar, equibiaxial and general biaxial tests; [`fit_tension`] finds the constants of every law by
-//! least squares of the nominal stress,
+//! [`read_tension`] reads uniaxial, planar, equibiaxial and general biaxial tests; [`fit_tension`]
+//! finds the constants of every law by least squares of the nominal stress,
 //!
 //!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
 //!
-//! with standard errors (see [`estimate`](crate::least_squares::estimate)), R² = 1 − Σ(P − P_m)²/Σ(P_m − mean)² (always
-//! of the stresses, not weighted), and Akaike's criterion for small samples (Hurvich & Tsai 1989 \[hurvich1989\]), k constants and s²:
+//! with standard errors (see [`estimate`](crate::least_squares::estimate)), R² = 1 − Σ(P −
+//! P_m)²/Σ(P_m − mean)² (always of the stresses, not weighted), and Akaike's criterion for small
+//! samples (Hurvich & Tsai 1989 \[hurvich1989\]), k constants and s²:
 //!
 //!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2).
 //!
-//! It checks where a law is stable: over the stretches of a muscle wall, and in the three tests. A law that is not is
-//! fitted again among those that are. Standard errors take the errors of the points as independent; neighbouring points
-//! of one test err alike, so that the true errors are larger.
+//! It checks where a law is stable: over the stretches of a muscle wall, and in the three tests. A
+//! law that is not is fitted again among those that are. Standard errors take the errors of the
+//! points as independent; neighbouring points of one test err alike, so that the true errors are
+//! larger.
 
 mod convex;
 mod data;
@@ -43,8 +45,8 @@ pub(crate) use warning::MODULI;
 /// Fits laws to points.
 ///
 /// # Errors
-/// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has a fit, why the first one
-/// has none.
+/// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has
+/// a fit, why the first one has none.
 pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit> {
     fit_tension_with(points, settings, &Silent)
 }
@@ -56,20 +58,37 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit> {
     check(settings)?;
-    let history = || runs::Sorted { kept: points.to_vec(), ..Default::default() };
-    let sorted = if settings.history { history() } else { runs::sort(points) };
+    let history = || runs::Sorted {
+        kept: points.to_vec(),
+        ..Default::default()
+    };
+    let sorted = if settings.history {
+        history()
+    } else {
+        runs::sort(points)
+    };
     let mut warnings = warning::for_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
-    let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);
-    let is_fitted = |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
+    let within = sorted
+        .kept
+        .into_iter()
+        .filter(|p| p.plane_stretch() <= limit);
+    let is_fitted =
+        |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
     let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
-    let problem = Problem::new(used, settings.measure, settings.balance, &settings.mode_weights);
+    let problem = Problem::new(
+        used,
+        settings.measure,
+        settings.balance,
+        &settings.mode_weights,
+    );
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
         let modulus_mpa = problem.modulus_mpa;
         return Err(TensionFitError::Refused(format!(
-            "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
+            "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the \
+             stretch is above 1; check the columns and their signs"
         )));
     }
     let fitted_to_stretch = problem.fitted_to_stretch();
@@ -93,8 +112,15 @@ pub fn fit_tension_with(
         return Err(error.clone());
     }
     let recommended = standing::recommended(&laws, &problem.points);
-    warnings.extend(warning::for_points(&problem, fitted_to_stretch, settings.hoop_stretch));
-    warnings.extend(laws.iter().flat_map(|l| warning::for_law(l, settings.hoop_stretch)));
+    warnings.extend(warning::for_points(
+        &problem,
+        fitted_to_stretch,
+        settings.hoop_stretch,
+    ));
+    warnings.extend(
+        laws.iter()
+            .flat_map(|l| warning::for_law(l, settings.hoop_stretch)),
+    );
     let left_out = points.len() - count - held_out.len();
     Ok(TensionFit {
         points: problem.points,
@@ -110,15 +136,32 @@ pub fn fit_tension_with(
 
 fn check(settings: &FitSettings) -> Result<()> {
     let bad = |what, value, expected| {
-        Err(TensionFitError::Refused(format!("{what} is {value}; it must be {expected}")))
+        Err(TensionFitError::Refused(format!(
+            "{what} is {value}; it must be {expected}"
+        )))
     };
-    if let Some(limit) = settings.up_to_stretch.filter(|l| !(*l > 1.0 && l.is_finite())) {
-        return bad("the largest stretch", limit, "above 1 (a stretch, or a strain such as 200%)");
+    if let Some(limit) = settings
+        .up_to_stretch
+        .filter(|l| !(*l > 1.0 && l.is_finite()))
+    {
+        return bad(
+            "the largest stretch",
+            limit,
+            "above 1 (a stretch, or a strain such as 200%)",
+        );
     }
     if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
-        return bad("the hoop stretch", settings.hoop_stretch, "above 1 and at most 10");
+        return bad(
+            "the hoop stretch",
+            settings.hoop_stretch,
+            "above 1 and at most 10",
+        );
     }
-    match settings.mode_weights.iter().find(|w| !(w.1 >= 0.0 && w.1.is_finite())) {
+    match settings
+        .mode_weights
+        .iter()
+        .find(|w| !(w.1 >= 0.0 && w.1.is_finite()))
+    {
         Some(w) => bad("a weight", w.1, "zero or above"),
         None => Ok(()),
     }
@@ -126,12 +169,21 @@ fn check(settings: &FitSettings) -> Result<()> {
 
 /// The requested laws, or all, that the number of points determines.
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
-    let requested = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
-    let forms: Vec<Form> = requested.iter().copied().filter(|f| points >= f.fewest_points()).collect();
+    let requested = if settings.forms.is_empty() {
+        Form::all()
+    } else {
+        settings.forms.clone()
+    };
+    let forms: Vec<Form> = requested
+        .iter()
+        .copied()
+        .filter(|f| points >= f.fewest_points())
+        .collect();
     match (forms.is_empty(), requested.first()) {
         (true, Some(first)) => {
             let (name, fewest) = (first.name(), first.fewest_points());
-            let message = format!("{points} points are too few for {name}: it takes {fewest} or more");
+            let message =
+                format!("{points} points are too few for {name}: it takes {fewest} or more");
             Err(TensionFitError::TooFew(message))
         }
         _ => Ok(forms),
@@ -172,7 +224,8 @@ pub struct FitSettings {
     /// The laws; none means all that the number of points determines.
     pub forms: Vec<Form>,
     pub measure: Measure,
-    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
+    /// Give every mode the same weight, whatever its number of points. Else every point counts
+    /// alike.
     pub balance: bool,
     /// A factor on the weights of a mode.
     pub mode_weights: Vec<(Mode, f64)>,

@@ -1,9 +1,11 @@
-//! Laws whose stress is not linear in their constants: moduli, plain numbers within their bounds, and limits.
+//! Laws whose stress is not linear in their constants: moduli, plain numbers within their bounds,
+//! and limits.
 //!
-//! A limit is the constant that says where the chains lock, such as Jm of Gent's law. With Y its value for a law that
-//! locks at the last point of the data it is sought as q = Y/limit: q = 0 is a chain that never locks and q = 1 one that
-//! locks at the last point, so q has two ends where the limit has none. Standard error of the limit Y/q: Y/q² times that
-//! of q. The fit begins at several q and the lowest minimum is taken.
+//! A limit is the constant that says where the chains lock, such as Jm of Gent's law. With Y its
+//! value for a law that locks at the last point of the data it is sought as q = Y/limit: q = 0 is a
+//! chain that never locks and q = 1 one that locks at the last point, so q has two ends where the
+//! limit has none. Standard error of the limit Y/q: Y/q² times that of q. The fit begins at several
+//! q and the lowest minimum is taken.
 
 use super::problem::{Problem, Raw};
 use super::{Result, no_fit};
@@ -65,10 +67,17 @@ fn limit(form: Form, law: &Law, i1_minus_3: f64) -> Option<Limit> {
         if middle <= low || middle >= high {
             break;
         }
-        if locks(middle) { low = middle } else { high = middle }
+        if locks(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     debug_assert_eq!(form.constants(), constants.len());
-    Some(Limit { place, at_data: high })
+    Some(Limit {
+        place,
+        at_data: high,
+    })
 }
 
 /// I1 − 3 that a muscle wall reaches, at either end of its axial stretches.
@@ -77,37 +86,66 @@ fn muscle_i1_minus_3(hoop: f64) -> f64 {
     i1(MUSCLE_AXIAL_STRETCH.0).max(i1(MUSCLE_AXIAL_STRETCH.1))
 }
 
-/// The fit; with the hoop stretch of a muscle the limit is kept a little beyond what its wall reaches.
+/// The fit; with the hoop stretch of a muscle the limit is kept a little beyond what its wall
+/// reaches.
 pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
     let mu = problem.modulus_mpa;
-    let example = form.example().ok_or_else(|| no_fit(form, "its constants are not complete"))?;
+    let example = form
+        .example()
+        .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let law = example.scaled(mu / example.shear_modulus_mpa());
     let limit_at = |i1: f64| limit(form, &law, i1);
     let limit = limit_at(problem.largest_i1_minus_3());
-    let high = match (limit, hoop.and_then(|hoop| limit_at(muscle_i1_minus_3(hoop)))) {
+    let high = match (
+        limit,
+        hoop.and_then(|hoop| limit_at(muscle_i1_minus_3(hoop))),
+    ) {
         (Some(data), Some(muscle)) => (data.at_data / (1.02 * muscle.at_data)).min(0.999),
         _ => 0.999,
     };
-    let residuals = Unknowns { form, problem, limit };
+    let residuals = Unknowns {
+        form,
+        problem,
+        limit,
+    };
     let mut best: Option<(f64, Raw)> = None;
     let mut why = String::new();
-    for start in if limit.is_some() { &STARTS[..] } else { &STARTS[..1] } {
+    for start in if limit.is_some() {
+        &STARTS[..]
+    } else {
+        &STARTS[..1]
+    } {
         let one = |(i, c): (usize, mckibben::rubber::ConstantValue)| {
             let (low, up) = c.constant.bounds;
             match limit {
-                Some(limit) if limit.place == i => {
-                    Unknown { start: LOWEST + (high - LOWEST) * start, low: LOWEST, high, scale: 1.0 }
-                }
-                _ if c.constant.is_modulus() && low == 0.0 => {
-                    Unknown { start: c.value, low: 1e-3 * mu, high: 1e3 * mu, scale: mu }
-                }
+                Some(limit) if limit.place == i => Unknown {
+                    start: LOWEST + (high - LOWEST) * start,
+                    low: LOWEST,
+                    high,
+                    scale: 1.0,
+                },
+                _ if c.constant.is_modulus() && low == 0.0 => Unknown {
+                    start: c.value,
+                    low: 1e-3 * mu,
+                    high: 1e3 * mu,
+                    scale: mu,
+                },
                 _ if c.constant.is_modulus() => Unknown::free(c.value, mu),
-                _ => Unknown { start: c.value, low, high: up, scale: c.value.abs().max(0.1) },
+                _ => Unknown {
+                    start: c.value,
+                    low,
+                    high: up,
+                    scale: c.value.abs().max(0.1),
+                },
             }
         };
         let unknowns: Vec<Unknown> = law.constants().into_iter().enumerate().map(one).collect();
         match estimate(&residuals, &unknowns, &problem.weights, Loss::Squares) {
-            Ok(fit) if best.as_ref().is_none_or(|b| b.0 > fit.squares * (1.0 + 1e-9)) => {
+            Ok(fit)
+                if best
+                    .as_ref()
+                    .is_none_or(|b| b.0 > fit.squares * (1.0 + 1e-9)) =>
+            {
                 let mut standard_errors = fit.standard_errors;
                 if let Some(Limit { place, at_data }) = limit {
                     standard_errors[place] *= at_data / fit.x[place].powi(2);

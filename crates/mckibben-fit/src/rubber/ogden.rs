@@ -1,9 +1,11 @@
-//! Ogden's law, P = Σ μᵢ (λ1^αᵢ − λ3^αᵢ)/λ1, of a difference of true stresses Σ μᵢ (λ1^αᵢ − λ2^αᵢ)/max(λ1, λ2).
+//! Ogden's law, P = Σ μᵢ (λ1^αᵢ − λ3^αᵢ)/λ1, of a difference of true stresses Σ μᵢ (λ1^αᵢ −
+//! λ2^αᵢ)/max(λ1, λ2).
 //!
-//! Every term has μᵢ αᵢ ≥ 0, which makes ŵ convex in the logarithms of the stretches: stable at any stretch (R. W. Ogden,
-//! Proc. R. Soc. Lond. A 326 (1972) 565). The sum of squares has many minima. Starts are all sets of exponents from
-//! a list, each with the moduli ≥ 0 that suit it best (linear least squares); the best of them are followed to their
-//! minimum, and the lowest is taken. The list is fixed, so the same data give the same law.
+//! Every term has μᵢ αᵢ ≥ 0, which makes ŵ convex in the logarithms of the stretches: stable at any
+//! stretch (R. W. Ogden, Proc. R. Soc. Lond. A 326 (1972) 565). The sum of squares has many minima.
+//! Starts are all sets of exponents from a list, each with the moduli ≥ 0 that suit it best (linear
+//! least squares); the best of them are followed to their minimum, and the lowest is taken. The
+//! list is fixed, so the same data give the same law.
 
 use super::convex::{Inequality, normal, solve, subsets};
 use super::problem::{Problem, Raw};
@@ -12,7 +14,9 @@ use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben::cancel;
 use mckibben::rubber::{Form, Law, Ogden};
 
-const EXPONENTS: [f64; 14] = [0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0];
+const EXPONENTS: [f64; 14] = [
+    0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0,
+];
 /// Smallest and largest |α|.
 const RANGE: (f64, f64) = (0.2, 25.0);
 /// Starts that are followed.
@@ -26,7 +30,11 @@ struct Terms<'a> {
 
 impl Terms<'_> {
     fn law(&self, x: &[f64]) -> Law {
-        let terms = x.chunks_exact(2).zip(&self.signs).map(|(t, s)| (s * t[0], s * t[1])).collect();
+        let terms = x
+            .chunks_exact(2)
+            .zip(&self.signs)
+            .map(|(t, s)| (s * t[0], s * t[1]))
+            .collect();
         Law::Ogden(Ogden { terms })
     }
 }
@@ -43,7 +51,11 @@ impl Residuals for Terms<'_> {
             let (mut by_mu, mut by_alpha) = (vec![], vec![]);
             for (p, d) in self.problem.points.iter().zip(&self.problem.divisors) {
                 let [l1, l2, l3] = p.stretches();
-                let (less, over) = if p.difference { (l2, l1.max(l2)) } else { (l3, l1) };
+                let (less, over) = if p.difference {
+                    (l2, l1.max(l2))
+                } else {
+                    (l3, l1)
+                };
                 let (up, down) = (l1.powf(alpha) / over, less.powf(alpha) / over);
                 by_mu.push(s * (up - down) / d);
                 by_alpha.push(s * mu * (l1.ln() * up - less.ln() * down) / d);
@@ -63,28 +75,54 @@ struct Start {
 fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     let measured = problem.measured();
     let column = |alpha: f64| {
-        let unit = Law::Ogden(Ogden { terms: vec![(alpha.signum(), alpha)] });
+        let unit = Law::Ogden(Ogden {
+            terms: vec![(alpha.signum(), alpha)],
+        });
         problem.scaled_stresses(&unit)
     };
-    let columns: Vec<(f64, Vec<f64>)> =
-        EXPONENTS.into_iter().filter_map(|alpha| Some((alpha, column(alpha)?))).collect();
+    let columns: Vec<(f64, Vec<f64>)> = EXPONENTS
+        .into_iter()
+        .filter_map(|alpha| Some((alpha, column(alpha)?)))
+        .collect();
     let (exponents, columns): (Vec<f64>, Vec<Vec<f64>>) = columns.into_iter().unzip();
     let (all, right) = normal(&columns, &measured, &problem.weights);
     let mut out = vec![];
-    for places in subsets(columns.len(), count).into_iter().filter(|set| set.len() == count) {
+    for places in subsets(columns.len(), count)
+        .into_iter()
+        .filter(|set| set.len() == count)
+    {
         if cancel::check().is_err() {
             break;
         }
-        let (n, d) = (all.select_rows(&places).select_columns(&places), right.select_rows(&places));
-        let Some(solution) = solve(&n, &d, &Inequality::positive(count)) else { continue };
+        let (n, d) = (
+            all.select_rows(&places).select_columns(&places),
+            right.select_rows(&places),
+        );
+        let Some(solution) = solve(&n, &d, &Inequality::positive(count)) else {
+            continue;
+        };
         if solution.x.iter().any(|x| *x <= 0.0) {
             continue;
         }
-        let terms = places.iter().zip(&solution.x).map(|(&k, x)| (*x, exponents[k])).collect();
+        let terms = places
+            .iter()
+            .zip(&solution.x)
+            .map(|(&k, x)| (*x, exponents[k]))
+            .collect();
         let residual = |i: usize| {
-            places.iter().zip(&solution.x).map(|(&k, x)| x * columns[k][i]).sum::<f64>() - measured[i]
+            places
+                .iter()
+                .zip(&solution.x)
+                .map(|(&k, x)| x * columns[k][i])
+                .sum::<f64>()
+                - measured[i]
         };
-        let squares = problem.weights.iter().enumerate().map(|(i, w)| w * residual(i).powi(2)).sum();
+        let squares = problem
+            .weights
+            .iter()
+            .enumerate()
+            .map(|(i, w)| w * residual(i).powi(2))
+            .sum();
         out.push(Start { squares, terms });
     }
     out.sort_by(|a, b| a.squares.total_cmp(&b.squares));
@@ -96,25 +134,45 @@ pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw> {
     let count = form.terms().unwrap_or(1);
     let mut best: Option<(Vec<f64>, Estimate)> = None;
     let mut why = None;
-    // The residuals of exact data are rounding, and in planar tension α and −α are one law: then exponents above zero are taken.
-    let all: f64 = problem.measured().iter().zip(&problem.weights).map(|(m, w)| w * m * m).sum();
+    // The residuals of exact data are rounding, and in planar tension α and −α are one law: then
+    // exponents above zero are taken.
+    let all: f64 = problem
+        .measured()
+        .iter()
+        .zip(&problem.weights)
+        .map(|(m, w)| w * m * m)
+        .sum();
     for start in starts(count, problem) {
         let signs: Vec<f64> = start.terms.iter().map(|t| t.1.signum()).collect();
         let unknowns: Vec<Unknown> = start
             .terms
             .iter()
             .flat_map(|&(mu, alpha)| {
-                let exponent = Unknown { start: alpha.abs(), low: RANGE.0, high: RANGE.1, scale: 1.0 };
+                let exponent = Unknown {
+                    start: alpha.abs(),
+                    low: RANGE.0,
+                    high: RANGE.1,
+                    scale: 1.0,
+                };
                 [Unknown::above(mu, 0.0, mu), exponent]
             })
             .collect();
-        let terms = Terms { problem, signs: signs.clone() };
+        let terms = Terms {
+            problem,
+            signs: signs.clone(),
+        };
         match estimate(&terms, &unknowns, &problem.weights, Loss::Squares) {
             Ok(fit) => {
                 let better = |(best_signs, best): &(Vec<f64>, Estimate)| {
-                    let alike = (fit.squares - best.squares).abs() <= 1e-9 * best.squares + 1e-14 * all;
-                    let (sum, best_sum) = (signs.iter().sum::<f64>(), best_signs.iter().sum::<f64>());
-                    if alike { sum > best_sum } else { fit.squares < best.squares }
+                    let alike =
+                        (fit.squares - best.squares).abs() <= 1e-9 * best.squares + 1e-14 * all;
+                    let (sum, best_sum) =
+                        (signs.iter().sum::<f64>(), best_signs.iter().sum::<f64>());
+                    if alike {
+                        sum > best_sum
+                    } else {
+                        fit.squares < best.squares
+                    }
                 };
                 if best.as_ref().is_none_or(better) {
                     best = Some((signs, fit));

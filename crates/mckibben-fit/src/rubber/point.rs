@@ -1,18 +1,31 @@
-//! A measured point: two stretches in the plane of the specimen and one stress. A sheet with two stresses is two points.
+//! A measured point: two stretches in the plane of the specimen and one stress. A sheet with two
+//! stresses is two points.
 //!
-//! With λ1 along the stress, λ2 across and λ3 = 1/(λ1 λ2) through the thickness, σ3 = 0 and wᵢ = ∂w/∂λᵢ,
+//! With λ1 along the stress, λ2 across and λ3 = 1/(λ1 λ2) through the thickness, σ3 = 0 and wᵢ =
+//! ∂w/∂λᵢ,
 //!
 //!   P1 = w1 − (λ3/λ1) w3,      σ1 − σ2 = λ1 w1 − λ2 w2.
 //!
-//! A difference of true stresses is kept as (σ1 − σ2)/max(λ1, λ2): the nominal stress along the longer side of a specimen
-//! that is pulled with its thickness held, so that squares of it compare with those of nominal stresses.
+//! A difference of true stresses is kept as (σ1 − σ2)/max(λ1, λ2): the nominal stress along the
+//! longer side of a specimen that is pulled with its thickness held, so that squares of it compare
+//! with those of nominal stresses.
 
 use mckibben::rubber::{MUSCLE_AXIAL_STRETCH, RubberLaw};
 use serde::{Deserialize, Serialize};
 
 /// How a specimen is stretched.
 #[derive(
-    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize, schemars::JsonSchema,
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Default,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Mode {
@@ -30,15 +43,42 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Mode; 4] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial, Mode::General];
+    pub const ALL: [Mode; 4] = [
+        Mode::Uniaxial,
+        Mode::Planar,
+        Mode::Equibiaxial,
+        Mode::General,
+    ];
     /// Those with one independent stretch.
     pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
-    pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
+    pub const WORDS: &'static str =
+        "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
     /// The spellings of each, its name first.
     const SPELLINGS: [&'static [&'static str]; 4] = [
-        &["uniaxial", "uniaxialtension", "simpletension", "tension", "tensile", "ut"],
-        &["planar", "planartension", "pureshear", "constrainedtension", "pt", "ps"],
-        &["equibiaxial", "equibiaxialtension", "biaxial", "biaxialtension", "et", "eb"],
+        &[
+            "uniaxial",
+            "uniaxialtension",
+            "simpletension",
+            "tension",
+            "tensile",
+            "ut",
+        ],
+        &[
+            "planar",
+            "planartension",
+            "pureshear",
+            "constrainedtension",
+            "pt",
+            "ps",
+        ],
+        &[
+            "equibiaxial",
+            "equibiaxialtension",
+            "biaxial",
+            "biaxialtension",
+            "et",
+            "eb",
+        ],
         &["general", "generalbiaxial", "generalbiaxialtension", "bt"],
     ];
 
@@ -50,7 +90,9 @@ impl Mode {
     pub fn parse(word: &str) -> Option<Self> {
         let plain: String = word.chars().filter(|c| c.is_alphanumeric()).collect();
         let plain = plain.to_lowercase();
-        Self::ALL.into_iter().find(|mode| Self::SPELLINGS[*mode as usize].contains(&plain.as_str()))
+        Self::ALL
+            .into_iter()
+            .find(|mode| Self::SPELLINGS[*mode as usize].contains(&plain.as_str()))
     }
 
     /// λ2 for λ1; `None` in a general test, where it is measured.
@@ -63,7 +105,8 @@ impl Mode {
         }
     }
 
-    /// Nominal stress of a law, in MPa; `None` in a general test, which has two independent stretches.
+    /// Nominal stress of a law, in MPa; `None` in a general test, which has two independent
+    /// stretches.
     pub fn nominal_stress_mpa<L: RubberLaw + ?Sized>(self, law: &L, stretch: f64) -> Option<f64> {
         match self {
             Mode::Uniaxial => Some(law.uniaxial_stress_mpa(stretch)),
@@ -97,27 +140,50 @@ pub struct TensionPoint {
 }
 
 impl TensionPoint {
-    /// A point of a mode with one independent stretch; in a general test a sheet that is not stretched across.
+    /// A point of a mode with one independent stretch; in a general test a sheet that is not
+    /// stretched across.
     pub fn new(mode: Mode, stretch: f64, nominal_stress_mpa: f64) -> Self {
         let across = mode.across(stretch).unwrap_or(1.0);
-        Self { mode, stretch, across, nominal_stress_mpa, difference: false }
+        Self {
+            mode,
+            stretch,
+            across,
+            nominal_stress_mpa,
+            difference: false,
+        }
     }
 
     /// A point of a sheet with one stretch along and one across the stress.
     pub fn general(stretch: f64, across: f64, nominal_stress_mpa: f64) -> Self {
-        Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: false }
+        Self {
+            mode: Mode::General,
+            stretch,
+            across,
+            nominal_stress_mpa,
+            difference: false,
+        }
     }
 
     /// A point of a sheet of which σ1 − σ2 is known, in MPa.
     pub fn from_difference(stretch_1: f64, stretch_2: f64, true_difference_mpa: f64) -> Self {
         let nominal_stress_mpa = true_difference_mpa / stretch_1.max(stretch_2);
         let (stretch, across) = (stretch_1, stretch_2);
-        Self { mode: Mode::General, stretch, across, nominal_stress_mpa, difference: true }
+        Self {
+            mode: Mode::General,
+            stretch,
+            across,
+            nominal_stress_mpa,
+            difference: true,
+        }
     }
 
     /// λ1, λ2, λ3.
     pub fn stretches(&self) -> [f64; 3] {
-        [self.stretch, self.across, 1.0 / (self.stretch * self.across)]
+        [
+            self.stretch,
+            self.across,
+            1.0 / (self.stretch * self.across),
+        ]
     }
 
     /// The largest of the three.
@@ -127,7 +193,11 @@ impl TensionPoint {
 
     /// The larger stretch in the plane; in a mode of one stretch that one.
     pub fn plane_stretch(&self) -> f64 {
-        if self.mode == Mode::General { self.stretch.max(self.across) } else { self.stretch }
+        if self.mode == Mode::General {
+            self.stretch.max(self.across)
+        } else {
+            self.stretch
+        }
     }
 
     /// I1 − 3.
@@ -137,17 +207,25 @@ impl TensionPoint {
 
     /// The stress of a law in place of the measured one, in MPa.
     pub fn stress_mpa<L: RubberLaw + ?Sized>(&self, law: &L) -> f64 {
-        if let (Some(stress), false) = (self.mode.nominal_stress_mpa(law, self.stretch), self.difference) {
+        if let (Some(stress), false) = (
+            self.mode.nominal_stress_mpa(law, self.stretch),
+            self.difference,
+        ) {
             return stress;
         }
         let [l1, l2, l3] = self.stretches();
         let p = law.principal([l1, l2, l3]);
-        if self.difference { (l1 * p.d[0] - l2 * p.d[1]) / l1.max(l2) } else { p.d[0] - l3 / l1 * p.d[2] }
+        if self.difference {
+            (l1 * p.d[0] - l2 * p.d[1]) / l1.max(l2)
+        } else {
+            p.d[0] - l3 / l1 * p.d[2]
+        }
     }
 
-    /// The reference of relative differences: the measured stress of a specimen of one stretch, if it pulls where that is longer
-    /// than at rest; in a general test, where a stress may pass through zero, the larger of the two stresses that a
-    /// neo-Hookean rubber of this modulus has in the same state.
+    /// The reference of relative differences: the measured stress of a specimen of one stretch, if
+    /// it pulls where that is longer than at rest; in a general test, where a stress may pass
+    /// through zero, the larger of the two stresses that a neo-Hookean rubber of this modulus has
+    /// in the same state.
     pub(super) fn reference_mpa(&self, modulus_mpa: f64) -> Option<f64> {
         if self.mode != Mode::General {
             let pulls = self.nominal_stress_mpa * (self.stretch - 1.0) > 0.0;
@@ -158,8 +236,8 @@ impl TensionPoint {
         (size > 0.0).then_some(modulus_mpa * size)
     }
 
-    /// Whether a muscle's wall comes into this state: in some order of the axes the hoop stretch lies between 1 and `hoop`, the axial
-    /// one between 0.6 and 1.1.
+    /// Whether a muscle's wall comes into this state: in some order of the axes the hoop stretch
+    /// lies between 1 and `hoop`, the axial one between 0.6 and 1.1.
     pub fn is_of_a_muscle(&self, hoop: f64) -> bool {
         let l = self.stretches();
         let (low, high) = MUSCLE_AXIAL_STRETCH;

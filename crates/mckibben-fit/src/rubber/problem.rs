@@ -6,7 +6,9 @@ use mckibben::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
 
 /// The objective of a fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Measure {
     /// Differences of nominal stress.
@@ -31,29 +33,59 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    pub fn new(points: Vec<TensionPoint>, measure: Measure, balance: bool, modes: &[(Mode, f64)]) -> Self {
+    pub fn new(
+        points: Vec<TensionPoint>,
+        measure: Measure,
+        balance: bool,
+        modes: &[(Mode, f64)],
+    ) -> Self {
         let (divisors, weights) = (vec![1.0; points.len()], vec![1.0; points.len()]);
-        let alike = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa: 0.0 };
+        let alike = Self {
+            points,
+            divisors,
+            weights,
+            modulus_mpa: 0.0,
+            reference_modulus_mpa: 0.0,
+        };
         let reference_modulus_mpa = alike.neo_hookean_modulus();
         let points = alike.points;
-        let relative_to = |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
+        let relative_to =
+            |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
         let counts = |p: &TensionPoint| measure == Measure::Absolute || relative_to(p).is_some();
         let divisor = |p: &TensionPoint| match measure {
             Measure::Relative => relative_to(p).unwrap_or(1.0),
             Measure::Absolute => 1.0,
         };
         let divisors: Vec<f64> = points.iter().map(divisor).collect();
-        let count = |mode: Mode| points.iter().filter(|p| p.mode == mode && counts(p)).count().max(1);
-        let present = Mode::ALL.iter().filter(|m| points.iter().any(|p| p.mode == **m)).count();
+        let count = |mode: Mode| {
+            points
+                .iter()
+                .filter(|p| p.mode == mode && counts(p))
+                .count()
+                .max(1)
+        };
+        let present = Mode::ALL
+            .iter()
+            .filter(|m| points.iter().any(|p| p.mode == **m))
+            .count();
         let all = points.iter().filter(|p| counts(p)).count();
         let weight = |p: &TensionPoint| {
             let factor = modes.iter().find(|m| m.0 == p.mode).map_or(1.0, |m| m.1);
-            let even =
-                if balance { all as f64 / (present.max(1) as f64 * count(p.mode) as f64) } else { 1.0 };
+            let even = if balance {
+                all as f64 / (present.max(1) as f64 * count(p.mode) as f64)
+            } else {
+                1.0
+            };
             if counts(p) { factor * even } else { 0.0 }
         };
         let weights: Vec<f64> = points.iter().map(weight).collect();
-        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa };
+        let mut out = Self {
+            points,
+            divisors,
+            weights,
+            modulus_mpa: 0.0,
+            reference_modulus_mpa,
+        };
         out.modulus_mpa = out.neo_hookean_modulus();
         out
     }
@@ -64,12 +96,18 @@ impl Problem {
 
     /// Largest principal stretch of the points.
     pub fn fitted_to_stretch(&self) -> f64 {
-        self.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max)
+        self.points
+            .iter()
+            .map(TensionPoint::largest_stretch)
+            .fold(1.0, f64::max)
     }
 
     /// Largest I1 − 3 of the points.
     pub fn largest_i1_minus_3(&self) -> f64 {
-        self.points.iter().map(TensionPoint::i1_minus_3).fold(0.0, f64::max)
+        self.points
+            .iter()
+            .map(TensionPoint::i1_minus_3)
+            .fold(0.0, f64::max)
     }
 
     /// Stresses of a law over the divisors; `None` where it cannot carry a stretch.
@@ -83,14 +121,24 @@ impl Problem {
 
     /// Measured stresses over the divisors.
     pub fn measured(&self) -> Vec<f64> {
-        self.points.iter().zip(&self.divisors).map(|(p, d)| p.nominal_stress_mpa / d).collect()
+        self.points
+            .iter()
+            .zip(&self.divisors)
+            .map(|(p, d)| p.nominal_stress_mpa / d)
+            .collect()
     }
 
     pub fn residuals(&self, law: &Law) -> Option<Vec<f64>> {
         // No residuals of cancelled work: solvers come to their end.
         cancel::check().ok()?;
         let model = self.scaled_stresses(law)?;
-        Some(model.iter().zip(self.measured()).map(|(a, b)| a - b).collect())
+        Some(
+            model
+                .iter()
+                .zip(self.measured())
+                .map(|(a, b)| a - b)
+                .collect(),
+        )
     }
 
     /// Σ w r².
@@ -101,7 +149,9 @@ impl Problem {
 
     fn neo_hookean_modulus(&self) -> f64 {
         let unit = Law::NeoHookean(mckibben::rubber::NeoHookean { mu_mpa: 1.0 });
-        let Some(column) = self.scaled_stresses(&unit) else { return 0.0 };
+        let Some(column) = self.scaled_stresses(&unit) else {
+            return 0.0;
+        };
         let (mut aa, mut ab) = (0.0, 0.0);
         for ((a, b), w) in column.iter().zip(self.measured()).zip(&self.weights) {
             aa += w * a * a;
@@ -116,7 +166,8 @@ pub(super) struct Raw {
     pub constants: Vec<f64>,
     pub standard_errors: Vec<f64>,
     pub at_bound: Vec<bool>,
-    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
+    /// A change of each constant that moves the stress at the end of the data by the modulus; 0
+    /// where it may not be zero.
     pub scales: Vec<f64>,
     pub freedom: usize,
 }

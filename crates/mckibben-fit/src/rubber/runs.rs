@@ -22,13 +22,15 @@ pub(super) struct Sorted {
 pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
     let mut out = Sorted::default();
     // Sheets are held at one state after another: there is no run to be followed.
-    out.kept.extend(points.iter().filter(|p| p.mode == Mode::General));
+    out.kept
+        .extend(points.iter().filter(|p| p.mode == Mode::General));
     for mode in Mode::OF_ONE_STRETCH {
         let tests = points.iter().filter(|p| p.mode == mode).copied();
         let (mut pulled, pressed): (Vec<_>, Vec<_>) = tests.partition(|p| p.stretch >= 1.0);
         out.kept.extend(pressed);
         let mut ends = runs(&pulled);
-        // One run may be listed from its end; points in no order, as collected from several sources, are one run too.
+        // One run may be listed from its end; points in no order, as collected from several
+        // sources, are one run too.
         if ends.len() == 1 || (ends.len() > 2 && ends.len() > pulled.len() / 3) {
             pulled.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
             ends = vec![pulled.len()];
@@ -64,7 +66,9 @@ pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
 fn runs(points: &[TensionPoint]) -> Vec<usize> {
     let (low, high) = points
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.stretch), b.max(p.stretch)));
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
+            (a.min(p.stretch), b.max(p.stretch))
+        });
     let turn = TURN * (high - low);
     let mut ends = vec![];
     // Place and stretch of the last extreme, and the way it went since the last turn.
@@ -92,11 +96,16 @@ fn runs(points: &[TensionPoint]) -> Vec<usize> {
 
 /// How many points of a loading lie before its rupture.
 fn before_rupture(run: &[TensionPoint]) -> usize {
-    let top = run.iter().enumerate().max_by(|a, b| a.1.nominal_stress_mpa.total_cmp(&b.1.nominal_stress_mpa));
+    let top = run
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.nominal_stress_mpa.total_cmp(&b.1.nominal_stress_mpa));
     let Some((at, top)) = top.filter(|t| t.1.nominal_stress_mpa > 0.0 && t.1.stretch > 1.0) else {
         return run.len();
     };
-    let falls = run[at..].iter().any(|p| p.nominal_stress_mpa < FAILED * top.nominal_stress_mpa);
+    let falls = run[at..]
+        .iter()
+        .any(|p| p.nominal_stress_mpa < FAILED * top.nominal_stress_mpa);
     if falls { at + 1 } else { run.len() }
 }
 
@@ -105,13 +114,21 @@ mod tests {
     use super::*;
 
     fn points(list: &[(f64, f64)]) -> Vec<TensionPoint> {
-        let one = |&(stretch, stress): &(f64, f64)| TensionPoint::new(Mode::Uniaxial, stretch, stress);
+        let one =
+            |&(stretch, stress): &(f64, f64)| TensionPoint::new(Mode::Uniaxial, stretch, stress);
         list.iter().map(one).collect()
     }
 
     #[test]
     fn what_comes_after_a_rupture_is_left_out_and_the_next_specimen_is_not() {
-        let one = [(1.0, 0.0), (1.5, 0.2), (2.0, 0.4), (2.1, 0.39), (2.2, 0.02), (2.3, 0.0)];
+        let one = [
+            (1.0, 0.0),
+            (1.5, 0.2),
+            (2.0, 0.4),
+            (2.1, 0.39),
+            (2.2, 0.02),
+            (2.3, 0.0),
+        ];
         let sorted = sort(&points(&one));
         assert_eq!((sorted.kept.len(), sorted.unloadings), (3, 0));
         assert_eq!(sorted.after_rupture, [(Mode::Uniaxial, 3)]);
@@ -121,8 +138,20 @@ mod tests {
 
     #[test]
     fn loops_are_counted_and_kept() {
-        let up = [(1.0, 0.0), (1.2, 0.1), (1.4, 0.2), (1.6, 0.3), (1.8, 0.35), (2.0, 0.4)];
-        let down: Vec<_> = up.iter().rev().skip(1).map(|&(l, s)| (l, 0.8 * s)).collect();
+        let up = [
+            (1.0, 0.0),
+            (1.2, 0.1),
+            (1.4, 0.2),
+            (1.6, 0.3),
+            (1.8, 0.35),
+            (2.0, 0.4),
+        ];
+        let down: Vec<_> = up
+            .iter()
+            .rev()
+            .skip(1)
+            .map(|&(l, s)| (l, 0.8 * s))
+            .collect();
         let both = [&up[..], &down, &up[1..], &down].concat();
         let sorted = sort(&points(&both));
         assert_eq!((sorted.kept.len(), sorted.unloadings), (both.len(), 2));
@@ -131,7 +160,14 @@ mod tests {
 
     #[test]
     fn points_in_no_order_are_one_loading() {
-        let list = [(1.5, 0.2), (1.0, 0.0), (2.0, 0.4), (1.2, 0.1), (1.8, 0.3), (1.1, 0.05)];
+        let list = [
+            (1.5, 0.2),
+            (1.0, 0.0),
+            (2.0, 0.4),
+            (1.2, 0.1),
+            (1.8, 0.3),
+            (1.1, 0.05),
+        ];
         let sorted = sort(&points(&list));
         assert_eq!((sorted.kept.len(), sorted.unloadings), (6, 0));
     }

@@ -1,7 +1,8 @@
 //! An incompressible bar in simple tension, over a history of stretches.
 //!
-//! With the nominal stress P of the law at once (softened, where it softens), σ = λP, the isochoric second Piola–Kirchhoff stresses along
-//! and across are S_a = (2/3) σ λ⁻², S_l = −(1/3) σ λ. Each relaxes by itself; the free sides give the pressure, and
+//! With the nominal stress P of the law at once (softened, where it softens), σ = λP, the isochoric
+//! second Piola–Kirchhoff stresses along and across are S_a = (2/3) σ λ⁻², S_l = −(1/3) σ λ. Each
+//! relaxes by itself; the free sides give the pressure, and
 //!
 //!   P(t) = [λ² S_a(t) − λ⁻¹ S_l(t)]/λ.
 
@@ -36,7 +37,11 @@ pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, Tab
     let (times, stretches, stresses) = (column(0)?, column(1)?, column(2)?);
     let rows = times.into_iter().zip(stretches).zip(stresses);
     Ok(rows
-        .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint { time_s, stretch, nominal_stress_mpa })
+        .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint {
+            time_s,
+            stretch,
+            nominal_stress_mpa,
+        })
         .collect())
 }
 
@@ -57,16 +62,29 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
     /// A bar at rest before its first loading. The law's constants are the instantaneous ones.
     pub fn new(law: &'a L, softening: Option<OgdenRoxburgh>, prony: &'a Prony) -> Self {
         let states = vec![[0.0; 2]; prony.branches.len()];
-        Self { law, softening, prony, w_max_mpa: 0.0, last: [0.0; 2], states, time_s: None }
+        Self {
+            law,
+            softening,
+            prony,
+            w_max_mpa: 0.0,
+            last: [0.0; 2],
+            states,
+            time_s: None,
+        }
     }
 
-    /// Nominal stress in MPa at a time and stretch; in between the stress at once went straight. The first point comes at once.
+    /// Nominal stress in MPa at a time and stretch; in between the stress at once went straight.
+    /// The first point comes at once.
     pub fn at(&mut self, time_s: f64, stretch: f64) -> f64 {
         let across = stretch.powf(-0.5);
         let stretches = [stretch, across, across];
         let stress = match self.softening {
             Some(softening) => {
-                let mut law = Softened { law: self.law, softening, w_max_mpa: self.w_max_mpa };
+                let mut law = Softened {
+                    law: self.law,
+                    softening,
+                    w_max_mpa: self.w_max_mpa,
+                };
                 law.w_max_mpa = law.seen_mpa(stretches);
                 self.w_max_mpa = law.w_max_mpa;
                 law.uniaxial_stress_mpa(stretch)
@@ -74,7 +92,10 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
             None => self.law.uniaxial_stress_mpa(stretch),
         };
         let sigma = stretch * stress;
-        let now = [2.0 / 3.0 * sigma / (stretch * stretch), -sigma * stretch / 3.0];
+        let now = [
+            2.0 / 3.0 * sigma / (stretch * stretch),
+            -sigma * stretch / 3.0,
+        ];
         let change = [now[0] - self.last[0], now[1] - self.last[1]];
         let duration_s = self.time_s.map_or(0.0, |before| time_s - before);
         self.prony.step(&mut self.states, change, duration_s);
@@ -86,7 +107,10 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
     /// Nominal stresses over a history, in MPa.
     pub fn over(mut self, history: &[TimePoint]) -> Result<Vec<f64>> {
         check(history)?;
-        Ok(history.iter().map(|p| self.at(p.time_s, p.stretch)).collect())
+        Ok(history
+            .iter()
+            .map(|p| self.at(p.time_s, p.stretch))
+            .collect())
     }
 }
 
@@ -95,9 +119,12 @@ pub(super) fn check(history: &[TimePoint]) -> Result<()> {
     let mut before = f64::NEG_INFINITY;
     for (index, p) in history.iter().enumerate() {
         let wrong = |why| {
-            let &TimePoint { time_s, stretch, .. } = p;
+            let &TimePoint {
+                time_s, stretch, ..
+            } = p;
             Err(OverTimeFitError::Refused(format!(
-                "point {index} of the history (time {time_s} s, stretch {stretch}) does not follow: {why}"
+                "point {index} of the history (time {time_s} s, stretch {stretch}) does not \
+                 follow: {why}"
             )))
         };
         if !(p.stretch > 0.02 && p.stretch < 25.0) {

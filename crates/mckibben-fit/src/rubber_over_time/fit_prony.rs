@@ -1,13 +1,16 @@
 //! A law and its Prony series from a uniaxial history.
 //!
-//! Unknowns are the moduli of the long-time law, the overstresses bᵢ ≥ 0 over it and the time constants,
+//! Unknowns are the moduli of the long-time law, the overstresses bᵢ ≥ 0 over it and the time
+//! constants,
 //!
 //!   S = S∞ + Σ bᵢ hᵢ(S∞),   gᵢ = bᵢ/(1 + Σ b),   instantaneous moduli = (1 + Σ b) × long-time moduli,
 //!
-//! so that Σ gᵢ < 1 for any data. Time constants begin evenly spaced in the logarithm between the shortest time in which the
-//! stress moves and the length of the test, and stay between their neighbours' starts. Constants that are no moduli stay as a fit to all points
-//! without time has them. Least squares of the nominal stress, every point alike: a test that is held long and sampled densely is
-//! weighted by its samples; points that are weighted by the time they stand for are the caller's choice.
+//! so that Σ gᵢ < 1 for any data. Time constants begin evenly spaced in the logarithm between the
+//! shortest time in which the stress moves and the length of the test, and stay between their
+//! neighbours' starts. Constants that are no moduli stay as a fit to all points without time has
+//! them. Least squares of the nominal stress, every point alike: a test that is held long and
+//! sampled densely is weighted by its samples; points that are weighted by the time they stand for
+//! are the caller's choice.
 
 use super::bar::check;
 use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
@@ -60,8 +63,13 @@ pub struct BranchFit {
 impl PronyFit {
     /// The series, over the instantaneous law.
     pub fn prony(&self) -> Prony {
-        let branch = |b: &BranchFit| Branch { share: b.share, time_constant_s: b.time_constant_s };
-        Prony { branches: self.branches.iter().map(branch).collect() }
+        let branch = |b: &BranchFit| Branch {
+            share: b.share,
+            time_constant_s: b.time_constant_s,
+        };
+        Prony {
+            branches: self.branches.iter().map(branch).collect(),
+        }
     }
 }
 
@@ -72,25 +80,45 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let (first, last) = (history.first(), history.last());
     let duration_s = first.zip(last).map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
-        "{points} points over {duration_s} s do not determine {branches} branches; take fewer branches or a longer test"
+        "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
+         branches or a longer test"
     ));
-    if branches == 0 || branches > 8 || points < form.fewest_points() + 4 * branches || duration_s <= 0.0 {
+    if branches == 0
+        || branches > 8
+        || points < form.fewest_points() + 4 * branches
+        || duration_s <= 0.0
+    {
         return Err(too_few);
     }
     let tension: Vec<TensionPoint> = history.iter().map(TimePoint::tension).collect();
-    let settings = FitSettings { forms: vec![form], stable: true, history: true, ..FitSettings::default() };
+    let settings = FitSettings {
+        forms: vec![form],
+        stable: true,
+        history: true,
+        ..FitSettings::default()
+    };
     let elastic = fit_tension(&tension, &settings)?;
     let start = &elastic.laws[0];
     let law = start.law.clone();
     let constants = law.constants();
-    let moduli: Vec<usize> = (0..constants.len()).filter(|&i| constants[i].constant.is_modulus()).collect();
+    let moduli: Vec<usize> = (0..constants.len())
+        .filter(|&i| constants[i].constant.is_modulus())
+        .collect();
     let mu = law.shear_modulus_mpa();
     // The shortest time that the data resolve: a median step.
-    let mut steps: Vec<f64> =
-        history.windows(2).map(|w| w[1].time_s - w[0].time_s).filter(|d| *d > 0.0).collect();
+    let mut steps: Vec<f64> = history
+        .windows(2)
+        .map(|w| w[1].time_s - w[0].time_s)
+        .filter(|d| *d > 0.0)
+        .collect();
     steps.sort_by(f64::total_cmp);
-    let Some(&step) = steps.get(steps.len() / 2) else { return Err(too_few) };
-    let (low, high) = ((2.0 * step).min(0.1 * duration_s).ln(), (0.5 * duration_s).ln());
+    let Some(&step) = steps.get(steps.len() / 2) else {
+        return Err(too_few);
+    };
+    let (low, high) = (
+        (2.0 * step).min(0.1 * duration_s).ln(),
+        (0.5 * duration_s).ln(),
+    );
     let width = (high - low) / branches as f64;
     let middle = |i: usize| low + width * (i as f64 + 0.5);
     let n = moduli.len();
@@ -99,20 +127,30 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         let long_time = law.with_constants(|i, v| modulus(i).unwrap_or(v));
         let over = &x[n..n + branches];
         let whole = 1.0 + over.iter().sum::<f64>();
-        let branch = |(b, t): (&f64, &f64)| Branch { share: b / whole, time_constant_s: t.exp() };
-        let prony = Prony { branches: over.iter().zip(&x[n + branches..]).map(branch).collect() };
+        let branch = |(b, t): (&f64, &f64)| Branch {
+            share: b / whole,
+            time_constant_s: t.exp(),
+        };
+        let prony = Prony {
+            branches: over.iter().zip(&x[n + branches..]).map(branch).collect(),
+        };
         (long_time.scaled(whole), prony)
     };
     let differences = |x: &[f64]| -> Option<Vec<f64>> {
         let (instantaneous, prony) = unpack(x);
         let model = Bar::new(&instantaneous, None, &prony).over(history).ok()?;
-        let one = |(m, p): (&f64, &TimePoint)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite());
+        let one =
+            |(m, p): (&f64, &TimePoint)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite());
         model.iter().zip(history).map(one).collect()
     };
     let modulus = |&i: &usize| {
         let (value, low) = (constants[i].value, constants[i].constant.bounds.0);
         let scale = value.abs().max(1e-2 * mu);
-        if low == 0.0 { Unknown::above(0.8 * value, 0.0, scale) } else { Unknown::free(0.8 * value, scale) }
+        if low == 0.0 {
+            Unknown::above(0.8 * value, 0.0, scale)
+        } else {
+            Unknown::free(0.8 * value, scale)
+        }
     };
     let unknowns: Vec<Unknown> = moduli
         .iter()
@@ -140,7 +178,12 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         form,
         long_time: instantaneous.scaled(long_time),
         instantaneous,
-        branches: prony.branches.iter().zip(&fit.standard_errors[n..]).map(branch).collect(),
+        branches: prony
+            .branches
+            .iter()
+            .zip(&fit.standard_errors[n..])
+            .map(branch)
+            .collect(),
         rms_mpa: (fit.squares / points as f64).sqrt(),
         elastic_rms_mpa: start.quality.rms_mpa,
         duration_s,

@@ -1,8 +1,9 @@
 //! Softening constants from a cyclic test that begins with the first loading.
 //!
-//! Points whose stretch goes beyond all before are the first loading: the law is fitted to them. r, m and β then make the sum of squares
-//! of the nominal stress of all later points as small as possible, each with its largest energy so far. No rate is known here: loops
-//! that depend on the rate are taken for softening.
+//! Points whose stretch goes beyond all before are the first loading: the law is fitted to them. r,
+//! m and β then make the sum of squares of the nominal stress of all later points as small as
+//! possible, each with its largest energy so far. No rate is known here: loops that depend on the
+//! rate are taken for softening.
 
 use super::bar::check;
 use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
@@ -30,7 +31,8 @@ pub struct SofteningFit {
     pub m_mpa: f64,
     /// β: the same as a share of the largest energy.
     pub beta: f64,
-    /// Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
+    /// Standard errors of r, m and β, the law taken as known; null where the data do not determine
+    /// them.
     pub standard_errors: [Option<f64>; 3],
     /// Points of the first loading.
     pub first_loading_points: usize,
@@ -62,10 +64,16 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
     if first.len() < needed || later < 4 {
         let (points, virgin) = (history.len(), first.len());
         return Err(OverTimeFitError::Refused(format!(
-            "of {points} points {virgin} lie on the first loading and {later} below it: a law needs {needed} of the former, softening 4 of the latter. Give a test from the first loading on, with at least one unloading"
+            "of {points} points {virgin} lie on the first loading and {later} below it: a law \
+             needs {needed} of the former, softening 4 of the latter. Give a test from the first \
+             loading on, with at least one unloading"
         )));
     }
-    let settings = FitSettings { forms: vec![form], history: true, ..FitSettings::default() };
+    let settings = FitSettings {
+        forms: vec![form],
+        history: true,
+        ..FitSettings::default()
+    };
     let fit = fit_tension(&first, &settings)?;
     let law = fit.laws[0].law.clone();
     let energy = |stretch: f64| {
@@ -75,27 +83,48 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
     let w_max_mpa = energy(low).max(energy(high));
     let none = Prony::default();
     let differences = |x: &[f64]| -> Option<Vec<f64>> {
-        let softening = OgdenRoxburgh { r: x[0], m_mpa: x[1], beta: x[2] };
+        let softening = OgdenRoxburgh {
+            r: x[0],
+            m_mpa: x[1],
+            beta: x[2],
+        };
         let model = Bar::new(&law, Some(softening), &none).over(history).ok()?;
-        let pairs = model.iter().zip(history).zip(&virgin).filter(|(_, first)| !**first);
-        pairs.map(|((m, p), _)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite())).collect()
+        let pairs = model
+            .iter()
+            .zip(history)
+            .zip(&virgin)
+            .filter(|(_, first)| !**first);
+        pairs
+            .map(|((m, p), _)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite()))
+            .collect()
     };
     let weights = vec![1.0; later];
     let mut best: Result<Estimate, EstimateError> = Err(EstimateError::Start);
     for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
         let unknowns = [
-            Unknown { start: 1.8, low: 1.0, high: 50.0, scale: 1.0 },
+            Unknown {
+                start: 1.8,
+                low: 1.0,
+                high: 50.0,
+                scale: 1.0,
+            },
             Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
             Unknown::above(beta, 1e-6, 1.0),
         ];
         let fit = estimate(&differences, &unknowns, &weights, Loss::Squares);
-        if best.as_ref().map_or(true, |best| fit.as_ref().is_ok_and(|fit| fit.squares < best.squares)) {
+        if best.as_ref().map_or(true, |best| {
+            fit.as_ref().is_ok_and(|fit| fit.squares < best.squares)
+        }) {
             best = fit;
         }
     }
     let best = best.map_err(|error| OverTimeFitError::NotConverged("softening", error))?;
-    let OgdenRoxburgh { r, m_mpa, beta } =
-        OgdenRoxburgh { r: best.x[0], m_mpa: best.x[1], beta: best.x[2] }.validated()?;
+    let OgdenRoxburgh { r, m_mpa, beta } = OgdenRoxburgh {
+        r: best.x[0],
+        m_mpa: best.x[1],
+        beta: best.x[2],
+    }
+    .validated()?;
     Ok(SofteningFit {
         form,
         first_loading: law,

@@ -1,7 +1,7 @@
 //! Constants of rubber over time, from tests.
 //!
-//! [`Bar`] carries softening and relaxation ([`mckibben::rubber::over_time`]) along a uniaxial history; [`fit_softening`] and [`fit_prony`]
-//! find their constants from one.
+//! [`Bar`] carries softening and relaxation ([`mckibben::rubber::over_time`]) along a uniaxial
+//! history; [`fit_softening`] and [`fit_prony`] find their constants from one.
 
 mod bar;
 mod fit_prony;

@@ -1,5 +1,5 @@
-//! What was measured as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml`; of a muscle of the library ([`library`](super::library))
-//! `identified.toml` too.
+//! What was measured as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml`; of a
+//! muscle of the library ([`library`](super::library)) `identified.toml` too.
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
@@ -41,8 +41,9 @@ pub enum Measurement {
 pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
-    /// The rms error over the blocked force that passes in the first fit: that of finite elements, rounded up. A regression. `None` of a set
-    /// whose lengths differ as specimens do: it is judged by the points that are left out of fits alone.
+    /// The rms error over the blocked force that passes in the first fit: that of finite elements,
+    /// rounded up. A regression. `None` of a set whose lengths differ as specimens do: it is judged
+    /// by the points that are left out of fits alone.
     pub rms_of_blocked: Option<f64>,
     /// The points that pull.
     pub points: Vec<DataPoint>,
@@ -55,9 +56,14 @@ pub struct MuscleCase {
 }
 
 impl MuscleCase {
-    /// c_f of the friction that is estimated on its branches; 0 of a product, whose strands are inside of the rubber.
+    /// c_f of the friction that is estimated on its branches; 0 of a product, whose strands are
+    /// inside of the rubber.
     pub fn friction_share(&self) -> f64 {
-        if self.facts.product.is_none() { Friction::OF_TENSION } else { 0.0 }
+        if self.facts.product.is_none() {
+            Friction::OF_TENSION
+        } else {
+            0.0
+        }
     }
 }
 
@@ -151,26 +157,46 @@ fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
     let wanted = |files: &&MeasuredFolder| files.muscle.trim().is_empty() == rubbers;
-    built_in().iter().filter(wanted).map(Measurement::read).collect()
+    built_in()
+        .iter()
+        .filter(wanted)
+        .map(Measurement::read)
+        .collect()
 }
 
 /// The measured muscles that are built in.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    Ok(MUSCLES.as_ref()?.iter().filter_map(Measurement::muscle).collect())
+    Ok(MUSCLES
+        .as_ref()?
+        .iter()
+        .filter_map(Measurement::muscle)
+        .collect())
 }
 
 /// The measured rubbers that are built in.
 pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
-    Ok(RUBBERS.as_ref()?.iter().filter_map(Measurement::rubber).collect())
+    Ok(RUBBERS
+        .as_ref()?
+        .iter()
+        .filter_map(Measurement::rubber)
+        .collect())
 }
 
 impl Measurement {
     pub fn muscle(&self) -> Option<&MuscleCase> {
-        if let Self::Muscle(case) = self { Some(case) } else { None }
+        if let Self::Muscle(case) = self {
+            Some(case)
+        } else {
+            None
+        }
     }
 
     pub fn rubber(&self) -> Option<&RubberCase> {
-        if let Self::Rubber(case) = self { Some(case) } else { None }
+        if let Self::Rubber(case) = self {
+            Some(case)
+        } else {
+            None
+        }
     }
 }
 

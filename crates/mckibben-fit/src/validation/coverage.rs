@@ -1,4 +1,5 @@
-//! The error of finite elements at measured pulls, and the share of the measured points that the ± covers.
+//! The error of finite elements at measured pulls, and the share of the measured points that the ±
+//! covers.
 
 use super::case::{MuscleCase, muscles};
 use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
@@ -11,18 +12,28 @@ use mckibben::verification::{CaseKind, Measure, VerificationRow};
 /// The share of the points of a set that the ± must cover.
 pub const COVERAGE: f64 = 0.95;
 
-/// The share of the points of each set that the ± covers, of the means of the branches and of the single branches.
+/// The share of the points of each set that the ± covers, of the means of the branches and of the
+/// single branches.
 pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = match muscles() {
-        Ok(sets) => sets.into_iter().filter(|set| set.rms_of_blocked.is_some()).collect::<Vec<_>>(),
+        Ok(sets) => sets
+            .into_iter()
+            .filter(|set| set.rms_of_blocked.is_some())
+            .collect::<Vec<_>>(),
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => {
             let name = format!("measured muscles: {error}");
-            return Ok(vec![share_row(name, "", &ForceErrors::default(), Coverage::Calibrated)]);
+            return Ok(vec![share_row(
+                name,
+                "",
+                &ForceErrors::default(),
+                Coverage::Calibrated,
+            )]);
         }
     };
-    let residuals =
-        threads::map(&sets, |set| first_fit_residuals(set, set.friction_share(), by).unwrap_or_default());
+    let residuals = threads::map(&sets, |set| {
+        first_fit_residuals(set, set.friction_share(), by).unwrap_or_default()
+    });
     by.progress.check()?;
     let mut rows = vec![];
     for (set, all) in sets.into_iter().zip(residuals) {
@@ -38,9 +49,19 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
 }
 
 /// A row of validation with an error that is not that of its value.
-pub(super) fn validated(row: VerificationRow, measure: Measure, error: Option<f64>) -> VerificationRow {
+pub(super) fn validated(
+    row: VerificationRow,
+    measure: Measure,
+    error: Option<f64>,
+) -> VerificationRow {
     let ok = error.is_some_and(|e| e <= row.tolerance);
-    VerificationRow { kind: CaseKind::Validation, measure, error, ok, ..row }
+    VerificationRow {
+        kind: CaseKind::Validation,
+        measure,
+        error,
+        ok,
+        ..row
+    }
 }
 
 /// How near the share of covered points must be to [`COVERAGE`].
@@ -68,38 +89,63 @@ pub(super) fn share_row(
         Coverage::Exact => by_chance.max(0.02),
     };
     let off = errors.held.map(|share| COVERAGE - share);
-    let error = off.map(|off| if coverage == Coverage::Exact { off.abs() } else { off.max(0.0) });
+    let error = off.map(|off| {
+        if coverage == Coverage::Exact {
+            off.abs()
+        } else {
+            off.max(0.0)
+        }
+    });
     let row = VerificationRow::new(name, source, COVERAGE, errors.held, tolerance);
     validated(row, Measure::Share, error)
 }
 
 fn covered(set: &'static MuscleCase, errors: &ForceErrors, what: &str) -> VerificationRow {
-    let name = format!("{}: {} {what} within the ± of fe", set.facts.title, errors.points);
+    let name = format!(
+        "{}: {} {what} within the ± of fe",
+        set.facts.title, errors.points
+    );
     share_row(name, &set.facts.source, errors, Coverage::Calibrated)
 }
 
-/// The rms error of a set's identified muscle at the means of the branches, beside its largest blocked force.
+/// The rms error of a set's identified muscle at the means of the branches, beside its largest
+/// blocked force.
 fn rms(set: &'static MuscleCase, errors: &ForceErrors) -> VerificationRow {
     let error = (errors.points > 0).then_some(errors.rms_of_blocked);
     let fit = set.fits.first();
-    let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
+    let free = fit.map(|f| {
+        f.free
+            .iter()
+            .map(|p| p.target.name(&f.muscle))
+            .collect::<Vec<_>>()
+    });
     let tolerance = set.rms_of_blocked.unwrap_or(0.0);
     let free = free.unwrap_or_default().join(" and ");
-    let name = format!("{}: fe, {} points, {free} identified", set.facts.title, errors.points);
+    let name = format!(
+        "{}: fe, {} points, {free} identified",
+        set.facts.title, errors.points
+    );
     let ours = (errors.points > 0).then_some(errors.rms_n);
     let row = VerificationRow::new(name, &set.facts.source, errors.blocked_n, ours, tolerance);
     validated(row, Measure::Rms, error)
 }
 
-/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it; on single branches with a friction
-/// that is estimated by c_f.
+/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its
+/// points with it; on single branches with a friction that is estimated by c_f.
 pub fn first_fit_residuals(
     set: &MuscleCase,
     friction_share: f64,
     by: Fitter<'_>,
 ) -> identify::Result<Vec<Residual>> {
-    let Some(fit) = set.fits.first() else { return Ok(vec![]) };
+    let Some(fit) = set.fits.first() else {
+        return Ok(vec![]);
+    };
     let means = mean_of_data(&set.points);
     let (muscle, _) = by.fitted(fit, &means)?;
-    Ok(residuals(by.build, &muscle, &compared(&means, &set.points), friction_share))
+    Ok(residuals(
+        by.build,
+        &muscle,
+        &compared(&means, &set.points),
+        friction_share,
+    ))
 }

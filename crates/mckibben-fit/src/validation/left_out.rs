@@ -1,7 +1,9 @@
-//! Left out of a fit: one fifth of the pressures, one length, one angle or one specimen, predicted by the constants of the others.
+//! Left out of a fit: one fifth of the pressures, one length, one angle or one specimen, predicted
+//! by the constants of the others.
 //!
-//! The ± is that of the muscle as `identify` writes it: outside of its bench, and with the parts for another length (`length_transfer`) and for
-//! another specimen (`transfer`). It covers at least 95 % of the points that were left out, less what chance makes of so few.
+//! The ± is that of the muscle as `identify` writes it: outside of its bench, and with the parts
+//! for another length (`length_transfer`) and for another specimen (`transfer`). It covers at least
+//! 95 % of the points that were left out, less what chance makes of so few.
 
 use super::case::{CaseFit, MuscleCase, muscles};
 use super::coverage::{Coverage, share_row};
@@ -22,10 +24,15 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
     let sets = muscles().unwrap_or_default();
     let rows = threads::map(&sets, |set| rows(set, by).unwrap_or_default());
     by.progress.check()?;
-    Ok(rows.into_iter().flatten().chain(specimens(by.build)).collect())
+    Ok(rows
+        .into_iter()
+        .flatten()
+        .chain(specimens(by.build))
+        .collect())
 }
 
-/// Each part of the pressures of a set by the others; each length by the others, and by each other one.
+/// Each part of the pressures of a set by the others; each length by the others, and by each other
+/// one.
 fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>> {
     let fit = set.fits.first()?;
     let points = means(set);
@@ -35,28 +42,59 @@ fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>
             let is_in = |p: &&DataPoint| part.iter().any(|v| same(*v, value(p)));
             (part[0], points.iter().filter(is_in).copied().collect())
         };
-        values.chunks(values.len().div_ceil(parts).max(1)).map(of_part).collect()
+        values
+            .chunks(values.len().div_ceil(parts).max(1))
+            .map(of_part)
+            .collect()
     };
     let predicted = |fitted: &[DataPoint], left_out: &[DataPoint]| -> Option<Vec<Residual>> {
         let muscle = fitted.first()?.section.apply(&fit.muscle).ok()?;
-        let identified = by.identified(&CaseFit { muscle, ..fit.clone() }, fitted).ok()?;
-        Some(residuals(by.build, &identified.with_bench(), &left_out.iter().collect::<Vec<_>>(), 0.0))
+        let identified = by
+            .identified(
+                &CaseFit {
+                    muscle,
+                    ..fit.clone()
+                },
+                fitted,
+            )
+            .ok()?;
+        Some(residuals(
+            by.build,
+            &identified.with_bench(),
+            &left_out.iter().collect::<Vec<_>>(),
+            0.0,
+        ))
     };
     let others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {
         let others = parts.iter().enumerate().filter(|(j, _)| *j != i);
-        others.flat_map(|(_, part)| part.1.clone()).collect::<Vec<DataPoint>>()
+        others
+            .flat_map(|(_, part)| part.1.clone())
+            .collect::<Vec<DataPoint>>()
     };
     let by_pressure = parts(&|p| p.at.pressure_mpa, PARTS);
     let left_out = by_pressure.iter().enumerate();
     let left_out = left_out.filter_map(|(i, part)| predicted(&others(&by_pressure, i), &part.1));
-    let mut rows = vec![row(set, "the other pressures", &left_out.flatten().collect::<Vec<_>>())];
-    let by_length = parts(&|p| p.section.length_mm.unwrap_or(fit.muscle.length_mm()), usize::MAX);
+    let mut rows = vec![row(
+        set,
+        "the other pressures",
+        &left_out.flatten().collect::<Vec<_>>(),
+    )];
+    let by_length = parts(
+        &|p| p.section.length_mm.unwrap_or(fit.muscle.length_mm()),
+        usize::MAX,
+    );
     for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
-        let of_length =
-            |from: &str, residuals: &[Residual]| row(set, &format!("{from}, of {length} mm"), residuals);
-        rows.push(of_length("the other lengths", &predicted(&others(&by_length, i), left_out)?));
+        let of_length = |from: &str, residuals: &[Residual]| {
+            row(set, &format!("{from}, of {length} mm"), residuals)
+        };
+        rows.push(of_length(
+            "the other lengths",
+            &predicted(&others(&by_length, i), left_out)?,
+        ));
         let each = by_length.iter().filter(|(from, _)| from != length);
-        let each = each.filter_map(|(_, fitted)| predicted(fitted, left_out)).flatten();
+        let each = each
+            .filter_map(|(_, fitted)| predicted(fitted, left_out))
+            .flatten();
         rows.push(of_length("each other length", &each.collect::<Vec<_>>()));
     }
     Some(rows)
@@ -70,22 +108,31 @@ fn means(set: &MuscleCase) -> Vec<DataPoint> {
 
 fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> VerificationRow {
     let errors = ForceErrors::new(residuals.iter());
-    let (title, points, width) = (&set.facts.title, errors.points, 100.0 * errors.half_width_of_blocked);
+    let (title, points, width) = (
+        &set.facts.title,
+        errors.points,
+        100.0 * errors.half_width_of_blocked,
+    );
     let name = format!(
-        "{title}: {points} points by fe with the constants of {from}, within the ± ({width:.1} % of the blocked force)"
+        "{title}: {points} points by fe with the constants of {from}, within the ± ({width:.1} % \
+         of the blocked force)"
     );
     share_row(name, &set.facts.source, &errors, Coverage::Least)
 }
 
-/// The constants of each muscle of the library, with the length or the angle of another that is the same product (specimen, fittings, gauge and zero
-/// of the length differ) or a sibling of another angle, against the points of the other.
+/// The constants of each muscle of the library, with the length or the angle of another that is the
+/// same product (specimen, fittings, gauge and zero of the length differ) or a sibling of another
+/// angle, against the points of the other.
 fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
     let (all, sets) = (library().unwrap_or_default(), muscles().unwrap_or_default());
-    let pairs = all.into_iter().flat_map(|from| sets.iter().map(move |to| (from, *to)));
+    let pairs = all
+        .into_iter()
+        .flat_map(|from| sets.iter().map(move |to| (from, *to)));
     let specimen = |((from, muscle), to): ((&MuscleCase, &Muscle), &'static MuscleCase)| {
         let other = &to.fits.first()?.muscle;
         let is_product = from.facts.product.is_some();
-        let is_sibling = is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
+        let is_sibling =
+            is_product || muscle.tube().outer_diameter_mm == other.tube().outer_diameter_mm;
         if to.rms_of_blocked.is_none()
             || from.facts.name == to.facts.name
             || from.facts.product != to.facts.product
@@ -93,16 +140,28 @@ fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
         {
             return None;
         }
-        let braid = if is_product { muscle.braid() } else { other.braid() };
-        let muscle =
-            muscle.with_braid(Braid { angle_deg: braid.angle_deg, ..muscle.braid().clone() }).ok()?;
+        let braid = if is_product {
+            muscle.braid()
+        } else {
+            other.braid()
+        };
+        let muscle = muscle
+            .with_braid(Braid {
+                angle_deg: braid.angle_deg,
+                ..muscle.braid().clone()
+            })
+            .ok()?;
         let mut points = means(to);
         // They state their length or have that of their muscle.
         for point in &mut points {
             point.section.length_mm.get_or_insert(other.length_mm());
         }
         let points: Vec<&DataPoint> = points.iter().collect();
-        Some(row(to, &from.facts.title, &residuals(build, &muscle, &points, 0.0)))
+        Some(row(
+            to,
+            &from.facts.title,
+            &residuals(build, &muscle, &points, 0.0),
+        ))
     };
     pairs.filter_map(specimen).collect()
 }

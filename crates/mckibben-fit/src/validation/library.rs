@@ -1,8 +1,11 @@
-//! The library of muscles: folders of measured muscles ([`case`](super::case)) that also hold the muscle that was identified from their points.
+//! The library of muscles: folders of measured muscles ([`case`](super::case)) that also hold the
+//! muscle that was identified from their points.
 //!
-//! `identified.toml` is the muscle file that one fit of `case.toml` (`library_fit`, else the first) gives by finite elements, with the bench
-//! that states its ±. The tests make it again, and compare the constants of both. A constant agrees where it differs by at most 10⁻⁴ of its value, or
-//! by a thousandth of its ±: a constant that the points hardly determine may differ by more between machines, and the pull does not change with it.
+//! `identified.toml` is the muscle file that one fit of `case.toml` (`library_fit`, else the first)
+//! gives by finite elements, with the bench that states its ±. The tests make it again, and compare
+//! the constants of both. A constant agrees where it differs by at most 10⁻⁴ of its value, or by a
+//! thousandth of its ±: a constant that the points hardly determine may differ by more between
+//! machines, and the pull does not change with it.
 
 use super::case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file};
 use super::held_out::fit_points;
@@ -36,7 +39,10 @@ pub fn file(name: &str) -> Result<String, String> {
 
 /// The muscles of the library that are built in, each with its identified muscle.
 pub fn library() -> Result<Vec<(&'static MuscleCase, &'static Muscle)>, &'static CaseError> {
-    Ok(muscles()?.into_iter().filter_map(|case| Some((case, case.identified.as_deref()?))).collect())
+    Ok(muscles()?
+        .into_iter()
+        .filter_map(|case| Some((case, case.identified.as_deref()?)))
+        .collect())
 }
 
 impl MuscleCase {
@@ -65,7 +71,10 @@ pub struct LibraryAgreement {
 
 /// Compares a muscle with the points that the library's fit of a folder is made to.
 pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> LibraryAgreement {
-    let points = case.fit_of_library().map(|fit| fit_points(case, fit)).unwrap_or_default();
+    let points = case
+        .fit_of_library()
+        .map(|fit| fit_points(case, fit))
+        .unwrap_or_default();
     let digest = muscle.digest();
     let is_of_muscle = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
     let (bench, others): (Vec<&DataPoint>, Vec<&DataPoint>) = points.iter().partition(is_of_muscle);
@@ -73,14 +82,27 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
     let others = residuals(build, muscle, &others, 0.0);
     let bench = muscle.bench().filter(|_| !on_bench.is_empty());
     let held = bench.map(|bench| {
-        let covers =
-            |r: &&Residual| r.difference_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction);
+        let covers = |r: &&Residual| {
+            r.difference_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction)
+        };
         on_bench.iter().filter(covers).count() as f64 / on_bench.len() as f64
     });
-    let ForceErrors { points, rms_n, rms_of_blocked, largest_n, .. } =
-        ForceErrors::new(on_bench.iter().chain(&others));
+    let ForceErrors {
+        points,
+        rms_n,
+        rms_of_blocked,
+        largest_n,
+        ..
+    } = ForceErrors::new(on_bench.iter().chain(&others));
     let bench_points = bench.map_or(0, |_| on_bench.len());
-    LibraryAgreement { points, rms_n, rms_of_blocked, largest_n, bench_points, held }
+    LibraryAgreement {
+        points,
+        rms_n,
+        rms_of_blocked,
+        largest_n,
+        bench_points,
+        held,
+    }
 }
 
 #[cfg(test)]
@@ -100,34 +122,62 @@ mod tests {
         (identification.with_bench(), identification)
     }
 
-    /// Whether a constant of the muscle that is kept is that of the refit. A factor on all moduli is compared as the modulus that it gives.
+    /// Whether a constant of the muscle that is kept is that of the refit. A factor on all moduli
+    /// is compared as the modulus that it gives.
     fn agrees(refit: &Identified, identified: &Muscle, kept: &Muscle) -> bool {
         let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
         let value = match refit.target {
             Some(Target::Modulus) => Some(refit.value * modulus(kept) / modulus(identified)),
             target => target.and_then(|target| target.value(kept)),
         };
-        let half = if refit.half_width.is_finite() { refit.half_width } else { 0.0 };
-        value.is_some_and(|value| (value - refit.value).abs() <= (1e-4 * refit.value.abs()).max(1e-3 * half))
+        let half = if refit.half_width.is_finite() {
+            refit.half_width
+        } else {
+            0.0
+        };
+        value.is_some_and(|value| {
+            (value - refit.value).abs() <= (1e-4 * refit.value.abs()).max(1e-3 * half)
+        })
     }
 
-    /// A regression: the kept muscles are those of this program, and nobody else has identified them. That ± covers 90 % of the points or more
-    /// is by its construction.
+    /// A regression: the kept muscles are those of this program, and nobody else has identified
+    /// them. That ± covers 90 % of the points or more is by its construction.
     #[test]
     fn the_kept_muscle_is_the_one_that_its_points_give() {
         for name in ["dmsp-10-250", "dmsp-20-300", "quadsegrity"] {
-            let (case, kept) = library().unwrap().into_iter().find(|m| m.0.facts.name == name).unwrap();
+            let (case, kept) = library()
+                .unwrap()
+                .into_iter()
+                .find(|m| m.0.facts.name == name)
+                .unwrap();
             let (muscle, identification) = refit(case);
             for constant in &identification.parameters {
-                assert!(agrees(constant, &identification.muscle, kept), "{name}: {constant:#?}");
+                assert!(
+                    agrees(constant, &identification.muscle, kept),
+                    "{name}: {constant:#?}"
+                );
             }
-            let (ours, theirs) = (agreement(case, &muscle, &elements), agreement(case, kept, &elements));
+            let (ours, theirs) = (
+                agreement(case, &muscle, &elements),
+                agreement(case, kept, &elements),
+            );
             // The fit lets the muscle push where it is slack, the agreement does not.
-            let pulls = identification.points.iter().map(|p| (p.residual_n, p.point.at.force_n));
-            let residuals = pulls.map(|(residual, measured)| (residual + measured).max(0.0) - measured);
-            let rms_n = (residuals.map(|r| r * r).sum::<f64>() / identification.points.len() as f64).sqrt();
-            assert!((ours.rms_n / rms_n - 1.0).abs() < 1e-6, "{name}: {ours:?} {rms_n}");
-            assert!((ours.rms_n / theirs.rms_n - 1.0).abs() < 1e-4, "{name}: {ours:?} {theirs:?}");
+            let pulls = identification
+                .points
+                .iter()
+                .map(|p| (p.residual_n, p.point.at.force_n));
+            let residuals =
+                pulls.map(|(residual, measured)| (residual + measured).max(0.0) - measured);
+            let rms_n =
+                (residuals.map(|r| r * r).sum::<f64>() / identification.points.len() as f64).sqrt();
+            assert!(
+                (ours.rms_n / rms_n - 1.0).abs() < 1e-6,
+                "{name}: {ours:?} {rms_n}"
+            );
+            assert!(
+                (ours.rms_n / theirs.rms_n - 1.0).abs() < 1e-4,
+                "{name}: {ours:?} {theirs:?}"
+            );
             assert!(theirs.held.unwrap() >= 0.9, "{name}: {theirs:?}");
         }
     }
@@ -135,12 +185,22 @@ mod tests {
     #[test]
     fn every_muscle_has_the_bench_of_its_source_and_terms() {
         let all = library().unwrap();
-        assert_eq!(all.iter().map(|m| m.0.facts.name.clone()).collect::<Vec<_>>(), names());
+        assert_eq!(
+            all.iter()
+                .map(|m| m.0.facts.name.clone())
+                .collect::<Vec<_>>(),
+            names()
+        );
         assert!(all.len() >= 5);
         for (case, muscle) in all {
             let bench = muscle.bench().unwrap();
             assert!(!case.facts.terms.is_empty() && bench.points > 5);
-            assert_eq!(muscle.laboratory(), Some(case.facts.source.as_str()), "{}", case.facts.name);
+            assert_eq!(
+                muscle.laboratory(),
+                Some(case.facts.source.as_str()),
+                "{}",
+                case.facts.name
+            );
         }
     }
 
@@ -149,9 +209,18 @@ mod tests {
         assert_eq!(named("lib:dmsp-20-300"), Some("dmsp-20-300"));
         assert_eq!(named("LIB: x"), Some("x"));
         assert_eq!(["lib", "é", "library.toml"].map(named), [None; 3]);
-        assert!(parse_muscle(&file("DMSP_20 300").unwrap()).unwrap().bench().is_some());
+        assert!(
+            parse_muscle(&file("DMSP_20 300").unwrap())
+                .unwrap()
+                .bench()
+                .is_some()
+        );
         let error = file("dmsp-20-30").unwrap_err();
         assert!(error.ends_with("(did you mean dmsp-20-300?)"), "{error}");
-        assert!(file("zzzzzzzzzz").unwrap_err().contains("known: dmsp-10-250, "));
+        assert!(
+            file("zzzzzzzzzz")
+                .unwrap_err()
+                .contains("known: dmsp-10-250, ")
+        );
     }
 }

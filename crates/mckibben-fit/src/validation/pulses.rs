@@ -1,15 +1,18 @@
-//! How much air a muscle holds, counted by the pulses of a valve: volumes that constrain the angle of a braid without any pull.
+//! How much air a muscle holds, counted by the pulses of a valve: volumes that constrain the angle
+//! of a braid without any pull.
 //!
-//! A muscle is held at ε and vented by pulses through a valve. With choked outflow at an even temperature each pulse lets out the mass
-//! ρ k, ρ the density of the air in the muscle, k (mm³) the volume of a pulse. The mass ρ (V + Vd) of the air in the muscle, V (mm³), and in hose and
+//! A muscle is held at ε and vented by pulses through a valve. With choked outflow at an even
+//! temperature each pulse lets out the mass ρ k, ρ the density of the air in the muscle, k (mm³)
+//! the volume of a pulse. The mass ρ (V + Vd) of the air in the muscle, V (mm³), and in hose and
 //! fittings, Vd (mm³), falls by that. From p1 to p2 (absolute, MPa) it takes
 //!
 //!   n = (1/k) [ ∫ V dp/p + V(p1) − V(p2) + Vd ln(p1/p2) ],  the integral from p2 to p1,
 //!
-//! pulses. This is linear in 1/k and Vd/k, which the muscles at their rest lengths give by least squares; the contracted muscles are predicted.
+//! pulses. This is linear in 1/k and Vd/k, which the muscles at their rest lengths give by least
+//! squares; the contracted muscles are predicted.
 //!
-//! Source: valve pulses of a Festo DMSP-10 hose in three lengths (data/volume). Range: above 0.1 MPa, where the
-//! outflow is choked, and muscles that pull.
+//! Source: valve pulses of a Festo DMSP-10 hose in three lengths (data/volume). Range: above 0.1
+//! MPa, where the outflow is choked, and muscles that pull.
 
 use super::case::{CaseFit, MuscleCase};
 use super::coverage::validated;
@@ -83,37 +86,57 @@ pub fn counted() -> Vec<Counted> {
         let counts: Vec<f64> = tests.collect();
         if contraction < TAUT && !counts.is_empty() {
             let pulses = counts.iter().sum::<f64>() / counts.len() as f64;
-            out.push(Counted { length_mm, contraction, pulses });
+            out.push(Counted {
+                length_mm,
+                contraction,
+                pulses,
+            });
         }
     }
     out
 }
 
-/// After how many pulses a falling pressure reaches a value; between two it falls evenly in its logarithm.
+/// After how many pulses a falling pressure reaches a value; between two it falls evenly in its
+/// logarithm.
 fn place(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
     let log = |p: f64| (p + ATMOSPHERE_MPA).ln();
-    let i = pressures.windows(2).position(|w| w[0] >= gauge_mpa && w[1] < gauge_mpa)?;
-    Some(i as f64 + (log(pressures[i]) - log(gauge_mpa)) / (log(pressures[i]) - log(pressures[i + 1])))
+    let i = pressures
+        .windows(2)
+        .position(|w| w[0] >= gauge_mpa && w[1] < gauge_mpa)?;
+    Some(
+        i as f64
+            + (log(pressures[i]) - log(gauge_mpa)) / (log(pressures[i]) - log(pressures[i + 1])),
+    )
 }
 
 /// ∫ V dp/p + V(p1) − V(p2) in mm³ of a muscle at ε.
 fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, ModelError> {
     let mut parts = muscle.parts().clone();
     (LENGTH.set)(&mut parts, at.length_mm);
-    let model = Muscle::from_parts(parts).ok().map(|m| build(&m)).transpose()?;
+    let model = Muscle::from_parts(parts)
+        .ok()
+        .map(|m| build(&m))
+        .transpose()?;
     let no_volume = || ModelError::NoVolume("of the pulses".to_owned());
     let model = model.ok_or_else(no_volume)?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, Direction::Mean);
     let mut volume = |gauge_mpa: f64| -> Result<f64, ModelError> {
-        model.response(gauge_mpa, at.contraction)?.volume_mm3.ok_or_else(no_volume)
+        model
+            .response(gauge_mpa, at.contraction)?
+            .volume_mm3
+            .ok_or_else(no_volume)
     };
     let absolute = (BETWEEN.0 + ATMOSPHERE_MPA, BETWEEN.1 + ATMOSPHERE_MPA);
     // Even steps in ln p.
     let step = (absolute.1 / absolute.0).ln() / STEPS as f64;
     let mut integral = 0.0;
     for i in 0..=STEPS {
-        let weight = if i == 0 || i == STEPS { 1.0 } else { [2.0, 4.0][i % 2] };
+        let weight = if i == 0 || i == STEPS {
+            1.0
+        } else {
+            [2.0, 4.0][i % 2]
+        };
         let pressure = absolute.0 * (step * i as f64).exp() - ATMOSPHERE_MPA;
         integral += weight * step / 3.0 * volume(pressure)?;
     }
@@ -123,7 +146,8 @@ fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, Mode
 /// k and Vd from the muscles at their rest lengths, and what they predict of the contracted ones.
 pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelError> {
     let counted = counted();
-    let (rest, contracted): (Vec<Counted>, Vec<Counted>) = counted.iter().partition(|c| c.contraction == 0.0);
+    let (rest, contracted): (Vec<Counted>, Vec<Counted>) =
+        counted.iter().partition(|c| c.contraction == 0.0);
     let log = ((BETWEEN.1 + ATMOSPHERE_MPA) / (BETWEEN.0 + ATMOSPHERE_MPA)).ln();
     let volumes = |list: &[Counted]| -> Result<Vec<f64>, ModelError> {
         list.iter().map(|c| let_out(build, muscle, c)).collect()
@@ -134,12 +158,24 @@ pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelErr
         let (sum, count) = list.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
         sum / f64::max(count, 1.0)
     };
-    let (mean_volume, mean_pulses) =
-        (mean(&mut at_rest.iter().copied()), mean(&mut rest.iter().map(|c| c.pulses)));
-    let pairs = || at_rest.iter().zip(&rest).map(|(v, c)| (v - mean_volume, c.pulses - mean_pulses));
+    let (mean_volume, mean_pulses) = (
+        mean(&mut at_rest.iter().copied()),
+        mean(&mut rest.iter().map(|c| c.pulses)),
+    );
+    let pairs = || {
+        at_rest
+            .iter()
+            .zip(&rest)
+            .map(|(v, c)| (v - mean_volume, c.pulses - mean_pulses))
+    };
     let slope = pairs().map(|(v, n)| v * n).sum::<f64>() / pairs().map(|(v, _)| v * v).sum::<f64>();
     let pulses = |volume: f64| mean_pulses + slope * (volume - mean_volume);
-    let squares = mean(&mut at_rest.iter().zip(&rest).map(|(v, c)| (pulses(*v) - c.pulses).powi(2)));
+    let squares = mean(
+        &mut at_rest
+            .iter()
+            .zip(&rest)
+            .map(|(v, c)| (pulses(*v) - c.pulses).powi(2)),
+    );
     Ok(Predicted {
         dead_volume_mm3: (mean_pulses / slope - mean_volume) / log,
         rms_at_rest: squares.sqrt() / mean_pulses,
@@ -153,23 +189,35 @@ const FITS: [&str; 3] = ["modulus, angle", "modulus, angle, slip", "modulus, sli
 /// Pulses are counted to ± 0.1 of 4 to 5, and a share of as much is known of the dead volume.
 const TOLERANCE: f64 = 0.03;
 
-/// Rows of the fits: only the first, whose ends do not slip, must predict the pulses; the errors of the others speak against them.
+/// Rows of the fits: only the first, whose ends do not slip, must predict the pulses; the errors of
+/// the others speak against them.
 pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
-    let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else { return vec![] };
+    let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else {
+        return vec![];
+    };
     let means = mean_of_data(&set.points);
     let row = |fit: &CaseFit| {
         let fitted = by.fitted(fit, &means).ok();
-        let predicted = fitted.and_then(|(muscle, _)| Some((predict(by.build, &muscle).ok()?, muscle)));
+        let predicted =
+            fitted.and_then(|(muscle, _)| Some((predict(by.build, &muscle).ok()?, muscle)));
         let (pulses, muscle) = predicted.unzip();
         let angle = muscle.map_or_else(String::new, |m| format!(" ({:.1}°)", m.braid().angle_deg));
         let tolerance = if fit.name == FITS[0] { TOLERANCE } else { 0.1 };
-        let name = format!("{}: air let out by pulses of a valve, {}{angle}", set.facts.title, fit.name);
-        let (measured, ours) = (pulses.map_or(0.0, |p| p.measured), pulses.map(|p| p.predicted));
+        let name = format!(
+            "{}: air let out by pulses of a valve, {}{angle}",
+            set.facts.title, fit.name
+        );
+        let (measured, ours) = (
+            pulses.map_or(0.0, |p| p.measured),
+            pulses.map(|p| p.predicted),
+        );
         let row = VerificationRow::new(name, &set.facts.source, measured, ours, tolerance);
         validated(row, Measure::Value, pulses.map(|p| p.bias().abs()))
     };
-    let fits: Vec<&CaseFit> =
-        FITS.iter().filter_map(|name| set.fits.iter().find(|f| f.name == *name)).collect();
+    let fits: Vec<&CaseFit> = FITS
+        .iter()
+        .filter_map(|name| set.fits.iter().find(|f| f.name == *name))
+        .collect();
     threads::map(&fits, |fit| row(fit))
 }
 
@@ -180,20 +228,39 @@ mod tests {
     use mckibben::muscle::{Braid, BraidStiffness, Terminals, Tube};
     use mckibben::rubber::{Law, NeoHookean};
 
-    /// An independent calculation on the same table (`thick-wall` by another program): 1 % at rest, a dead volume of 44 to 56 mL, and at
-    /// ε 0.044 a bias of +7.7, +2.7, +0.3 and −2.0 % for braids of 25, 28.6, 31 and 34°.
+    /// An independent calculation on the same table (`thick-wall` by another program): 1 % at rest,
+    /// a dead volume of 44 to 56 mL, and at ε 0.044 a bias of +7.7, +2.7, +0.3 and −2.0 % for
+    /// braids of 25, 28.6, 31 and 34°.
     #[test]
     fn the_bias_by_angle_is_that_of_an_independent_calculation() {
-        let build =
-            |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> { Ok(Box::new(ThickWall::new(m))) };
+        let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> {
+            Ok(Box::new(ThickWall::new(m)))
+        };
         for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
             let rubber = mckibben::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
-            let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
-            let muscle =
-                Muscle::new(Tube::new(13.6, 1.8, 281.0, rubber), braid, Terminals::default(), None).unwrap();
+            let braid = Braid {
+                angle_deg,
+                stiffness: BraidStiffness::Inextensible,
+                ..Braid::paper()
+            };
+            let muscle = Muscle::new(
+                Tube::new(13.6, 1.8, 281.0, rubber),
+                braid,
+                Terminals::default(),
+                None,
+            )
+            .unwrap();
             let predicted = predict(&build, &muscle).unwrap();
-            assert!((predicted.bias() - bias).abs() < 0.006, "{angle_deg}: {:.4}", predicted.bias());
-            assert!(predicted.rms_at_rest < 0.015, "{angle_deg}: {:.4}", predicted.rms_at_rest);
+            assert!(
+                (predicted.bias() - bias).abs() < 0.006,
+                "{angle_deg}: {:.4}",
+                predicted.bias()
+            );
+            assert!(
+                predicted.rms_at_rest < 0.015,
+                "{angle_deg}: {:.4}",
+                predicted.rms_at_rest
+            );
             let dead_ml = 1e-3 * predicted.dead_volume_mm3;
             assert!((40.0..60.0).contains(&dead_ml), "{angle_deg}: {dead_ml} mL");
         }

@@ -70,19 +70,29 @@ impl TryFrom<SplitText> for Split {
             (None, Some(from), Some(to)) if from <= to => FittedSubset::Range(from, to),
             _ => {
                 return Err(
-                    "`split` must be a table such as { by = \"length_mm\", fit_on = \"one\" } (or \"others\"), or { by = \"pressure_mpa\", from = 0.1, to = 0.3 }",
+                    "`split` must be a table such as { by = \"length_mm\", fit_on = \"one\" } \
+                     (or \"others\"), or { by = \"pressure_mpa\", from = 0.1, to = 0.3 }",
                 );
             }
         };
-        Ok(Self { by: text.by, fitted })
+        Ok(Self {
+            by: text.by,
+            fitted,
+        })
     }
 }
 
 fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText<F>), CaseError> {
     let case: CaseText<F> = toml_edit::de::from_str(&files.case).map_err(|error| {
         let before = error.span().and_then(|span| files.case.get(..span.start));
-        let line = before.map_or_else(String::new, |text| format!(", line {}", text.split('\n').count()));
-        CaseError::Refused(format!("{}/case.toml{line}: {}", files.name, error.message()))
+        let line = before.map_or_else(String::new, |text| {
+            format!(", line {}", text.split('\n').count())
+        });
+        CaseError::Refused(format!(
+            "{}/case.toml{line}: {}",
+            files.name,
+            error.message()
+        ))
     })?;
     let facts = Facts {
         name: files.name.clone(),
@@ -106,7 +116,9 @@ impl Measurement {
         let points = read_data(&files.points);
         let points = points.map_err(|error| CaseError::Points(files.name.clone(), error))?;
         let fits = case.fit.into_iter().enumerate();
-        let fits: Vec<CaseFit> = fits.map(|(i, text)| fit(files, i, text)).collect::<Result<_, _>>()?;
+        let fits: Vec<CaseFit> = fits
+            .map(|(i, text)| fit(files, i, text))
+            .collect::<Result<_, _>>()?;
         Ok(Self::Muscle(MuscleCase {
             facts,
             rms_of_blocked: case.rms_of_blocked,
@@ -123,19 +135,32 @@ impl Measurement {
 }
 
 fn wrong(files: &MeasuredFolder, key: &str, expected: &str) -> CaseError {
-    CaseError::Refused(format!("{}/case.toml: `{key}` must be {expected}", files.name))
+    CaseError::Refused(format!(
+        "{}/case.toml: `{key}` must be {expected}",
+        files.name
+    ))
 }
 
-/// The fit of the library: the one that is named, else the first. Its constants are those of a muscle file, and it has all points.
-fn library_fit(files: &MeasuredFolder, named: Option<&str>, fits: &[CaseFit]) -> Result<usize, CaseError> {
-    const FORM: &str = "the name of a fit that has no `split` and frees numbers of the muscle file alone";
+/// The fit of the library: the one that is named, else the first. Its constants are those of a
+/// muscle file, and it has all points.
+fn library_fit(
+    files: &MeasuredFolder,
+    named: Option<&str>,
+    fits: &[CaseFit],
+) -> Result<usize, CaseError> {
+    const FORM: &str =
+        "the name of a fit that has no `split` and frees numbers of the muscle file alone";
     let in_file = |p: &Parameter| {
-        !matches!(p.target, Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent)
+        !matches!(
+            p.target,
+            Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent
+        )
     };
     let place = named.map_or(Some(0), |name| fits.iter().position(|fit| fit.name == name));
     let serves = |i: &usize| {
-        fits.get(*i)
-            .is_some_and(|fit| fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(in_file))
+        fits.get(*i).is_some_and(|fit| {
+            fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(in_file)
+        })
     };
     match place.filter(serves) {
         Some(i) => Ok(i),
@@ -157,25 +182,55 @@ fn identified(files: &MeasuredFolder) -> Result<Option<Box<Muscle>>, CaseError> 
 fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
     let (case, name) = (&files.name, text.name);
     let muscle = parse_muscle(&with(files, number)?);
-    let muscle =
-        muscle.map_err(|error| CaseError::Refused(format!("{case}/muscle.toml, fit \"{name}\": {error}")))?;
-    let free = text.free.iter().map(|word| Parameter::parse(word, &muscle)).collect::<Result<_, _>>();
-    let free =
-        free.map_err(|error| CaseError::Parameter(format!("{case}/case.toml, fit \"{name}\": {error}")))?;
-    Ok(CaseFit { name, muscle, free, both_branches: text.branches == Branches::Both, split: text.split })
+    let muscle = muscle.map_err(|error| {
+        CaseError::Refused(format!("{case}/muscle.toml, fit \"{name}\": {error}"))
+    })?;
+    let free = text
+        .free
+        .iter()
+        .map(|word| Parameter::parse(word, &muscle))
+        .collect::<Result<_, _>>();
+    let free = free.map_err(|error| {
+        CaseError::Parameter(format!("{case}/case.toml, fit \"{name}\": {error}"))
+    })?;
+    Ok(CaseFit {
+        name,
+        muscle,
+        free,
+        both_branches: text.branches == Branches::Both,
+        split: text.split,
+    })
 }
 
 /// The muscle file with the keys that a fit replaces.
 fn with(files: &MeasuredFolder, number: usize) -> Result<String, CaseError> {
-    let documents = (files.case.parse::<DocumentMut>(), files.muscle.parse::<DocumentMut>());
-    let (Ok(case), Ok(mut muscle)) = documents else { return Ok(files.muscle.clone()) };
-    let changes = case.get("fit").and_then(|fits| fits.get(number)?.get("muscle"));
-    let Some(changes) = changes else { return Ok(files.muscle.clone()) };
-    let wrong = || wrong(files, "fit.muscle", "tables of a muscle file, such as [fit.muscle.tube]");
+    let documents = (
+        files.case.parse::<DocumentMut>(),
+        files.muscle.parse::<DocumentMut>(),
+    );
+    let (Ok(case), Ok(mut muscle)) = documents else {
+        return Ok(files.muscle.clone());
+    };
+    let changes = case
+        .get("fit")
+        .and_then(|fits| fits.get(number)?.get("muscle"));
+    let Some(changes) = changes else {
+        return Ok(files.muscle.clone());
+    };
+    let wrong = || {
+        wrong(
+            files,
+            "fit.muscle",
+            "tables of a muscle file, such as [fit.muscle.tube]",
+        )
+    };
     for (section, keys) in changes.as_table_like().ok_or_else(wrong)?.iter() {
         for (key, value) in keys.as_table_like().ok_or_else(wrong)?.iter() {
             let place = muscle.entry(section).or_insert_with(toml_edit::table);
-            place.as_table_like_mut().ok_or_else(wrong)?.insert(key, value.clone());
+            place
+                .as_table_like_mut()
+                .ok_or_else(wrong)?
+                .insert(key, value.clone());
         }
     }
     Ok(muscle.to_string())
@@ -187,13 +242,18 @@ mod tests {
     use super::*;
 
     fn files() -> MeasuredFolder {
-        built_in().into_iter().find(|f| f.name == "tondu2012").unwrap()
+        built_in()
+            .into_iter()
+            .find(|f| f.name == "tondu2012")
+            .unwrap()
     }
 
     #[test]
     fn every_folder_is_built_in_and_read() {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-        let folders = std::fs::read_dir(root.join("data/measured")).unwrap().count();
+        let folders = std::fs::read_dir(root.join("data/measured"))
+            .unwrap()
+            .count();
         // Otherwise touch src/validation/case.rs: a folder is newer than this build.
         assert_eq!(folders, built_in().len());
         assert_eq!(muscles().unwrap().len() + rubbers().unwrap().len(), folders);
@@ -209,10 +269,16 @@ mod tests {
     #[test]
     fn a_fit_may_change_the_muscle_and_keeps_the_rest() {
         let muscles = muscles().unwrap();
-        let case = muscles.iter().find(|c| c.facts.name == "tondu2012").unwrap();
+        let case = muscles
+            .iter()
+            .find(|c| c.facts.name == "tondu2012")
+            .unwrap();
         let (plain, gent) = (&case.fits[0].muscle, &case.fits[1].muscle);
         assert_eq!(gent.tube().rubber.law.name(), "gent");
-        assert_eq!(gent.tube().outer_diameter_mm, plain.tube().outer_diameter_mm);
+        assert_eq!(
+            gent.tube().outer_diameter_mm,
+            plain.tube().outer_diameter_mm
+        );
         assert_eq!(gent.braid(), plain.braid());
     }
 
@@ -222,15 +288,33 @@ mod tests {
             let files = files();
             let case = files.case.replace(from, to);
             assert!(case != files.case, "{from}");
-            Measurement::read(&MeasuredFolder { case, ..files }).unwrap_err().to_string()
+            Measurement::read(&MeasuredFolder { case, ..files })
+                .unwrap_err()
+                .to_string()
         };
         for (from, to, part) in [
-            ("terms =", "term =", "unknown field `term`, expected one of `title`"),
+            (
+                "terms =",
+                "term =",
+                "unknown field `term`, expected one of `title`",
+            ),
             ("\"jm\"", "\"jmm\"", "fit \"Gent\""),
-            ("free = [\"mu\"]", "free = 3", "invalid type: integer `3`, expected a sequence"),
-            ("\"pressure_mpa\"", "\"colour\"", "unknown variant `colour`, expected one of `length_mm`"),
+            (
+                "free = [\"mu\"]",
+                "free = 3",
+                "invalid type: integer `3`, expected a sequence",
+            ),
+            (
+                "\"pressure_mpa\"",
+                "\"colour\"",
+                "unknown variant `colour`, expected one of `length_mm`",
+            ),
             ("law = \"gent\"", "law = \"gant\"", "tondu2012/muscle.toml"),
-            ("_fit = \"Gent, friction", "_fit = \"Gont, friction", "`library_fit` must be the name of a fit"),
+            (
+                "_fit = \"Gent, friction",
+                "_fit = \"Gont, friction",
+                "`library_fit` must be the name of a fit",
+            ),
             ("title", "[", "case.toml, line 1: "),
         ] {
             let said = said(from, to);

@@ -1,4 +1,5 @@
-//! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
+//! The validation report of a measured muscle: the errors of each fit at the points it was fitted
+//! to and at the points it predicts.
 
 use super::case::{By, CaseFit, FittedSubset, MuscleCase};
 use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
@@ -71,7 +72,8 @@ pub struct Group {
 /// Errors of a fit at the points of one branch of the hysteresis.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBranch {
-    /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
+    /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation`
+    /// back.
     pub branch: Direction,
     /// Its points; the ± has its part for friction if the muscle states none.
     #[serde(flatten)]
@@ -94,17 +96,25 @@ const BIN: f64 = 0.05;
 
 /// Every fit of cases by a model, side by side; progress counts fits.
 pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredFit>, ReportError> {
-    let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
+    let means: Vec<Vec<DataPoint>> = cases
+        .iter()
+        .map(|case| mean_of_data(&case.points))
+        .collect();
     let mut tasks = vec![];
     for (i, (case, means)) in cases.iter().zip(&means).enumerate() {
         let trainings = case.fits.iter().flat_map(|fit| trainings(case, fit, means));
         tasks.extend(trainings.map(|training| (i, training)));
     }
     let done = AtomicUsize::new(0);
-    let by = Fitter { progress: &CancelOnly(fitter.progress), ..fitter };
+    let by = Fitter {
+        progress: &CancelOnly(fitter.progress),
+        ..fitter
+    };
     let one = |(case, training): &(usize, Training<'_>)| {
         let result = run(*case, training, by);
-        fitter.progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
+        fitter
+            .progress
+            .report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
         result
     };
     threads::map(&tasks, one).into_iter().collect()
@@ -112,9 +122,16 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredF
 
 fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<MeasuredFit, ReportError> {
     by.progress.check()?;
-    let &Training { case, fit, means, .. } = training;
-    let source = if fit.both_branches { &case.points } else { means };
-    let (inside, others): (Vec<DataPoint>, Vec<DataPoint>) = source.iter().partition(|p| training.holds(p));
+    let &Training {
+        case, fit, means, ..
+    } = training;
+    let source = if fit.both_branches {
+        &case.points
+    } else {
+        means
+    };
+    let (inside, others): (Vec<DataPoint>, Vec<DataPoint>) =
+        source.iter().partition(|p| training.holds(p));
     let label = training.label(&training.values(&inside));
     let (muscle, parameters) = by.fitted(fit, &inside).map_err(|error| match error {
         IdentifyError::Cancelled(cancelled) => cancelled.into(),
@@ -128,13 +145,22 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
     let group = |name: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
         let residuals = residuals(by.build, &muscle, &points, case.friction_share());
-        Group { unanswered: points.len() - residuals.len(), ..Group::new(name, blind, &residuals) }
+        Group {
+            unanswered: points.len() - residuals.len(),
+            ..Group::new(name, blind, &residuals)
+        }
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];
     let values = training.values(&others);
     // A group for each value, or one for all outside of a range.
-    if fit.split.is_some_and(|split| matches!(split.fitted, FittedSubset::Range(..))) && !values.is_empty() {
-        groups.push(group(training.label(&values), true, &|p| !training.holds(p)));
+    if fit
+        .split
+        .is_some_and(|split| matches!(split.fitted, FittedSubset::Range(..)))
+        && !values.is_empty()
+    {
+        groups.push(group(training.label(&values), true, &|p| {
+            !training.holds(p)
+        }));
     } else {
         groups.extend(values.iter().map(|v| {
             let keep = |p: &DataPoint| training.value(p).is_some_and(|value| same(value, *v));
@@ -142,7 +168,14 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
         }));
     }
     let fitted_to = if nothing { "nothing".into() } else { label };
-    Ok(MeasuredFit { case: number, fit: fit.name.clone(), fitted_to, parameters, muscle, groups })
+    Ok(MeasuredFit {
+        case: number,
+        fit: fit.name.clone(),
+        fitted_to,
+        parameters,
+        muscle,
+        groups,
+    })
 }
 
 impl Group {
@@ -164,7 +197,10 @@ impl Group {
             blind,
             unanswered: 0,
             by_contraction: bins.filter(|bin| bin.errors.points > 0).collect(),
-            by_branch: by_branch.into_iter().filter(|b| b.errors.points > 0).collect(),
+            by_branch: by_branch
+                .into_iter()
+                .filter(|b| b.errors.points > 0)
+                .collect(),
             means: ForceErrors::new(means()),
             branch_points: branches.points,
             branch_held: branches.held,
@@ -185,11 +221,29 @@ struct Training<'a> {
     outside: bool,
 }
 
-fn trainings<'a>(case: &'a MuscleCase, fit: &'a CaseFit, means: &'a [DataPoint]) -> Vec<Training<'a>> {
-    let all = Training { case, fit, means, low: f64::NEG_INFINITY, high: f64::INFINITY, outside: false };
+fn trainings<'a>(
+    case: &'a MuscleCase,
+    fit: &'a CaseFit,
+    means: &'a [DataPoint],
+) -> Vec<Training<'a>> {
+    let all = Training {
+        case,
+        fit,
+        means,
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+        outside: false,
+    };
     let each = |outside| {
         let values = all.values(means).into_iter();
-        values.map(|v| Training { low: v, high: v, outside, ..all }).collect()
+        values
+            .map(|v| Training {
+                low: v,
+                high: v,
+                outside,
+                ..all
+            })
+            .collect()
     };
     match fit.split.map(|split| split.fitted) {
         None => vec![all],
@@ -203,14 +257,19 @@ impl Training<'_> {
     /// The quantity that divides the points.
     pub fn value(&self, point: &DataPoint) -> Option<f64> {
         Some(match self.fit.split?.by {
-            By::Length => point.section.length_mm.unwrap_or(self.fit.muscle.length_mm()),
+            By::Length => point
+                .section
+                .length_mm
+                .unwrap_or(self.fit.muscle.length_mm()),
             By::Pressure => point.at.pressure_mpa,
             By::Contraction => point.at.contraction,
         })
     }
 
     pub fn holds(&self, point: &DataPoint) -> bool {
-        let Some(v) = self.value(point) else { return true };
+        let Some(v) = self.value(point) else {
+            return true;
+        };
         let inside = (v > self.low || same(v, self.low)) && (v < self.high || same(v, self.high));
         inside != self.outside
     }
@@ -230,7 +289,11 @@ impl Training<'_> {
         };
         let text = match values {
             [first, .., last] if values.len() > 5 => format!("{first} to {last}"),
-            _ => values.iter().map(f64::to_string).collect::<Vec<_>>().join(", "),
+            _ => values
+                .iter()
+                .map(f64::to_string)
+                .collect::<Vec<_>>()
+                .join(", "),
         };
         text + unit
     }
@@ -244,14 +307,29 @@ mod tests {
     use mckibben::cancel::Cancelled;
     use mckibben::progress::{Progress, Silent};
 
-    /// Constants from 1 to 3 bar predict 4 and 5 bar; a law that stiffens at large stretch does so better on the hand-made muscle, whose
-    /// rubber is not stated. A regression: nobody else has derived it.
+    /// Constants from 1 to 3 bar predict 4 and 5 bar; a law that stiffens at large stretch does so
+    /// better on the hand-made muscle, whose rubber is not stated. A regression: nobody else has
+    /// derived it.
     #[test]
     fn points_that_were_not_fitted_are_blind() {
-        let mut case = muscles().unwrap().into_iter().find(|c| c.facts.name == "tondu2012").unwrap().clone();
+        let mut case = muscles()
+            .unwrap()
+            .into_iter()
+            .find(|c| c.facts.name == "tondu2012")
+            .unwrap()
+            .clone();
         case.fits.retain(|fit| fit.split.is_some());
-        let fits = report(&[&case], Fitter { build: &elements, progress: &Silent }).unwrap();
-        let [plain, gent] = &fits[..] else { panic!("{}", fits.len()) };
+        let fits = report(
+            &[&case],
+            Fitter {
+                build: &elements,
+                progress: &Silent,
+            },
+        )
+        .unwrap();
+        let [plain, gent] = &fits[..] else {
+            panic!("{}", fits.len())
+        };
         for r in [plain, gent] {
             assert_eq!(r.fitted_to, "0.1, 0.2, 0.3 MPa");
             assert_eq!((r.groups[0].blind, r.groups[1].blind), (false, true));
@@ -261,7 +339,12 @@ mod tests {
             assert_eq!((all, bins.map(|b| b.errors.points).sum()), (189, 189));
         }
         let blind = |r: &MeasuredFit| r.groups[1].means.rms_n;
-        assert!(blind(gent) < blind(plain), "{} {}", blind(gent), blind(plain));
+        assert!(
+            blind(gent) < blind(plain),
+            "{} {}",
+            blind(gent),
+            blind(plain)
+        );
     }
 
     #[test]
@@ -272,7 +355,13 @@ mod tests {
                 true
             }
         }
-        let fitter = Fitter { build: &elements, progress: &Gone };
-        assert_eq!(report(&muscles().unwrap(), fitter).unwrap_err(), Cancelled.into());
+        let fitter = Fitter {
+            build: &elements,
+            progress: &Gone,
+        };
+        assert_eq!(
+            report(&muscles().unwrap(), fitter).unwrap_err(),
+            Cancelled.into()
+        );
     }
 }

@@ -25,14 +25,16 @@ pub struct Residual {
     pub pressure_mpa: f64,
     /// The computed blocked force there, in N.
     pub blocked_n: f64,
-    /// The ± there in N; on the mean of the branches without its part for friction. `None` where nobody has measured the model's error.
+    /// The ± there in N; on the mean of the branches without its part for friction. `None` where
+    /// nobody has measured the model's error.
     pub half_width_n: Option<f64>,
 }
 
 impl Residual {
     /// Whether the ± covers the point.
     pub fn covered(&self) -> Option<bool> {
-        self.half_width_n.map(|half| self.difference_n.abs() <= half)
+        self.half_width_n
+            .map(|half| self.difference_n.abs() <= half)
     }
 }
 
@@ -50,9 +52,17 @@ struct SectionModel {
 impl SectionModel {
     fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
         let model = self.model.as_deref()?;
-        let MeasuredPoint { pressure_mpa, contraction, force_n, .. } = point.at;
+        let MeasuredPoint {
+            pressure_mpa,
+            contraction,
+            force_n,
+            ..
+        } = point.at;
         let branch = point.at.direction();
-        let options = Options { friction_share: self.friction_share, ..branch.into() };
+        let options = Options {
+            friction_share: self.friction_share,
+            ..branch.into()
+        };
         let mut evaluation = Evaluation::new(model, &mut self.workspace, options);
         let here = evaluation.response(pressure_mpa, contraction).ok()?;
         let difference_n = match point.measured {
@@ -83,7 +93,8 @@ impl SectionModel {
     }
 }
 
-/// Measured points less the model of a muscle; without those to which the model has no answer; on single branches with a friction that is estimated by c_f.
+/// Measured points less the model of a muscle; without those to which the model has no answer; on
+/// single branches with a friction that is estimated by c_f.
 pub(super) fn residuals(
     build: &Build<'_>,
     muscle: &Muscle,
@@ -93,13 +104,31 @@ pub(super) fn residuals(
     let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
-        let known = models.iter().position(|m| m.section == point.section).unwrap_or_else(|| {
-            let model = point.section.apply(muscle).ok().and_then(|m| build(&m).ok());
-            let (section, workspace, blocked) = (point.section, Workspace::new(), Workspace::new());
-            models.push(SectionModel { section, model, workspace, blocked, friction_share });
-            models.len() - 1
-        });
-        out.extend(models.get_mut(known).and_then(|model| model.residual(point)));
+        let known = models
+            .iter()
+            .position(|m| m.section == point.section)
+            .unwrap_or_else(|| {
+                let model = point
+                    .section
+                    .apply(muscle)
+                    .ok()
+                    .and_then(|m| build(&m).ok());
+                let (section, workspace, blocked) =
+                    (point.section, Workspace::new(), Workspace::new());
+                models.push(SectionModel {
+                    section,
+                    model,
+                    workspace,
+                    blocked,
+                    friction_share,
+                });
+                models.len() - 1
+            });
+        out.extend(
+            models
+                .get_mut(known)
+                .and_then(|model| model.residual(point)),
+        );
     }
     out
 }
@@ -115,11 +144,18 @@ impl Fitter<'_> {
     /// A fit to points: least squares of the pulls, from one side, without history.
     pub(super) fn identified(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
         let request = Request::new(&fit.muscle, &fit.free, points, self.build);
-        identify(&Request { progress: self.progress, ..request })
+        identify(&Request {
+            progress: self.progress,
+            ..request
+        })
     }
 
     /// The muscle and the constants of a fit to points.
-    pub(super) fn fitted(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<(Muscle, Vec<Identified>)> {
+    pub(super) fn fitted(
+        &self,
+        fit: &CaseFit,
+        points: &[DataPoint],
+    ) -> Result<(Muscle, Vec<Identified>)> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
@@ -128,10 +164,13 @@ impl Fitter<'_> {
     }
 }
 
-/// Means of branches and points without one, then the single branches. A point whose other branch is missing is in the second list alone.
+/// Means of branches and points without one, then the single branches. A point whose other branch
+/// is missing is in the second list alone.
 pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
     let means = means.iter().filter(|p| p.at.direction().is_mean());
-    means.chain(points.iter().filter(|p| !p.at.direction().is_mean())).collect()
+    means
+        .chain(points.iter().filter(|p| !p.at.direction().is_mean()))
+        .collect()
 }
 
 /// Errors of a model at some points: measured less computed.
@@ -172,9 +211,21 @@ impl ForceErrors {
         }
         let n = out.points.max(1) as f64;
         let rms_n = (squares / n).sqrt();
-        let rms_of_blocked = if out.points > 0 { rms_n / out.blocked_n } else { 0.0 };
+        let rms_of_blocked = if out.points > 0 {
+            rms_n / out.blocked_n
+        } else {
+            0.0
+        };
         let held = (judged > 0).then(|| held as f64 / judged as f64);
-        let half_width_of_blocked = out.half_width_of_blocked / (judged.max(1) as f64 * out.blocked_n);
-        Self { rms_n, half_width_of_blocked, bias_n: out.bias_n / n, rms_of_blocked, held, ..out }
+        let half_width_of_blocked =
+            out.half_width_of_blocked / (judged.max(1) as f64 * out.blocked_n);
+        Self {
+            rms_n,
+            half_width_of_blocked,
+            bias_n: out.bias_n / n,
+            rms_of_blocked,
+            held,
+            ..out
+        }
     }
 }

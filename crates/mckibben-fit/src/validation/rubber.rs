@@ -1,4 +1,5 @@
-//! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
+//! The validation report of a measured rubber: the errors of each law at the stresses it was fitted
+//! to and at those it predicts.
 
 use super::case::{CaseError, Facts};
 use super::report::ReportError;
@@ -26,14 +27,22 @@ enum Points {
 
 impl RubberCase {
     /// Reads the points: those of a test over time where a fit wants its relaxation.
-    pub(super) fn new(facts: Facts, points: &str, fits: Vec<RubberCaseFit>) -> Result<Self, CaseError> {
+    pub(super) fn new(
+        facts: Facts,
+        points: &str,
+        fits: Vec<RubberCaseFit>,
+    ) -> Result<Self, CaseError> {
         let points = if fits.iter().any(|f| f.relaxation.is_some()) {
             read_history(points, &Columns::default()).map(Points::History)
         } else {
             read_tests(points, &Columns::default()).map(|read| Points::Tests(read.0))
         };
         let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
-        Ok(Self { facts, fits, points })
+        Ok(Self {
+            facts,
+            fits,
+            points,
+        })
     }
 
     /// How many points there are.
@@ -44,7 +53,11 @@ impl RubberCase {
         }
     }
 
-    fn run(&self, fit: &RubberCaseFit, progress: &dyn Progress) -> rubber_over_time::Result<RubberFit> {
+    fn run(
+        &self,
+        fit: &RubberCaseFit,
+        progress: &dyn Progress,
+    ) -> rubber_over_time::Result<RubberFit> {
         match &self.points {
             Points::Tests(points) => fit.to_tests(points, progress),
             Points::History(points) => fit.to_history(points, progress),
@@ -53,7 +66,10 @@ impl RubberCase {
 }
 
 /// Every fit of rubbers.
-pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFit>, ReportError> {
+pub fn report(
+    cases: &[&RubberCase],
+    progress: &dyn Progress,
+) -> Result<Vec<RubberFit>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
@@ -61,7 +77,12 @@ pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<Rubb
             let result = case.run(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
-            out.push(RubberFit { case: number, fit: fit.name.clone(), law: fit.form.name(), ..result });
+            out.push(RubberFit {
+                case: number,
+                fit: fit.name.clone(),
+                law: fit.form.name(),
+                ..result
+            });
         }
     }
     Ok(out)
@@ -109,7 +130,8 @@ pub struct RubberFit {
 /// Errors at some nominal stresses: measured less computed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct RubberGroup {
-    /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
+    /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch
+    /// of a test over time.
     pub of: String,
     /// Whether nothing was fitted to them.
     pub blind: bool,
@@ -123,17 +145,27 @@ mod tests {
     use super::*;
     use mckibben::progress::Silent;
 
-    /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the others.
+    /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the
+    /// others.
     #[test]
     fn every_rubber_that_is_built_in_is_fitted() {
         let cases = rubbers().unwrap();
         let results = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(results.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
+        assert_eq!(
+            results.len(),
+            cases.iter().map(|c| c.fits.len()).sum::<usize>()
+        );
         for r in &results {
             let name = format!("{} {}", cases[r.case].facts.name, r.fit);
-            assert!(r.groups.iter().any(|g| !g.blind && g.errors.points > 5), "{name}");
+            assert!(
+                r.groups.iter().any(|g| !g.blind && g.errors.points > 5),
+                "{name}"
+            );
             let fit = cases[r.case].fits.iter().find(|f| f.name == r.fit).unwrap();
-            assert!(fit.modes.is_empty() || r.groups.iter().any(|g| g.blind), "{name}");
+            assert!(
+                fit.modes.is_empty() || r.groups.iter().any(|g| g.blind),
+                "{name}"
+            );
         }
     }
 }

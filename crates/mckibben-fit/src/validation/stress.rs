@@ -14,51 +14,99 @@ const MOVE: f64 = 1e-3;
 impl RubberCaseFit {
     /// The recommended law of a fit: held stable where the free one is not.
     fn law(&self, fit: &TensionFit) -> Result<FittedLaw> {
-        let law = fit.recommended.or(Some(0)).and_then(|i| fit.laws.get(i)).cloned();
-        let failed = || fit.failed.first().cloned().unwrap_or_else(|| no_fit(self.form, "no law was left"));
+        let law = fit
+            .recommended
+            .or(Some(0))
+            .and_then(|i| fit.laws.get(i))
+            .cloned();
+        let failed = || {
+            fit.failed
+                .first()
+                .cloned()
+                .unwrap_or_else(|| no_fit(self.form, "no law was left"))
+        };
         law.ok_or_else(|| failed().into())
     }
 
     fn settings(&self) -> FitSettings {
         let (forms, fit_modes) = (vec![self.form], self.modes.clone());
-        FitSettings { forms, fit_modes, up_to_stretch: self.up_to_stretch, ..FitSettings::default() }
+        FitSettings {
+            forms,
+            fit_modes,
+            up_to_stretch: self.up_to_stretch,
+            ..FitSettings::default()
+        }
     }
 
     /// Fits the law to tests without time.
-    pub(super) fn to_tests(&self, points: &[TensionPoint], progress: &dyn Progress) -> Result<RubberFit> {
+    pub(super) fn to_tests(
+        &self,
+        points: &[TensionPoint],
+        progress: &dyn Progress,
+    ) -> Result<RubberFit> {
         let fit = fit_tension_with(points, &self.settings(), progress)?;
         let fitted = self.law(&fit)?;
-        let whole = FitSettings { up_to_stretch: None, ..self.settings() };
+        let whole = FitSettings {
+            up_to_stretch: None,
+            ..self.settings()
+        };
         // Points behind a rupture are in neither.
         let beyond = match self.up_to_stretch {
             Some(end) => {
                 let all = fit_tension_with(points, &whole, progress)?;
                 let further = |p: &TensionPoint| p.stretch.max(p.across) > end;
-                all.points.into_iter().chain(all.held_out).filter(further).collect()
+                all.points
+                    .into_iter()
+                    .chain(all.held_out)
+                    .filter(further)
+                    .collect()
             }
             None => vec![],
         };
         let mut groups = vec![];
-        for (list, blind, further) in
-            [(&fit.points, false, ""), (&fit.held_out, true, ""), (&beyond, true, ", further")]
-        {
+        for (list, blind, further) in [
+            (&fit.points, false, ""),
+            (&fit.held_out, true, ""),
+            (&beyond, true, ", further"),
+        ] {
             groups.extend(Mode::ALL.map(|mode| {
                 let points = list.iter().filter(|p| p.mode == mode);
                 let errors = StressErrors::for_law(&fitted.law, points);
-                RubberGroup { of: format!("{mode}{further}"), blind, errors }
+                RubberGroup {
+                    of: format!("{mode}{further}"),
+                    blind,
+                    errors,
+                }
             }));
         }
         groups.retain(|g| g.errors.points > 0);
         let (stable, parameters) = (fitted.quality.stable, fitted.parameters);
-        Ok(RubberFit { stable, parameters, groups, ..RubberFit::default() })
+        Ok(RubberFit {
+            stable,
+            parameters,
+            groups,
+            ..RubberFit::default()
+        })
     }
 
     /// Fits the law to a test over time, with a Prony series if it is wanted.
-    pub(super) fn to_history(&self, points: &[TimePoint], progress: &dyn Progress) -> Result<RubberFit> {
+    pub(super) fn to_history(
+        &self,
+        points: &[TimePoint],
+        progress: &dyn Progress,
+    ) -> Result<RubberFit> {
         let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
-        let elastic = FitSettings { history: true, ..self.settings() };
+        let elastic = FitSettings {
+            history: true,
+            ..self.settings()
+        };
         let fit = fit_tension_with(&list, &elastic, progress)?;
-        let FittedLaw { mut law, quality, mut parameters, .. } = self.law(&fit)?;
+        let FittedLaw {
+            mut law,
+            quality,
+            mut parameters,
+            ..
+        } = self.law(&fit)?;
         let mut prony = Prony::default();
         if let Some(branches) = self.relaxation {
             let fit = fit_prony(points, self.form, branches)?;
@@ -75,16 +123,39 @@ impl RubberCaseFit {
             s if s < -MOVE => "unloading",
             _ => "held",
         };
-        let branches: Vec<&str> = points.iter().zip(before).map(|(p, b)| branch(p.stretch - b)).collect();
+        let branches: Vec<&str> = points
+            .iter()
+            .zip(before)
+            .map(|(p, b)| branch(p.stretch - b))
+            .collect();
         let group = |name: &str| {
-            let points = points.iter().zip(&computed).zip(&branches).filter(|p| *p.1 == name);
-            let stresses = points.map(|((p, computed), _)| (p.stretch, p.nominal_stress_mpa, *computed));
-            RubberGroup { of: name.into(), blind: false, errors: StressErrors::new(stresses) }
+            let points = points
+                .iter()
+                .zip(&computed)
+                .zip(&branches)
+                .filter(|p| *p.1 == name);
+            let stresses =
+                points.map(|((p, computed), _)| (p.stretch, p.nominal_stress_mpa, *computed));
+            RubberGroup {
+                of: name.into(),
+                blind: false,
+                errors: StressErrors::new(stresses),
+            }
         };
         let mut groups = ["loading", "unloading", "held"].map(group).to_vec();
         groups.retain(|g| g.errors.points > 0);
-        let prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
+        let prony = prony
+            .branches
+            .iter()
+            .map(|b| (b.share, b.time_constant_s))
+            .collect();
         let stable = quality.stable;
-        Ok(RubberFit { stable, parameters, prony, groups, ..RubberFit::default() })
+        Ok(RubberFit {
+            stable,
+            parameters,
+            prony,
+            groups,
+            ..RubberFit::default()
+        })
     }
 }

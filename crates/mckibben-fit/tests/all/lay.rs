@@ -12,7 +12,11 @@ fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
     let tube = Tube::new(14.0, 1.5, 150.0, rubber);
     let stiffness = BraidStiffness::NewtonPerMm(100.0);
-    let mut braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };
+    let mut braid = Braid {
+        angle_deg: 20.0,
+        stiffness,
+        ..Braid::paper()
+    };
     change(&mut braid);
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -24,7 +28,10 @@ fn fe(change: impl FnOnce(&mut Braid)) -> Axisymmetric {
 fn all(braid: &mut Braid) {
     braid.thickness_mm = 0.5;
     braid.diameter_mm = Some(14.6);
-    braid.crimp = Some(Crimp { strain: 0.02, stiffness_ratio: 0.2 });
+    braid.crimp = Some(Crimp {
+        strain: 0.02,
+        stiffness_ratio: 0.2,
+    });
 }
 
 #[test]
@@ -58,7 +65,10 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn sensitivities_are_those_of_differences() {
     let (p, e) = (0.3, 0.1);
     let names = ["thickness", "diameter", "stiffness", "crimp"].map(|key| format!("braid.{key}"));
-    let known = fe(all).force_by(&mut Workspace::new(), p, e, &names).unwrap().unwrap();
+    let known = fe(all)
+        .force_by(&mut Workspace::new(), p, e, &names)
+        .unwrap()
+        .unwrap();
     let pull = |change: &dyn Fn(&mut Braid)| {
         let changed = |b: &mut Braid| {
             all(b);
@@ -69,32 +79,61 @@ fn sensitivities_are_those_of_differences() {
     let h = 1e-3;
     let thickness = |d: f64| pull(&|b: &mut Braid| b.thickness_mm += d);
     let diameter = |d: f64| pull(&|b: &mut Braid| b.diameter_mm = Some(14.6 + d));
-    let crimp = |strain| Some(Crimp { strain, stiffness_ratio: 0.2 });
+    let crimp = |strain| {
+        Some(Crimp {
+            strain,
+            stiffness_ratio: 0.2,
+        })
+    };
     let straight = |d: f64| pull(&|b: &mut Braid| b.crimp = crimp(0.02 + d));
-    let stiffness = |d: f64| pull(&|b: &mut Braid| b.stiffness = BraidStiffness::NewtonPerMm(100.0 + d));
+    let stiffness =
+        |d: f64| pull(&|b: &mut Braid| b.stiffness = BraidStiffness::NewtonPerMm(100.0 + d));
     for (known, difference) in known.iter().zip([
         (thickness(h) - thickness(-h)) / (2.0 * h),
         (diameter(h) - diameter(-h)) / (2.0 * h),
         (stiffness(0.1) - stiffness(-0.1)) / 0.2,
         (straight(1e-5) - straight(-1e-5)) / 2e-5,
     ]) {
-        assert!((known / difference - 1.0).abs() < 1e-5, "{known} {difference}");
+        assert!(
+            (known / difference - 1.0).abs() < 1e-5,
+            "{known} {difference}"
+        );
     }
 }
 
-/// Below first contact the sleeve carries nothing, and the pull is that of a tube without one: the muscle whose sleeve is wider still.
+/// Below first contact the sleeve carries nothing, and the pull is that of a tube without one: the
+/// muscle whose sleeve is wider still.
 #[test]
 fn before_first_contact_the_tube_is_alone() {
-    let (loose, looser) = (fe(|b| b.diameter_mm = Some(16.0)), fe(|b| b.diameter_mm = Some(18.0)));
+    let (loose, looser) = (
+        fe(|b| b.diameter_mm = Some(16.0)),
+        fe(|b| b.diameter_mm = Some(18.0)),
+    );
     let w = &mut Workspace::new();
     let here = loose.response(w, 0.005, 0.0).unwrap();
     assert_eq!(here.braid_tension_n, Some(0.0));
     let other = looser.force_n(&mut Workspace::new(), 0.005, 0.0).unwrap();
-    assert!((here.force_n - other).abs() < 1e-8, "{} {other}", here.force_n);
-    assert!(loose.response(w, 0.1, 0.0).unwrap().braid_tension_n.unwrap() > 1.0);
+    assert!(
+        (here.force_n - other).abs() < 1e-8,
+        "{} {other}",
+        here.force_n
+    );
+    assert!(
+        loose
+            .response(w, 0.1, 0.0)
+            .unwrap()
+            .braid_tension_n
+            .unwrap()
+            > 1.0
+    );
     // The slope of the pull grows by an order of magnitude as the sleeve begins to carry.
-    let [low, high] =
-        [0.005, 0.1].map(|p| loose.response(w, p, 0.0).unwrap().force_per_pressure_mm2.unwrap());
+    let [low, high] = [0.005, 0.1].map(|p| {
+        loose
+            .response(w, p, 0.0)
+            .unwrap()
+            .force_per_pressure_mm2
+            .unwrap()
+    });
     assert!(high > 10.0 * low.abs());
 }
 
@@ -103,9 +142,20 @@ fn before_first_contact_the_tube_is_alone() {
 fn long_muscles_tend_to_the_closed_form_like_1_over_l0() {
     let pull = |length_mm: f64| {
         let m = muscle(all);
-        let m = m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
-        let exact = ThickWall::new(&m).force_n(&mut Workspace::new(), 0.4, 0.1).unwrap();
-        exact - Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.4, 0.1).unwrap()
+        let m = m
+            .with_tube(Tube {
+                length_mm,
+                ..m.tube().clone()
+            })
+            .unwrap();
+        let exact = ThickWall::new(&m)
+            .force_n(&mut Workspace::new(), 0.4, 0.1)
+            .unwrap();
+        exact
+            - Axisymmetric::new(&m)
+                .unwrap()
+                .force_n(&mut Workspace::new(), 0.4, 0.1)
+                .unwrap()
     };
     let ratio = pull(600.0) / pull(1200.0);
     assert!((ratio - 2.0).abs() < 0.05, "{ratio}");
@@ -114,29 +164,50 @@ fn long_muscles_tend_to_the_closed_form_like_1_over_l0() {
 #[test]
 fn three_dimensional_elements_say_what_they_do_not_have() {
     for (change, key) in [
-        (&(|b: &mut Braid| b.thickness_mm = 0.3) as &dyn Fn(&mut Braid), "braid.thickness"),
-        (&|b: &mut Braid| b.diameter_mm = Some(15.0), "braid.diameter"),
-        (&|b: &mut Braid| b.crimp = Some(Crimp { strain: 0.01, stiffness_ratio: 0.1 }), "braid.crimp"),
+        (
+            &(|b: &mut Braid| b.thickness_mm = 0.3) as &dyn Fn(&mut Braid),
+            "braid.thickness",
+        ),
+        (
+            &|b: &mut Braid| b.diameter_mm = Some(15.0),
+            "braid.diameter",
+        ),
+        (
+            &|b: &mut Braid| {
+                b.crimp = Some(Crimp {
+                    strain: 0.01,
+                    stiffness_ratio: 0.1,
+                })
+            },
+            "braid.crimp",
+        ),
     ] {
-        let refused = mckibben_fem::three_dimensional::MuscleMesh::new(&muscle(change), &Default::default());
+        let refused =
+            mckibben_fem::three_dimensional::MuscleMesh::new(&muscle(change), &Default::default());
         assert!(matches!(refused, Err(FemError::Refused(said)) if said.contains(key)));
     }
 }
 
-/// The universal formula was fitted to muscles whose strands lie on the tube. The middle is exact with the others too; what the ends miss
-/// grows by no more than 0.0012 of the blocked force.
+/// The universal formula was fitted to muscles whose strands lie on the tube. The middle is exact
+/// with the others too; what the ends miss grows by no more than 0.0012 of the blocked force.
 #[test]
 fn the_universal_formula_errs_little_more_than_without() {
     let largest = |change: &dyn Fn(&mut Braid)| {
         let m = muscle(change);
-        let (fe, formula) = (Axisymmetric::new(&m).unwrap(), ModelKind::Universal.build(&m).unwrap());
+        let (fe, formula) = (
+            Axisymmetric::new(&m).unwrap(),
+            ModelKind::Universal.build(&m).unwrap(),
+        );
         assert!(formula.info().notes.is_empty());
         let w = &mut Workspace::new();
         let mut largest = 0.0_f64;
         for p in [0.1, 0.3, 0.6] {
             let blocked = fe.force_n(w, p, 0.0).unwrap();
             for e in [0.0, 0.1, 0.2] {
-                let (a, b) = (fe.force_n(w, p, e).unwrap(), formula.force_n(w, p, e).unwrap());
+                let (a, b) = (
+                    fe.force_n(w, p, e).unwrap(),
+                    formula.force_n(w, p, e).unwrap(),
+                );
                 largest = largest.max((a - b).abs() / blocked);
             }
         }
@@ -147,7 +218,12 @@ fn the_universal_formula_errs_little_more_than_without() {
         &|b| b.thickness_mm = 0.3,
         &|b| b.thickness_mm = 1.2,
         &|b| b.diameter_mm = Some(15.0),
-        &|b| b.crimp = Some(Crimp { strain: 0.01, stiffness_ratio: 0.1 }),
+        &|b| {
+            b.crimp = Some(Crimp {
+                strain: 0.01,
+                stiffness_ratio: 0.1,
+            })
+        },
         &all,
     ];
     for change in braids {
@@ -160,9 +236,16 @@ fn the_universal_formula_errs_little_more_than_without() {
 #[test]
 fn models_say_what_they_leave_out() {
     let m = muscle(all);
-    for kind in [ModelKind::Ideal, ModelKind::ChouHannaford, ModelKind::ForceBalance] {
+    for kind in [
+        ModelKind::Ideal,
+        ModelKind::ChouHannaford,
+        ModelKind::ForceBalance,
+    ] {
         let notes = kind.build(&m).unwrap().info().notes.clone();
-        assert!(notes[0].contains("braid.thickness, braid.diameter, braid.crimp not used"), "{notes:?}");
+        assert!(
+            notes[0].contains("braid.thickness, braid.diameter, braid.crimp not used"),
+            "{notes:?}"
+        );
     }
     assert!(ThickWall::new(&m).info().notes.is_empty());
     assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
@@ -173,23 +256,37 @@ fn models_say_what_they_leave_out() {
 fn thickness_and_crimp_come_back_from_rounded_points() {
     let truth = muscle(|b| {
         b.thickness_mm = 0.6;
-        b.crimp = Some(Crimp { strain: 0.012, stiffness_ratio: 0.1 });
+        b.crimp = Some(Crimp {
+            strain: 0.012,
+            stiffness_ratio: 0.1,
+        });
     });
     let (model, w) = (Axisymmetric::new(&truth).unwrap(), &mut Workspace::new());
     let mut points = vec![];
     for pressure_mpa in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6] {
         for contraction in [0.0, 0.05, 0.1, 0.15, 0.2] {
-            let force_n = 0.1 * (10.0 * model.force_n(w, pressure_mpa, contraction).unwrap()).round();
+            let force_n =
+                0.1 * (10.0 * model.force_n(w, pressure_mpa, contraction).unwrap()).round();
             let branch = Some(Direction::Mean);
-            points.push(DataPoint::new(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
+            points.push(DataPoint::new(MeasuredPoint {
+                pressure_mpa,
+                contraction,
+                force_n,
+                branch,
+            }));
         }
     }
     let m = muscle(|_| {});
     let free = ["braid.thickness", "braid.crimp"].map(|t| Parameter::parse(t, &m).unwrap());
-    let result =
-        identify(&Request::new(&m, &free, &points, &|m| Ok(Box::new(Axisymmetric::new(m)?)))).unwrap();
+    let result = identify(&Request::new(&m, &free, &points, &|m| {
+        Ok(Box::new(Axisymmetric::new(m)?))
+    }))
+    .unwrap();
     for (p, truth) in result.parameters.iter().zip([0.6, 0.012]) {
-        assert!((p.value - truth).abs() < p.half_width.max(1e-3 * truth), "{p:?}");
+        assert!(
+            (p.value - truth).abs() < p.half_width.max(1e-3 * truth),
+            "{p:?}"
+        );
         assert!(p.identifiable, "{p:?}");
     }
 }

@@ -19,7 +19,11 @@ fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn case(name: &str) -> &'static MuscleCase {
-    muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap()
+    muscles()
+        .unwrap()
+        .into_iter()
+        .find(|c| c.facts.name == name)
+        .unwrap()
 }
 
 fn case_and_fit(name: &str, fit: &str) -> (&'static MuscleCase, &'static CaseFit) {
@@ -50,22 +54,37 @@ fn the_crates_copies_are_the_files_in_data() {
         ("rubber-hnbr50", "hnbr50/stepwise_relaxation"),
     ] {
         let original = std::fs::read_to_string(repository.join(format!("{original}.csv"))).unwrap();
-        assert!(built_in().iter().any(|f| f.name == name && f.points == original), "{name}");
+        assert!(
+            built_in()
+                .iter()
+                .any(|f| f.name == name && f.points == original),
+            "{name}"
+        );
     }
 }
 
-/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch given, and on
-/// the branch of each point. Of Tondu's 20° muscle the loops are ± 37 N.
+/// The share of measured single branches that the ± holds of a muscle whose friction was identified
+/// from both: with no branch given, and on the branch of each point. Of Tondu's 20° muscle the
+/// loops are ± 37 N.
 #[test]
 fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() {
     for (name, fit) in [
         ("tondu2012", "Gent, friction; both branches"),
-        ("dmsp-10-hose", "modulus, angle, slip, friction; both branches"),
+        (
+            "dmsp-10-hose",
+            "modulus, angle, slip, friction; both branches",
+        ),
     ] {
         let (set, fit) = case_and_fit(name, fit);
         let branch = |p: &&mckibben_fit::measured::DataPoint| !p.at.direction().is_mean();
         // Every third: quick, and of all pressures and contractions.
-        let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
+        let points: Vec<_> = set
+            .points
+            .iter()
+            .filter(branch)
+            .step_by(3)
+            .copied()
+            .collect();
         let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
         let result = identify(&request).unwrap();
         assert!(result.muscle.friction().is_some());
@@ -80,64 +99,112 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             let at = (p.at.pressure_mpa, p.at.contraction);
             judged += 1;
             for (held, direction) in held.iter_mut().zip([Direction::Mean, p.at.direction()]) {
-                let force_n = Evaluation::new(&**model, w, direction).force_n(at.0, at.1).unwrap();
-                let parts = Evaluation::new(&**model, w, direction).uncertainty(at.0, at.1, force_n).unwrap();
+                let force_n = Evaluation::new(&**model, w, direction)
+                    .force_n(at.0, at.1)
+                    .unwrap();
+                let parts = Evaluation::new(&**model, w, direction)
+                    .uncertainty(at.0, at.1, force_n)
+                    .unwrap();
                 *held += usize::from((p.at.force_n - force_n.max(0.0)).abs() <= parts.total());
             }
         }
         let shares = held.map(|h| h as f64 / f64::from(judged));
-        assert!(shares.iter().all(|s| *s >= 0.94), "{name}: {shares:?} of {judged}");
+        assert!(
+            shares.iter().all(|s| *s >= 0.94),
+            "{name}: {shares:?} of {judged}"
+        );
     }
 }
 
-/// Two braided muscles have measured branches (Tondu 2012, 20° and 30°). c_f of each, by least squares of its half-widths from ε 0.02 on, gives the ± of the
-/// other one's branches: the share of the points that lie within it, and its mean width over that of the mean of the branches.
-/// All numbers are derived from these points; docs/validation.md has them in a table.
+/// Two braided muscles have measured branches (Tondu 2012, 20° and 30°). c_f of each, by least
+/// squares of its half-widths from ε 0.02 on, gives the ± of the other one's branches: the share of
+/// the points that lie within it, and its mean width over that of the mean of the branches. All
+/// numbers are derived from these points; docs/validation.md has them in a table.
 #[test]
 fn friction_estimated_by_one_measured_muscle_holds_the_branches_of_the_other() {
     let residuals = |name: &str, share: f64| -> Vec<Residual> {
-        first_fit_residuals(case(name), share, Fitter { build: &elements, progress: &Silent }).unwrap()
+        first_fit_residuals(
+            case(name),
+            share,
+            Fitter {
+                build: &elements,
+                progress: &Silent,
+            },
+        )
+        .unwrap()
     };
     // Means lie at the points of the lower branch, whose pull a c_f of 0.01 reduces by 0.01 T cosθ.
     let of_blocked = |r: &Residual| r.difference_n / r.blocked_n;
     let constant = |name: &str| {
         let (none, some) = (residuals(name, 0.0), residuals(name, 0.01));
         let (mut xy, mut xx) = (0.0, 0.0);
-        for mean in none.iter().filter(|r| r.branch.is_mean() && r.contraction >= 0.02) {
-            let at = |r: &&Residual| (r.pressure_mpa, r.contraction) == (mean.pressure_mpa, mean.contraction);
-            let lower = |list: &[Residual]| {
-                list.iter().filter(at).find(|r| r.branch == Direction::Contraction).map(of_blocked).unwrap()
+        for mean in none
+            .iter()
+            .filter(|r| r.branch.is_mean() && r.contraction >= 0.02)
+        {
+            let at = |r: &&Residual| {
+                (r.pressure_mpa, r.contraction) == (mean.pressure_mpa, mean.contraction)
             };
-            let (half, pull) = (of_blocked(mean) - lower(&none), (lower(&some) - lower(&none)) / 0.01);
+            let lower = |list: &[Residual]| {
+                list.iter()
+                    .filter(at)
+                    .find(|r| r.branch == Direction::Contraction)
+                    .map(of_blocked)
+                    .unwrap()
+            };
+            let (half, pull) = (
+                of_blocked(mean) - lower(&none),
+                (lower(&some) - lower(&none)) / 0.01,
+            );
             (xy, xx) = (xy + pull * half, xx + pull * pull);
         }
         xy / xx
     };
     let row = |name: &str, other: &str| {
-        let branches = |share| residuals(name, share).into_iter().filter(|r| !r.branch.is_mean()).collect();
+        let branches = |share| {
+            residuals(name, share)
+                .into_iter()
+                .filter(|r| !r.branch.is_mean())
+                .collect()
+        };
         let both: [Vec<Residual>; 2] = [0.0, constant(other)].map(branches);
-        let [held, estimated] = both.each_ref().map(|list| ForceErrors::new(list.iter()).held.unwrap());
+        let [held, estimated] = both
+            .each_ref()
+            .map(|list| ForceErrors::new(list.iter()).held.unwrap());
         let width = |r: &Residual| r.half_width_n.unwrap() / r.blocked_n;
-        let [wide, narrow] = both.map(|list| list.iter().map(width).sum::<f64>() / list.len() as f64);
+        let [wide, narrow] =
+            both.map(|list| list.iter().map(width).sum::<f64>() / list.len() as f64);
         [constant(name), held, estimated, narrow / wide]
     };
-    let [first, second] = [row("tondu2012", "tondu2012-30"), row("tondu2012-30", "tondu2012")];
-    // c_f, share within the ± of the mean, share within that of the branch, its width over that of the mean.
-    for (computed, derived) in [(first, [0.079, 0.959, 0.951, 0.549]), (second, [0.084, 0.911, 0.966, 0.668])]
-    {
-        let near = computed.iter().zip(derived).all(|(a, b)| (a - b).abs() < 0.002);
+    let [first, second] = [
+        row("tondu2012", "tondu2012-30"),
+        row("tondu2012-30", "tondu2012"),
+    ];
+    // c_f, share within the ± of the mean, share within that of the branch, its width over that of
+    // the mean.
+    for (computed, derived) in [
+        (first, [0.079, 0.959, 0.951, 0.549]),
+        (second, [0.084, 0.911, 0.966, 0.668]),
+    ] {
+        let near = computed
+            .iter()
+            .zip(derived)
+            .all(|(a, b)| (a - b).abs() < 0.002);
         assert!(near && (computed[2] - 0.95).abs() <= 0.03, "{computed:?}");
     }
     assert!(first[3] + second[3] < 4.0 / 3.0);
 }
 
-/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: their ± over the blocked force, which the suggested test
-/// states (0.06), and the held-out points at it.
+/// Ten points at the highest pressure and at 0.4 of it, as far as they are there: their ± over the
+/// blocked force, which the suggested test states (0.06), and the held-out points at it.
 #[test]
 fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
     let thick = |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m);
     let mut shares = vec![];
-    for (name, fit) in [("tondu2012", "Gent, friction; both branches"), ("dmsp-20-300", "modulus, angle")] {
+    for (name, fit) in [
+        ("tondu2012", "Gent, friction; both branches"),
+        ("dmsp-20-300", "modulus, angle"),
+    ] {
         let (set, fit) = case_and_fit(name, fit);
         let points = held_out::fit_points(set, fit);
         let top = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
@@ -145,11 +212,20 @@ fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
             let mut list = points.clone();
             list.retain(|p| (p.at.pressure_mpa / pressure - 1.0).abs() < 0.08);
             list.sort_by(|a, b| a.at.contraction.total_cmp(&b.at.contraction));
-            (0..5).map(|i| list[i * (list.len() - 1) / 4]).collect::<Vec<_>>()
+            (0..5)
+                .map(|i| list[i * (list.len() - 1) / 4])
+                .collect::<Vec<_>>()
         };
         let ten = [five(top), five(0.4 * top)].concat();
-        let others: Vec<_> = points.iter().filter(|p| !ten.contains(p)).copied().collect();
-        let fitter = Fitter { build: &thick, progress: &Silent };
+        let others: Vec<_> = points
+            .iter()
+            .filter(|p| !ten.contains(p))
+            .copied()
+            .collect();
+        let fitter = Fitter {
+            build: &thick,
+            progress: &Silent,
+        };
         let judged = fitter.judged(fit, &ten, &others).unwrap();
         let held = ForceErrors::new(judged.iter()).held;
         assert!(held.unwrap() >= 0.93, "{name}: {held:?}");
@@ -157,11 +233,15 @@ fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
         let wide: f64 = judged.iter().map(|p| p.half_width_n.unwrap()).sum();
         shares.push(wide / judged.len() as f64 / blocked);
     }
-    assert!(shares.iter().all(|s| (0.03..0.09).contains(s)), "{shares:?}");
+    assert!(
+        shares.iter().all(|s| (0.03..0.09).contains(s)),
+        "{shares:?}"
+    );
 }
 
-/// Slopes of measured pulls between contractions at one pressure, at least a quarter of the largest contraction apart, against those of `fe`, muscle by
-/// muscle: 95 % lie within the ± of the stiffness.
+/// Slopes of measured pulls between contractions at one pressure, at least a quarter of the largest
+/// contraction apart, against those of `fe`, muscle by muscle: 95 % lie within the ± of the
+/// stiffness.
 #[test]
 fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
     let (mut held, mut all) = (0, 0);
@@ -172,9 +252,15 @@ fn the_uncertainty_of_the_stiffness_holds_the_slopes_of_measured_pulls() {
         for length in lengths {
             let mut one = set.clone();
             one.points.retain(|p| p.section.length_mm == length);
-            let fitter = Fitter { build: &elements, progress: &Silent };
+            let fitter = Fitter {
+                build: &elements,
+                progress: &Silent,
+            };
             let residuals = first_fit_residuals(&one, 0.0, fitter).unwrap();
-            let residuals: Vec<_> = residuals.into_iter().filter(|r| r.branch.is_mean()).collect();
+            let residuals: Vec<_> = residuals
+                .into_iter()
+                .filter(|r| r.branch.is_mean())
+                .collect();
             let mut ratios = vec![];
             for (i, a) in residuals.iter().enumerate() {
                 for b in &residuals[..i] {

@@ -6,8 +6,9 @@ use mckibben::rubber::Law;
 use mckibben::uncertainty::ONE_AXIS;
 use mckibben_fit::rubber::{FitSettings, Mode, fit_tension, read_tension};
 
-/// Six rubbers measured in several modes: the law recommended from their uniaxial test, against the one from all tests. Where the pull
-/// with the latter lies within what d makes of the former; pressures of 1 to 4 bar, contractions up to 25 %, two muscles.
+/// Six rubbers measured in several modes: the law recommended from their uniaxial test, against the
+/// one from all tests. Where the pull with the latter lies within what d makes of the former;
+/// pressures of 1 to 4 bar, contractions up to 25 %, two muscles.
 #[test]
 fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() {
     let w = &mut Workspace::new();
@@ -23,7 +24,11 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
         let path = format!("{}/../../data/{file}.csv", env!("CARGO_MANIFEST_DIR"));
         let points = read_tension(&std::fs::read_to_string(path).unwrap()).unwrap();
         let law = |fit_modes: Vec<Mode>| -> Law {
-            let settings = FitSettings { fit_modes, up_to_stretch: Some(3.0), ..FitSettings::default() };
+            let settings = FitSettings {
+                fit_modes,
+                up_to_stretch: Some(3.0),
+                ..FitSettings::default()
+            };
             let fit = fit_tension(&points, &settings).unwrap();
             fit.laws[fit.recommended.unwrap()].law.clone()
         };
@@ -32,9 +37,16 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
         for (wall, angle) in [(3.0, 28.0), (1.5, 22.0)] {
             let muscle = |law: &Law| {
                 let rubber = Rubber::new(law.clone());
-                let tube = Tube { rubber, wall_mm: wall, ..Muscle::prototype().tube().clone() };
+                let tube = Tube {
+                    rubber,
+                    wall_mm: wall,
+                    ..Muscle::prototype().tube().clone()
+                };
                 let muscle = Muscle::prototype().with_tube(tube).unwrap();
-                let braid = Braid { angle_deg: angle, ..muscle.braid().clone() };
+                let braid = Braid {
+                    angle_deg: angle,
+                    ..muscle.braid().clone()
+                };
                 muscle.with_braid(braid).unwrap()
             };
             let laws = [one.clone(), all.clone(), one.scaled(1.01)].map(|l| muscle(&l));
@@ -42,17 +54,26 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
                 for k in 0..=5 {
                     let (p, e) = (0.1 * f64::from(i), 0.05 * f64::from(k));
                     let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, p, e).ok();
-                    let [Some(a), Some(b), Some(c)] = [pull(&laws[0]), pull(&laws[1]), pull(&laws[2])] else {
+                    let [Some(a), Some(b), Some(c)] =
+                        [pull(&laws[0]), pull(&laws[1]), pull(&laws[2])]
+                    else {
                         continue;
                     };
                     shares.push(0.01 * (b - a) / (c - a));
                 }
             }
         }
-        let within = shares.iter().filter(|s| s.abs() <= ONE_AXIS).count() as f64 / shares.len() as f64;
+        let within =
+            shares.iter().filter(|s| s.abs() <= ONE_AXIS).count() as f64 / shares.len() as f64;
         shares.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         let at = |q: f64| shares[(q * (shares.len() - 1) as f64) as usize].abs();
-        assert!(within == 1.0, "{file}, {} against {}: {within}, {}", one.name(), all.name(), at(1.0));
+        assert!(
+            within == 1.0,
+            "{file}, {} against {}: {within}, {}",
+            one.name(),
+            all.name(),
+            at(1.0)
+        );
         held.push(at(1.0));
     }
     // No wider than the widest of them asks for.

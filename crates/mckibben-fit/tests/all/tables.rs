@@ -6,12 +6,18 @@ use mckibben_io::table::{Columns, read_text};
 use proptest::prelude::*;
 
 fn both(bytes: &[u8]) {
-    let Ok((text, _)) = read_text(bytes, None) else { return };
+    let Ok((text, _)) = read_text(bytes, None) else {
+        return;
+    };
     let columns = Columns::parse("pressure=P:kPa,contraction=#2:%").unwrap_or_default();
     for columns in [Columns::default(), columns] {
         let _ = read_points(
             &text,
-            &PointOptions { columns: columns.clone(), rest_length_mm: Some(200.0), log: None },
+            &PointOptions {
+                columns: columns.clone(),
+                rest_length_mm: Some(200.0),
+                log: None,
+            },
         );
         let specimen = ["area=1mm2".to_owned(), "gauge_length=1mm".to_owned()];
         let _ = read_tests(&text, &columns.with(&specimen, (0, 1), "test.csv").unwrap());
@@ -24,7 +30,10 @@ fn tables() -> impl Strategy<Value = String> {
         3 => r"(Pressure|p|Druck|P|Force|Kraft|contraction|strain|stretch|ΔL|length_mm|stress|mode|status)",
         1 => "\\PC{0,8}",
     ];
-    let unit = prop_oneof![r"( ?[\[(/{]| in |_)(kPa|bar|mm|%|N|lbf|inch|Pa|-)?[\])}]?", "\\PC{0,3}"];
+    let unit = prop_oneof![
+        r"( ?[\[(/{]| in |_)(kPa|bar|mm|%|N|lbf|inch|Pa|-)?[\])}]?",
+        "\\PC{0,3}"
+    ];
     let cell = prop_oneof![
         4 => r#"-?[0-9]{0,3}[.,]?[0-9]{0,3}( ?(kPa|%|N))?"#,
         1 => r#"["'#;,.€−%\t ]{0,3}[0-9e+]{0,3}"#,

@@ -11,12 +11,20 @@ pub struct File {
 impl File {
     /// A file of text.
     pub fn text(name: impl Into<String>, about: &'static str, text: String) -> Self {
-        Self { name: name.into(), about, content: Content::Text(text) }
+        Self {
+            name: name.into(),
+            about,
+            content: Content::Text(text),
+        }
     }
 
     /// A file of bytes.
     pub fn bytes(name: impl Into<String>, about: &'static str, bytes: Vec<u8>) -> Self {
-        Self { name: name.into(), about, content: Content::Bytes(bytes) }
+        Self {
+            name: name.into(),
+            about,
+            content: Content::Bytes(bytes),
+        }
     }
 }
 

@@ -20,7 +20,8 @@ pub enum ReadError {
 
 /// Opens a regular file.
 pub fn open(path: &Path) -> Result<File, ReadError> {
-    // Asked before opening: to open a pipe would wait for its other end, to open a device may do anything.
+    // Asked before opening: to open a pipe would wait for its other end, to open a device may do
+    // anything.
     regular(&std::fs::metadata(path)?)?;
     let file = File::open(path)?;
     regular(&file.metadata()?)?;
@@ -30,8 +31,12 @@ pub fn open(path: &Path) -> Result<File, ReadError> {
 fn regular(kind: &Metadata) -> Result<(), ReadError> {
     match (kind.is_file(), kind.is_dir()) {
         (true, _) => Ok(()),
-        (_, true) => Err(ReadError::NotAFile { what: "a directory" }),
-        _ => Err(ReadError::NotAFile { what: "a device or a pipe" }),
+        (_, true) => Err(ReadError::NotAFile {
+            what: "a directory",
+        }),
+        _ => Err(ReadError::NotAFile {
+            what: "a device or a pipe",
+        }),
     }
 }
 
@@ -45,7 +50,11 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     } else {
         return Err(ReadError::TooLarge { limit });
     }
-    if bytes.len() as u64 > limit { Err(ReadError::TooLarge { limit }) } else { Ok(bytes) }
+    if bytes.len() as u64 > limit {
+        Err(ReadError::TooLarge { limit })
+    } else {
+        Ok(bytes)
+    }
 }
 
 #[cfg(test)]
@@ -59,14 +68,25 @@ mod tests {
         let path = folder.path().join("a");
         std::fs::write(&path, [7; 10]).unwrap();
         assert_eq!(read(&path, 10).unwrap(), [7; 10]);
-        assert!(matches!(read(&path, 9), Err(ReadError::TooLarge { limit: 9 })));
+        assert!(matches!(
+            read(&path, 9),
+            Err(ReadError::TooLarge { limit: 9 })
+        ));
         // Twenty gigabytes that are nowhere on the disk.
         let sparse = folder.path().join("sparse");
         File::create(&sparse).unwrap().set_len(20 << 30).unwrap();
-        assert!(matches!(read(&sparse, 1 << 20), Err(ReadError::TooLarge { .. })));
+        assert!(matches!(
+            read(&sparse, 1 << 20),
+            Err(ReadError::TooLarge { .. })
+        ));
         let missing = read(&folder.path().join("b"), 9).unwrap_err();
         assert!(matches!(missing, ReadError::System(e) if e.kind() == ErrorKind::NotFound));
-        assert!(matches!(read(folder.path(), 9), Err(ReadError::NotAFile { what: "a directory" })));
+        assert!(matches!(
+            read(folder.path(), 9),
+            Err(ReadError::NotAFile {
+                what: "a directory"
+            })
+        ));
     }
 
     #[cfg(unix)]
@@ -75,16 +95,34 @@ mod tests {
         use std::process::Command;
         let folder = tempfile::tempdir().unwrap();
         let pipe = folder.path().join("pipe");
-        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        assert!(
+            Command::new("mkfifo")
+                .arg(&pipe)
+                .status()
+                .unwrap()
+                .success()
+        );
         for path in [pipe.as_path(), Path::new("/dev/zero")] {
-            assert!(matches!(read(path, 9), Err(ReadError::NotAFile { what: "a device or a pipe" })));
+            assert!(matches!(
+                read(path, 9),
+                Err(ReadError::NotAFile {
+                    what: "a device or a pipe"
+                })
+            ));
         }
     }
 
     #[cfg(target_os = "linux")]
     #[test]
     fn a_file_whose_length_says_zero_is_read_all_the_same() {
-        assert!(!read(Path::new("/proc/self/stat"), 1 << 16).unwrap().is_empty());
-        assert!(matches!(read(Path::new("/proc/self/stat"), 4), Err(ReadError::TooLarge { limit: 4 })));
+        assert!(
+            !read(Path::new("/proc/self/stat"), 1 << 16)
+                .unwrap()
+                .is_empty()
+        );
+        assert!(matches!(
+            read(Path::new("/proc/self/stat"), 4),
+            Err(ReadError::TooLarge { limit: 4 })
+        ));
     }
 }

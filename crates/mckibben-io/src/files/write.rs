@@ -5,8 +5,8 @@ use std::io::{Error, ErrorKind, Result, Write as _};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Puts `bytes` at `path`, whole or not at all; an existing file is overwritten only with `overwrite`. A device or pipe (`/dev/stdout`) is
-/// written in place.
+/// Puts `bytes` at `path`, whole or not at all; an existing file is overwritten only with
+/// `overwrite`. A device or pipe (`/dev/stdout`) is written in place.
 ///
 /// # Errors
 /// Those of [`check_free`], and whatever the system says.
@@ -19,8 +19,9 @@ pub fn put(path: &Path, bytes: &[u8], overwrite: bool) -> Result<()> {
     Unfinished::beside(path)?.with(bytes)?.put(overwrite)
 }
 
-/// Puts files into a folder, which is made where it is missing: all of them, or none where one exists and `overwrite` is not set. A link in the
-/// folder is no way out of it: it exists like a file, and is overwritten itself.
+/// Puts files into a folder, which is made where it is missing: all of them, or none where one
+/// exists and `overwrite` is not set. A link in the folder is no way out of it: it exists like a
+/// file, and is overwritten itself.
 ///
 /// # Errors
 /// The path that is not written, with `AlreadyExists` or whatever the system says.
@@ -33,7 +34,9 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     let (mut whole, files) = (vec![], files.into_iter().collect::<Vec<_>>());
     // One file of a long series is not worth a look through its folder.
     if files.len() > 1 {
-        files.iter().for_each(|(name, _)| Unfinished::sweep(&folder.join(name)));
+        files
+            .iter()
+            .for_each(|(name, _)| Unfinished::sweep(&folder.join(name)));
     }
     for (name, bytes) in files {
         let path = folder.join(name);
@@ -42,14 +45,17 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
             Err(error) => return Err((path, error)),
         }
     }
-    whole.into_iter().try_for_each(|(path, file)| file.put(overwrite).map_err(|e| (path, e)))
+    whole
+        .into_iter()
+        .try_for_each(|(path, file)| file.put(overwrite).map_err(|e| (path, e)))
 }
 
-/// Whether a file may be put at `path`: nothing is there, what is no file (a device), or a file that may be overwritten.
+/// Whether a file may be put at `path`: nothing is there, what is no file (a device), or a file
+/// that may be overwritten.
 ///
 /// # Errors
-/// `AlreadyExists` for a file without `overwrite`, `IsADirectory`, `PermissionDenied` for one that is read-only, `NotFound` where the folder does
-/// not exist, and whatever the system says.
+/// `AlreadyExists` for a file without `overwrite`, `IsADirectory`, `PermissionDenied` for one that
+/// is read-only, `NotFound` where the folder does not exist, and whatever the system says.
 pub fn check_free(path: &Path, overwrite: bool) -> Result<()> {
     // What is no regular file is written in place, or refused when it is written.
     if !path.is_file() {
@@ -66,8 +72,8 @@ fn exists() -> Error {
 /// Whether a file may be put at `path`: nothing is there, or a file that may be written.
 ///
 /// # Errors
-/// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder does not exist, and
-/// whatever the system says.
+/// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder
+/// does not exist, and whatever the system says.
 pub fn check_writable(path: &Path) -> Result<()> {
     Destination::new(behind_links(path)?).map(drop)
 }
@@ -88,10 +94,15 @@ impl Destination {
             Err(error) => return Err(error),
         };
         match &old {
-            Some(old) if old.is_dir() => return Err(Error::new(ErrorKind::IsADirectory, "is a directory")),
+            Some(old) if old.is_dir() => {
+                return Err(Error::new(ErrorKind::IsADirectory, "is a directory"));
+            }
             // To rename over a file asks its folder for leave, and not the file.
             Some(old) if old.permissions().readonly() => {
-                return Err(Error::new(ErrorKind::PermissionDenied, "the file is read-only"));
+                return Err(Error::new(
+                    ErrorKind::PermissionDenied,
+                    "the file is read-only",
+                ));
             }
             Some(old) if old.is_file() => drop(OpenOptions::new().write(true).open(&target)?),
             _ => {}
@@ -129,7 +140,8 @@ fn behind_links(path: &Path) -> Result<PathBuf> {
     Err(Error::other("too many links point to one another"))
 }
 
-/// A file that has no name yet: it lies beside its place under a temporary name and is removed unless it is put there.
+/// A file that has no name yet: it lies beside its place under a temporary name and is removed
+/// unless it is put there.
 #[derive(Debug)]
 pub struct Unfinished {
     temporary: NamedTempFile,
@@ -140,8 +152,8 @@ impl Unfinished {
     /// What names of unfinished files begin with.
     pub const PREFIX: &'static str = ".unfinished-";
 
-    /// Begins the file at `path`; where that is a link, at the file that it points to. The mode of an older
-    /// file is kept, a new one gets the usual one.
+    /// Begins the file at `path`; where that is a link, at the file that it points to. The mode of
+    /// an older file is kept, a new one gets the usual one.
     pub fn beside(path: &Path) -> Result<Self> {
         Self::at(Destination::new(behind_links(path)?)?)
     }
@@ -149,7 +161,8 @@ impl Unfinished {
     /// Begins a file of a folder, in which no link is followed.
     ///
     /// # Errors
-    /// `AlreadyExists` without `overwrite` where there is a file or a link, whatever it points to; whatever the system says.
+    /// `AlreadyExists` without `overwrite` where there is a file or a link, whatever it points to;
+    /// whatever the system says.
     pub fn inside(path: &Path, overwrite: bool) -> Result<Self> {
         if !overwrite && std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_dir()) {
             return Err(exists());
@@ -173,7 +186,10 @@ impl Unfinished {
         if let Some(old) = place.old {
             temporary.as_file().set_permissions(old.permissions())?;
         }
-        Ok(Self { temporary, target: place.target })
+        Ok(Self {
+            temporary,
+            target: place.target,
+        })
     }
 
     pub fn file(&mut self) -> &mut File {
@@ -186,34 +202,51 @@ impl Unfinished {
         Ok(self)
     }
 
-    /// Brings it to the disk and gives it its name. An existing file is overwritten only with `clobber`.
+    /// Brings it to the disk and gives it its name. An existing file is overwritten only with
+    /// `clobber`.
     ///
     /// # Errors
-    /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says. What was there before is
-    /// as it was.
+    /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says.
+    /// What was there before is as it was.
     pub fn put(self, clobber: bool) -> Result<()> {
         let Self { temporary, target } = self;
         temporary.as_file().sync_all()?;
         if clobber {
-            return temporary.persist(target).map(drop).map_err(|failure| failure.error);
+            return temporary
+                .persist(target)
+                .map(drop)
+                .map_err(|failure| failure.error);
         }
         match temporary.persist_noclobber(&target) {
             Ok(_) => Ok(()),
             // A file system that cannot do both at once.
-            Err(failure) if failure.error.kind() != ErrorKind::AlreadyExists && !target.exists() => {
-                failure.file.persist(target).map(drop).map_err(|failure| failure.error)
+            Err(failure)
+                if failure.error.kind() != ErrorKind::AlreadyExists && !target.exists() =>
+            {
+                failure
+                    .file
+                    .persist(target)
+                    .map(drop)
+                    .map_err(|failure| failure.error)
             }
             Err(failure) => Err(failure.error),
         }
     }
 
-    /// Removes what programs that were killed left of a file at `path`. What another program writes just now stays, as far
-    /// as the file system knows locks.
+    /// Removes what programs that were killed left of a file at `path`. What another program writes
+    /// just now stays, as far as the file system knows locks.
     pub fn sweep(path: &Path) {
-        let Ok(target) = behind_links(path) else { return };
+        let Ok(target) = behind_links(path) else {
+            return;
+        };
         let prefix = prefix(&target);
-        let Ok(entries) = std::fs::read_dir(folder_of(&target)) else { return };
-        for entry in entries.flatten().filter(|e| e.file_name().to_string_lossy().starts_with(&prefix)) {
+        let Ok(entries) = std::fs::read_dir(folder_of(&target)) else {
+            return;
+        };
+        for entry in entries
+            .flatten()
+            .filter(|e| e.file_name().to_string_lossy().starts_with(&prefix))
+        {
             // To open a pipe would wait for its other end.
             if !entry.file_type().is_ok_and(|kind| kind.is_file()) {
                 continue;
@@ -228,12 +261,20 @@ impl Unfinished {
 }
 
 fn prefix(target: &Path) -> String {
-    format!("{}{}-", Unfinished::PREFIX, target.file_name().unwrap_or_default().to_string_lossy())
+    format!(
+        "{}{}-",
+        Unfinished::PREFIX,
+        target.file_name().unwrap_or_default().to_string_lossy()
+    )
 }
 
 /// Brings the names in a folder to the disk, where the system can.
 pub fn sync(folder: &Path) {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
     if let Ok(folder) = File::open(folder) {
         // Nothing better can be done where folders cannot be synchronised.
         let _ = folder.sync_all();
@@ -267,7 +308,10 @@ mod tests {
     fn a_file_is_replaced_only_where_that_is_said_and_nothing_is_left_behind() {
         let (_folder, path) = folder();
         put(&path, b"one", false).unwrap();
-        assert_eq!(put(&path, b"two", false).unwrap_err().kind(), ErrorKind::AlreadyExists);
+        assert_eq!(
+            put(&path, b"two", false).unwrap_err().kind(),
+            ErrorKind::AlreadyExists
+        );
         assert_eq!(alone(&path), b"one");
         put(&path, b"two", true).unwrap();
         assert_eq!(alone(&path), b"two");
@@ -276,9 +320,15 @@ mod tests {
     #[test]
     fn what_cannot_be_written_is_refused_and_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        assert_eq!(put(folder.path(), b"x", true).unwrap_err().kind(), ErrorKind::IsADirectory);
+        assert_eq!(
+            put(folder.path(), b"x", true).unwrap_err().kind(),
+            ErrorKind::IsADirectory
+        );
         let missing = folder.path().join("no/such/folder/a.txt");
-        assert_eq!(put(&missing, b"x", true).unwrap_err().kind(), ErrorKind::NotFound);
+        assert_eq!(
+            put(&missing, b"x", true).unwrap_err().kind(),
+            ErrorKind::NotFound
+        );
         assert_eq!(names(folder.path()), 0);
     }
 
@@ -289,7 +339,10 @@ mod tests {
         let mut mode = std::fs::metadata(&path).unwrap().permissions();
         mode.set_readonly(true);
         std::fs::set_permissions(&path, mode).unwrap();
-        assert_eq!(put(&path, b"x", true).unwrap_err().kind(), ErrorKind::PermissionDenied);
+        assert_eq!(
+            put(&path, b"x", true).unwrap_err().kind(),
+            ErrorKind::PermissionDenied
+        );
         assert_eq!(alone(&path), b"mine");
     }
 
@@ -323,15 +376,24 @@ mod tests {
         let files = |name| [("first", b"ours".as_slice()), (name, b"ours")];
         for name in ["file", "dangling"] {
             let (path, error) = put_all(&folder, files(name), false).unwrap_err();
-            assert_eq!((path, error.kind()), (folder.join(name), ErrorKind::AlreadyExists));
+            assert_eq!(
+                (path, error.kind()),
+                (folder.join(name), ErrorKind::AlreadyExists)
+            );
             // All or none.
             assert_eq!(names(&folder), 2);
         }
         for name in ["file", "dangling"] {
             put_all(&folder, files(name), true).unwrap();
-            assert!(!folder.join(name).is_symlink() && std::fs::read(folder.join(name)).unwrap() == b"ours");
+            assert!(
+                !folder.join(name).is_symlink()
+                    && std::fs::read(folder.join(name)).unwrap() == b"ours"
+            );
         }
-        assert_eq!(std::fs::read(outer.path().join("elsewhere")).unwrap(), b"theirs");
+        assert_eq!(
+            std::fs::read(outer.path().join("elsewhere")).unwrap(),
+            b"theirs"
+        );
         assert!(!outer.path().join("nowhere").exists());
     }
 
@@ -340,7 +402,10 @@ mod tests {
         let (_folder, path) = folder();
         let unfinished = Unfinished::beside(&path).unwrap();
         std::fs::write(&path, b"theirs").unwrap();
-        assert_eq!(unfinished.put(false).unwrap_err().kind(), ErrorKind::AlreadyExists);
+        assert_eq!(
+            unfinished.put(false).unwrap_err().kind(),
+            ErrorKind::AlreadyExists
+        );
         assert_eq!(alone(&path), b"theirs");
     }
 
@@ -349,7 +414,11 @@ mod tests {
         let (folder, path) = folder();
         let left = folder.path().join(".unfinished-a.txt-x7");
         std::fs::write(&left, b"half").unwrap();
-        std::fs::write(folder.path().join(".unfinished-b.txt-x7"), b"of another file").unwrap();
+        std::fs::write(
+            folder.path().join(".unfinished-b.txt-x7"),
+            b"of another file",
+        )
+        .unwrap();
         let alive = Unfinished::beside(&path).unwrap();
         Unfinished::sweep(&path);
         assert!(!left.exists());

@@ -19,7 +19,8 @@ pub struct Field {
 pub enum Packing {
     /// Few values come again and again: a dictionary of them.
     Repeated,
-    /// All differ: no dictionary; numbers are sorted into streams of first, second, … bytes, so that they have something to compress.
+    /// All differ: no dictionary; numbers are sorted into streams of first, second, … bytes, so
+    /// that they have something to compress.
     Distinct,
 }
 

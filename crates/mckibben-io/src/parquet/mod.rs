@@ -1,7 +1,8 @@
-//! Tables of named columns in Parquet files. The only crate that has to do with the library `parquet`, so that its generic code is compiled
-//! once, and with nothing else of this program.
+//! Tables of named columns in Parquet files. The only crate that has to do with the library
+//! `parquet`, so that its generic code is compiled once, and with nothing else of this program.
 //!
-//! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads such files.
+//! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads
+//! such files.
 //!
 //! ```
 //! use mckibben_io::parquet::{Column, Field, Packing, Writer};

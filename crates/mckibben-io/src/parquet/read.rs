@@ -29,7 +29,11 @@ impl Reader {
     }
 
     fn open(source: impl ChunkReader + 'static) -> std::result::Result<Self, TableError> {
-        Ok(guarded(|| Ok(Self { file: Box::new(SerializedFileReader::new(source)?) }))?)
+        Ok(guarded(|| {
+            Ok(Self {
+                file: Box::new(SerializedFileReader::new(source)?),
+            })
+        })?)
     }
 
     fn metadata(&self) -> &FileMetaData {
@@ -39,17 +43,29 @@ impl Reader {
     /// Keys and values of its metadata.
     pub fn pairs(&self) -> Vec<(String, String)> {
         let pairs = self.metadata().key_value_metadata().into_iter().flatten();
-        pairs.filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?))).collect()
+        pairs
+            .filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?)))
+            .collect()
     }
 
     /// Names of its columns.
     pub fn names(&self) -> Vec<&str> {
-        self.metadata().schema_descr().columns().iter().map(|c| c.name()).collect()
+        self.metadata()
+            .schema_descr()
+            .columns()
+            .iter()
+            .map(|c| c.name())
+            .collect()
     }
 
     /// Number of rows of all groups.
     pub fn rows(&self) -> i64 {
-        self.file.metadata().row_groups().iter().map(|g| g.num_rows()).fold(0, i64::saturating_add)
+        self.file
+            .metadata()
+            .row_groups()
+            .iter()
+            .map(|g| g.num_rows())
+            .fold(0, i64::saturating_add)
     }
 
     /// Number of row groups.
@@ -75,7 +91,11 @@ impl Reader {
                 let at = schema.columns().iter().position(|c| c.name() == name);
                 let at = at.ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
                 let pages = Pages(group.get_column_page_reader(at)?);
-                out.push(column(&kind, get_column_reader(schema.column(at), Box::new(pages)), rows)?);
+                out.push(column(
+                    &kind,
+                    get_column_reader(schema.column(at), Box::new(pages)),
+                    rows,
+                )?);
             }
             Ok((out, rows))
         })?)
@@ -86,7 +106,8 @@ fn wrong<T>(why: impl Into<String>) -> Result<T> {
     Err(ParquetError::General(why.into()))
 }
 
-/// Pages of a column. The library makes room for as many values as a dictionary says that it has, up to 64 GB; each takes four bytes at least.
+/// Pages of a column. The library makes room for as many values as a dictionary says that it has,
+/// up to 64 GB; each takes four bytes at least.
 struct Pages(Box<dyn PageReader>);
 
 impl Iterator for Pages {
@@ -101,9 +122,12 @@ impl PageReader for Pages {
     fn get_next_page(&mut self) -> Result<Option<Page>> {
         let page = self.0.get_next_page()?;
         match &page {
-            Some(Page::DictionaryPage { buf, num_values, .. }) if *num_values as usize > buf.len() / 4 => {
-                wrong(format!("a dictionary of {num_values} values in {} bytes", buf.len()))
-            }
+            Some(Page::DictionaryPage {
+                buf, num_values, ..
+            }) if *num_values as usize > buf.len() / 4 => wrong(format!(
+                "a dictionary of {num_values} values in {} bytes",
+                buf.len()
+            )),
             _ => Ok(page),
         }
     }
@@ -120,28 +144,41 @@ impl PageReader for Pages {
 /// Runs the decoder, which panics on damaged pages: that is an error of the file.
 fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     // What the decoder held is dropped with its error.
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))
+    catch_unwind(AssertUnwindSafe(work))
+        .unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))
 }
 
 fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
     Ok(match (kind, reader) {
         (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
         (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
-        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
+        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => {
+            Column::Double(values(r, rows)?)
+        }
         (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(values(r, rows)?),
-        (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
+        (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => {
+            Column::Optional(optional(r, rows)?)
+        }
         _ => return wrong("a column is of another kind"),
     })
 }
 
 fn ended(read: usize, rows: usize) -> Result<()> {
-    if read == rows { Ok(()) } else { wrong(format!("{read} rows instead of {rows}")) }
+    if read == rows {
+        Ok(())
+    } else {
+        wrong(format!("{read} rows instead of {rows}"))
+    }
 }
 
 fn values<T: DataType>(mut reader: ColumnReaderImpl<T>, rows: usize) -> Result<Vec<T::T>> {
     let mut out = Vec::with_capacity(rows);
     while out.len() < rows {
-        if reader.read_records(rows - out.len(), None, None, &mut out)?.0 == 0 {
+        if reader
+            .read_records(rows - out.len(), None, None, &mut out)?
+            .0
+            == 0
+        {
             break;
         }
     }
@@ -152,11 +189,18 @@ fn values<T: DataType>(mut reader: ColumnReaderImpl<T>, rows: usize) -> Result<V
 fn optional(mut reader: ColumnReaderImpl<DoubleType>, rows: usize) -> Result<Vec<Option<f64>>> {
     let (mut there, mut out) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
     while there.len() < rows {
-        if reader.read_records(rows - there.len(), Some(&mut there), None, &mut out)?.0 == 0 {
+        if reader
+            .read_records(rows - there.len(), Some(&mut there), None, &mut out)?
+            .0
+            == 0
+        {
             break;
         }
     }
     ended(there.len(), rows)?;
     let mut left = out.into_iter();
-    Ok(there.into_iter().map(|d| if d == 1 { left.next() } else { None }).collect())
+    Ok(there
+        .into_iter()
+        .map(|d| if d == 1 { left.next() } else { None })
+        .collect())
 }

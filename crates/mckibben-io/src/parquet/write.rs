@@ -23,7 +23,8 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Begins the file of a table; `program` is noted as what made it, with keys and values of metadata.
+    /// Begins the file of a table; `program` is noted as what made it, with keys and values of
+    /// metadata.
     pub fn new(
         sink: &'a mut (dyn Write + Send),
         table: &str,
@@ -31,8 +32,9 @@ impl<'a> Writer<'a> {
         fields: &[Field],
         pairs: Vec<(String, String)>,
     ) -> std::result::Result<Self, TableError> {
-        let mut properties =
-            WriterProperties::builder().set_created_by(program.into()).set_compression(CODEC);
+        let mut properties = WriterProperties::builder()
+            .set_created_by(program.into())
+            .set_compression(CODEC);
         for field in fields.iter().filter(|f| f.packing == Packing::Distinct) {
             let path = ColumnPath::from(field.name.as_str());
             properties = properties.set_column_dictionary_enabled(path.clone(), false);
@@ -40,7 +42,10 @@ impl<'a> Writer<'a> {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
-        let pairs = pairs.into_iter().map(|(key, value)| KeyValue::new(key, value)).collect();
+        let pairs = pairs
+            .into_iter()
+            .map(|(key, value)| KeyValue::new(key, value))
+            .collect();
         properties = properties
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .set_offset_index_disabled(true)
@@ -59,7 +64,9 @@ impl<'a> Writer<'a> {
     pub fn group(&mut self, columns: &[Column]) -> std::result::Result<(), TableError> {
         let mut group = self.out.next_row_group()?;
         for column in columns {
-            let Some(mut writer) = group.next_column()? else { break };
+            let Some(mut writer) = group.next_column()? else {
+                break;
+            };
             write_column(column, writer.untyped())?;
             writer.close()?;
         }
@@ -77,7 +84,9 @@ fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
         (Column::Int64(v), ColumnWriter::Int64ColumnWriter(w)) => w.write_batch(v, None, None)?,
         (Column::Int32(v), ColumnWriter::Int32ColumnWriter(w)) => w.write_batch(v, None, None)?,
         (Column::Double(v), ColumnWriter::DoubleColumnWriter(w)) => w.write_batch(v, None, None)?,
-        (Column::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => w.write_batch(v, None, None)?,
+        (Column::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
+            w.write_batch(v, None, None)?
+        }
         (Column::Optional(v), ColumnWriter::DoubleColumnWriter(w)) => {
             let there: Vec<f64> = v.iter().flatten().copied().collect();
             let levels: Vec<i16> = v.iter().map(|v| i16::from(v.is_some())).collect();

@@ -1,4 +1,5 @@
-//! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`; and what is the same in all rows of a table.
+//! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`;
+//! and what is the same in all rows of a table.
 
 use super::error::{TableError, short};
 use super::find::Column;
@@ -8,14 +9,16 @@ use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left out where the table
-/// says it; `#2` is the second column, whatever its heading; `"=3bar"` is 3 bar in all rows.
+/// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left
+/// out where the table says it; `#2` is the second column, whatever its heading; `"=3bar"` is 3 bar
+/// in all rows.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Columns(pub BTreeMap<String, String>);
 
 impl Columns {
-    /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no comma is in a heading.
+    /// From a list `pressure="P1:kPa",contraction="x:mm"`; the quotes may be left out where no
+    /// comma is in a heading.
     pub fn parse(text: &str) -> Result<Self, TableError> {
         let mut quoted = false;
         let mut out = BTreeMap::new();
@@ -26,7 +29,8 @@ impl Columns {
         for part in text.split(comma).filter(|p| !p.trim().is_empty()) {
             let form = || {
                 TableError::Refused(format!(
-                    "\"{}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\"",
+                    "\"{}\" is not a choice of a column; write quantity=\"heading:unit\", such as \
+                     pressure=\"P1:kPa\"",
                     short(part.trim())
                 ))
             };
@@ -38,25 +42,30 @@ impl Columns {
                 return Err(form());
             }
             if out.insert(name.to_owned(), heading.to_owned()).is_some() {
-                return Err(TableError::Refused(format!("{} is chosen twice", short(name))));
+                return Err(TableError::Refused(format!(
+                    "{} is chosen twice",
+                    short(name)
+                )));
             }
         }
         Ok(Self(out))
     }
 
-    /// With the constants of one of several tables: `pressure=3bar`, once for all of them or once for each; `{pressure}bar` is the number before `bar` in
-    /// the name of its file.
+    /// With the constants of one of several tables: `pressure=3bar`, once for all of them or once
+    /// for each; `{pressure}bar` is the number before `bar` in the name of its file.
     pub fn with(
         mut self,
         set: &[String],
         (place, tables): (usize, usize),
         file: &str,
     ) -> Result<Self, TableError> {
-        let refused = |text: &str, why: String| TableError::Refused(format!("`set`: {} {why}", short(text)));
+        let refused =
+            |text: &str, why: String| TableError::Refused(format!("`set`: {} {why}", short(text)));
         let mut all: BTreeMap<&str, Vec<String>> = BTreeMap::new();
         for text in set.iter().map(|text| text.trim()) {
-            let pattern =
-                text.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
+            let pattern = text
+                .split_once('{')
+                .and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
             let (name, value) = match (pattern, text.split_once('=')) {
                 (Some((before, (name, after))), _) => (name, in_name(file, before, after)),
                 (None, Some((name, value))) => (name, Some(value.trim().to_owned())),
@@ -65,17 +74,24 @@ impl Columns {
             let value = value.filter(|value| !value.is_empty()).ok_or_else(|| {
                 let file = short(file);
                 let form = "write pressure=3bar, or {pressure}bar for a file such as pull_3bar.csv";
-                refused(&format!("\"{text}\""), format!("gives no value for {file}; {form}"))
+                refused(
+                    &format!("\"{text}\""),
+                    format!("gives no value for {file}; {form}"),
+                )
             })?;
             all.entry(name.trim()).or_default().push(value);
         }
         for (name, values) in all {
             let times = values.len();
             let value = values.get(if times == 1 { 0 } else { place });
-            let value = value.filter(|_| [1, tables].contains(&times) && !self.0.contains_key(name));
+            let value =
+                value.filter(|_| [1, tables].contains(&times) && !self.0.contains_key(name));
             let value = value.ok_or_else(|| {
                 let form = "give it once, or once for each of them, and not in `columns` too";
-                refused(name, format!("is given {times} times for {tables} tables; {form}"))
+                refused(
+                    name,
+                    format!("is given {times} times for {tables} tables; {form}"),
+                )
             })?;
             self.0.insert(name.to_owned(), format!("={value}"));
         }
@@ -83,7 +99,8 @@ impl Columns {
     }
 }
 
-/// The number in a file's name between two texts, with the unit behind it: 3bar in `pull_at_3_bar.csv`, before `bar`.
+/// The number in a file's name between two texts, with the unit behind it: 3bar in
+/// `pull_at_3_bar.csv`, before `bar`.
 fn in_name(file: &str, before: &str, after: &str) -> Option<String> {
     let name = file.rsplit(['/', '\\']).next()?;
     let is_digit = |c: char| c.is_ascii_digit();
@@ -91,11 +108,17 @@ fn in_name(file: &str, before: &str, after: &str) -> Option<String> {
     let after = after.trim_start_matches(joint);
     name.match_indices(before).find_map(|(at, _)| {
         let behind = &name[at + before.len()..];
-        let number = behind.split(|c: char| !is_digit(c) && !".,".contains(c)).next()?;
-        let rest = behind[number.len()..].trim_start_matches(joint).strip_prefix(after)?;
+        let number = behind
+            .split(|c: char| !is_digit(c) && !".,".contains(c))
+            .next()?;
+        let rest = behind[number.len()..]
+            .trim_start_matches(joint)
+            .strip_prefix(after)?;
         let is_cut = after.ends_with(char::is_alphabetic) && rest.starts_with(char::is_alphabetic);
         let whole = number.starts_with(is_digit) && !name[..at + before.len()].ends_with(is_digit);
-        let unit = after.split(|c: char| !c.is_alphabetic() && c != '%').next()?;
+        let unit = after
+            .split(|c: char| !c.is_alphabetic() && c != '%')
+            .next()?;
         (whole && !is_cut).then(|| format!("{}{unit}", number.replace(',', ".")))
     })
 }
@@ -120,13 +143,21 @@ impl Vocabulary {
                 let meant = meant(nearest(name, names.iter().copied()));
                 TableError::Refused(format!(
                     "`{field}`: {what} have no quantity \"{name}\"{meant}; they have {known}",
-                    field = if text.starts_with('=') { "set" } else { "columns" },
+                    field = if text.starts_with('=') {
+                        "set"
+                    } else {
+                        "columns"
+                    },
                     what = self.what,
                     name = short(name),
                     known = names.join(", ")
                 ))
             })?;
-            Ok(Choice { vocabulary: self, entry, text: text.clone() })
+            Ok(Choice {
+                vocabulary: self,
+                entry,
+                text: text.clone(),
+            })
         };
         columns.0.iter().map(choice).collect()
     }
@@ -140,7 +171,13 @@ impl Choice {
     /// Whether the column is selected by its number.
     pub(crate) fn by_number(&self) -> Option<usize> {
         let (heading, _) = self.split();
-        heading.trim_start_matches(MINUS).trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)
+        heading
+            .trim_start_matches(MINUS)
+            .trim()
+            .strip_prefix('#')?
+            .parse::<usize>()
+            .ok()?
+            .checked_sub(1)
     }
 
     /// What it is in all rows, where it is no column of the file.
@@ -157,21 +194,39 @@ impl Choice {
     }
 
     /// Its place among headings, or among the constants behind them; `None` where it is not there.
-    pub(crate) fn find(&self, headings: &[&str], place: usize) -> Result<Option<Column>, TableError> {
+    pub(crate) fn find(
+        &self,
+        headings: &[&str],
+        place: usize,
+    ) -> Result<Option<Column>, TableError> {
         let vocabulary = self.vocabulary;
         if self.constant().is_some() {
             let heading = format!("{}{}", self.entry.name, self.text);
             let known = Heading::of(self.entry.meaning, None);
             return Ok(Some(Column::new(usize::MAX - place, &heading, known, true)));
         }
-        let exact = || headings.iter().any(|h| [self.text.trim(), self.split().0].contains(h));
+        let exact = || {
+            headings
+                .iter()
+                .any(|h| [self.text.trim(), self.split().0].contains(h))
+        };
         if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
-            let plus = Self { text: rest.trim().to_owned(), ..self.clone() };
+            let plus = Self {
+                text: rest.trim().to_owned(),
+                ..self.clone()
+            };
             let column = plus.find(headings, place)?;
-            return Ok(column.map(|c| Column { negated: !c.negated, ..c }));
+            return Ok(column.map(|c| Column {
+                negated: !c.negated,
+                ..c
+            }));
         }
         let whole = self.place(headings, &self.text)?;
-        let (heading, unit) = if whole.is_some() { (self.text.as_str(), None) } else { self.split() };
+        let (heading, unit) = if whole.is_some() {
+            (self.text.as_str(), None)
+        } else {
+            self.split()
+        };
         let index = match (whole, self.by_number()) {
             (Some(index), _) => Some(index),
             (None, Some(n)) => Some(n).filter(|n| *n < headings.len()),
@@ -182,7 +237,8 @@ impl Choice {
         let given = match unit.filter(|u| !u.is_empty()) {
             Some(unit) => {
                 let typed = vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
-                    let (unit, name, units) = (short(unit), &self.entry.name, vocabulary.units(self.entry));
+                    let (unit, name, units) =
+                        (short(unit), &self.entry.name, vocabulary.units(self.entry));
                     TableError::Refused(format!(
                         "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
                     ))
@@ -193,7 +249,8 @@ impl Choice {
                 };
                 if let Some(other) = other {
                     return Err(TableError::Refused(format!(
-                        "`columns`: the heading \"{heading}\" says {other}, and \"{text}\" says {unit}: leave the unit out, or correct the heading",
+                        "`columns`: the heading \"{heading}\" says {other}, and \"{text}\" says \
+                         {unit}: leave the unit out, or correct the heading",
                         heading = short(headings[index]),
                         text = short(&self.text)
                     )));
@@ -202,19 +259,32 @@ impl Choice {
             }
             None => stated,
         };
-        let (meaning, unit) =
-            given.map_or((self.entry.meaning, None), |(meaning, unit)| (meaning, Some(unit)));
-        Ok(Some(Column::new(index, headings[index], Heading::of(meaning, unit), true)))
+        let (meaning, unit) = given.map_or((self.entry.meaning, None), |(meaning, unit)| {
+            (meaning, Some(unit))
+        });
+        Ok(Some(Column::new(
+            index,
+            headings[index],
+            Heading::of(meaning, unit),
+            true,
+        )))
     }
 
-    /// The heading that is meant: letter by letter, then without regard to case and marks, then without its unit.
+    /// The heading that is meant: letter by letter, then without regard to case and marks, then
+    /// without its unit.
     fn place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
         let wanted = wanted.trim();
         let simple = plain(wanted);
-        let without_unit =
-            |h: &str| self.vocabulary.without_unit_of(self.entry, h).is_some_and(|l| l == simple);
-        let tests: [&dyn Fn(&str) -> bool; 3] =
-            [&|h| h == wanted, &|h| !simple.is_empty() && plain(h) == simple, &without_unit];
+        let without_unit = |h: &str| {
+            self.vocabulary
+                .without_unit_of(self.entry, h)
+                .is_some_and(|l| l == simple)
+        };
+        let tests: [&dyn Fn(&str) -> bool; 3] = [
+            &|h| h == wanted,
+            &|h| !simple.is_empty() && plain(h) == simple,
+            &without_unit,
+        ];
         for test in tests {
             let places: Vec<usize> = (0..headings.len()).filter(|&i| test(headings[i])).collect();
             match places[..] {
@@ -222,7 +292,8 @@ impl Choice {
                 [one] => return Ok(Some(one)),
                 [first, ..] => {
                     return Err(TableError::Refused(format!(
-                        "the columns {columns} could all be {name}: select one with `columns` {name}=\"#{example}\"",
+                        "the columns {columns} could all be {name}: select one with `columns` \
+                         {name}=\"#{example}\"",
                         name = self.entry.name,
                         columns = listed(places.iter().map(|&i| headings[i])),
                         example = first + 1
@@ -247,7 +318,14 @@ pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
     const MOST: usize = 25;
     let all: Vec<String> = headings.map(short).collect();
     let more = if all.len() > MOST { ", …" } else { "" };
-    format!("{}{more}", all.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", "))
+    format!(
+        "{}{more}",
+        all.iter()
+            .take(MOST)
+            .map(String::as_str)
+            .collect::<Vec<_>>()
+            .join(", ")
+    )
 }
 
 #[cfg(test)]
@@ -265,7 +343,10 @@ mod tests {
         let wanted = [pair("contraction", "x:mm"), pair("pressure", "P1:kPa")];
         assert_eq!(parse("pressure=\"P1:kPa\",contraction=\"x:mm\""), wanted);
         assert_eq!(parse(" pressure = P1:kPa , contraction=x:mm,"), wanted);
-        assert_eq!(parse("force=\"Force, upper:N\""), [pair("force", "Force, upper:N")]);
+        assert_eq!(
+            parse("force=\"Force, upper:N\""),
+            [pair("force", "Force, upper:N")]
+        );
         assert_eq!(parse("force=F=m*a"), [pair("force", "F=m*a")]);
         let said = |text: &str| Columns::parse(text).unwrap_err().to_string();
         for text in ["pressure", "=P1", "force=", "force=\"\""] {
@@ -276,19 +357,34 @@ mod tests {
 
     #[test]
     fn chosen_columns_are_found() {
-        let headings = ["Time: s", "P1", "p1 ", "x [mm]", "F", "f", "y", "-H [N]", "U (V)"];
+        let headings = [
+            "Time: s", "P1", "p1 ", "x [mm]", "F", "f", "y", "-H [N]", "U (V)",
+        ];
         let find = |text: &str| {
             let choice = POINTS.choices(&Columns::parse(text).unwrap())?.remove(0);
             choice.find(&headings, 0)
         };
         let is = |text: &str, expected: (Meaning, usize, Option<&str>, bool)| {
             let c = find(text).unwrap().unwrap();
-            assert_eq!((c.meaning, c.index, c.unit.map(|u| u.name), c.negated), expected, "{text}");
+            assert_eq!(
+                (c.meaning, c.index, c.unit.map(|u| u.name), c.negated),
+                expected,
+                "{text}"
+            );
         };
-        is("pressure=P1:kPa", (Meaning::Pressure, 1, Some("kPa"), false));
-        is("pressure=#3:kPa", (Meaning::Pressure, 2, Some("kPa"), false));
+        is(
+            "pressure=P1:kPa",
+            (Meaning::Pressure, 1, Some("kPa"), false),
+        );
+        is(
+            "pressure=#3:kPa",
+            (Meaning::Pressure, 2, Some("kPa"), false),
+        );
         is("contraction=x", (Meaning::Shortening, 3, Some("mm"), false));
-        is("contraction=Y:%", (Meaning::Contraction, 6, Some("%"), false));
+        is(
+            "contraction=Y:%",
+            (Meaning::Contraction, 6, Some("%"), false),
+        );
         is("kraft=F", (Meaning::Force, 4, None, false));
         is("weight=Time: s", (Meaning::Weight, 0, None, false));
         is("force=-F:N", (Meaning::Force, 4, Some("N"), true));

@@ -1,4 +1,5 @@
-//! From text to rows of fields: separators, comments, blank lines, and the line of each row as an editor counts it.
+//! From text to rows of fields: separators, comments, blank lines, and the line of each row as an
+//! editor counts it.
 
 use super::TableError;
 use crate::cancel;
@@ -37,17 +38,26 @@ pub(crate) struct TableRow {
 
 impl TableRow {
     fn new(line: u64, fields: StringRecord) -> Self {
-        Self { line, fields, added: vec![] }
+        Self {
+            line,
+            fields,
+            added: vec![],
+        }
     }
 
     /// A field; empty where the line is too short.
     pub(crate) fn field(&self, i: usize) -> &str {
-        self.fields.get(i).or_else(|| Some(self.added.get(usize::MAX - i)?)).unwrap_or("")
+        self.fields
+            .get(i)
+            .or_else(|| Some(self.added.get(usize::MAX - i)?))
+            .unwrap_or("")
     }
 
     /// The fields, without empty ones at the end.
     pub(crate) fn len(&self) -> usize {
-        (0..self.fields.len()).rfind(|&i| !self.field(i).is_empty()).map_or(0, |i| i + 1)
+        (0..self.fields.len())
+            .rfind(|&i| !self.field(i).is_empty())
+            .map_or(0, |i| i + 1)
     }
 
     /// The fields, empty ones at the end as well.
@@ -65,7 +75,8 @@ impl TableRow {
 pub(crate) struct Sheet {
     /// Lines that are neither blank nor comments.
     pub(crate) rows: Vec<TableRow>,
-    /// The comments before the first of them, without their mark: some programs write the heading as one.
+    /// The comments before the first of them, without their mark: some programs write the heading
+    /// as one.
     pub(crate) comments: Vec<TableRow>,
     pub(crate) separator: Separator,
 }
@@ -74,9 +85,13 @@ pub(crate) struct Sheet {
 const MOST_LINES: usize = 10;
 
 impl Sheet {
-    /// Splits a text into rows. The first line may be Excel's `sep=;`. Lines that start with `#` are comments.
+    /// Splits a text into rows. The first line may be Excel's `sep=;`. Lines that start with `#`
+    /// are comments.
     pub(crate) fn split(text: &str) -> Result<Self, TableError> {
-        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
+        let text = text
+            .trim_start_matches('\u{feff}')
+            .replace("\r\n", "\n")
+            .replace('\r', "\n");
         let text = &text.chars().map(narrow).collect::<String>();
         let said = said(text);
         let separator = said.unwrap_or_else(|| separator(text));
@@ -84,7 +99,10 @@ impl Sheet {
         let rows = match separator {
             Separator::Spaces => {
                 let count = columns(text);
-                let rows = (1..).zip(text.lines()).skip(skip).filter(|(_, l)| !is_comment(l));
+                let rows = (1..)
+                    .zip(text.lines())
+                    .skip(skip)
+                    .filter(|(_, l)| !is_comment(l));
                 let row = |(line, l)| {
                     cancel::check()?;
                     Ok(TableRow::new(line, spaced(l, count).into_iter().collect()))
@@ -93,19 +111,30 @@ impl Sheet {
             }
             Separator::Mark(mark) => marked(text, mark, skip)?,
         };
-        let rows: Vec<TableRow> =
-            rows.into_iter().filter(|r: &TableRow| r.len() > 0 && !is_comment(r.field(0))).collect();
+        let rows: Vec<TableRow> = rows
+            .into_iter()
+            .filter(|r: &TableRow| r.len() > 0 && !is_comment(r.field(0)))
+            .collect();
         let first = rows.first().map_or(u64::MAX, |r| r.line);
-        let before = (1..).zip(text.lines()).take_while(|(line, _)| *line < first);
-        let comments = before.filter(|(_, l)| is_comment(l)).filter_map(|(line, l)| {
-            let text = l.trim_start().trim_start_matches(['#', '/']);
-            Some(TableRow::new(line, fields(text, separator)?))
-        });
-        Ok(Self { comments: comments.collect(), rows, separator })
+        let before = (1..)
+            .zip(text.lines())
+            .take_while(|(line, _)| *line < first);
+        let comments = before
+            .filter(|(_, l)| is_comment(l))
+            .filter_map(|(line, l)| {
+                let text = l.trim_start().trim_start_matches(['#', '/']);
+                Some(TableRow::new(line, fields(text, separator)?))
+            });
+        Ok(Self {
+            comments: comments.collect(),
+            rows,
+            separator,
+        })
     }
 }
 
-/// The letters, digits and brackets that Chinese and Japanese texts have in full width, as they are elsewhere.
+/// The letters, digits and brackets that Chinese and Japanese texts have in full width, as they are
+/// elsewhere.
 fn narrow(c: char) -> char {
     match c {
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
@@ -120,31 +149,45 @@ fn is_comment(text: &str) -> bool {
 
 /// Fields of the last line with any, which is data.
 fn columns(text: &str) -> usize {
-    let last = text.lines().rev().find(|l| !l.trim().is_empty() && !is_comment(l));
+    let last = text
+        .lines()
+        .rev()
+        .find(|l| !l.trim().is_empty() && !is_comment(l));
     last.map_or(0, |l| l.split_whitespace().count())
 }
 
-/// The fields of a line in which spaces separate. Headings of several words are separated by wider gaps, or by the units in brackets
-/// behind them: they are as many as the columns of the data.
+/// The fields of a line in which spaces separate. Headings of several words are separated by wider
+/// gaps, or by the units in brackets behind them: they are as many as the columns of the data.
 fn spaced(line: &str, count: usize) -> Vec<&str> {
     let words: Vec<&str> = line.split_whitespace().collect();
     if words.len() <= count {
         return words;
     }
     fn trimmed<'a>(parts: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
-        parts.map(str::trim).filter(|part| !part.is_empty()).collect()
+        parts
+            .map(str::trim)
+            .filter(|part| !part.is_empty())
+            .collect()
     }
     let by_gaps = trimmed(line.split("  ").flat_map(|part| part.split('\t')));
     if by_gaps.len() == count {
         return by_gaps;
     }
     let by_units = trimmed(line.split_inclusive([')', ']', '}']));
-    if by_units.len() == count { by_units } else { words }
+    if by_units.len() == count {
+        by_units
+    } else {
+        words
+    }
 }
 
 /// Excel's first line.
 fn said(text: &str) -> Option<Separator> {
-    let first = text.lines().next()?.trim_matches(['"', ' ']).to_ascii_lowercase();
+    let first = text
+        .lines()
+        .next()?
+        .trim_matches(['"', ' '])
+        .to_ascii_lowercase();
     match first.strip_prefix("sep=")?.chars().next() {
         Some(mark @ (';' | ',' | '\t' | '|')) => Some(Separator::Mark(mark)),
         // A tab that was trimmed away by somebody.
@@ -152,17 +195,28 @@ fn said(text: &str) -> Option<Separator> {
     }
 }
 
-/// The separator that is in the last lines, which are data. A comma may be a decimal one: it comes last.
+/// The separator that is in the last lines, which are data. A comma may be a decimal one: it comes
+/// last.
 fn separator(text: &str) -> Separator {
-    let rows: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty() && !is_comment(l)).collect();
+    let rows: Vec<&str> = text
+        .lines()
+        .filter(|l| !l.trim().is_empty() && !is_comment(l))
+        .collect();
     let data = &rows[rows.len() - (rows.len() / 4).max(2).min(rows.len())..];
     let holds = |mark: char| data.iter().filter(|l| outside_quotes(l, mark)).count();
     let separates = |mark: &char| holds(*mark) > 0 && 2 * holds(*mark) >= data.len();
     if let Some(mark) = ['\t', ';', '|', ','].into_iter().find(separates) {
         return Separator::Mark(mark);
     }
-    let spaced = data.iter().filter(|l| l.split_whitespace().count() > 1).count();
-    if 2 * spaced > data.len() { Separator::Spaces } else { Separator::Mark(',') }
+    let spaced = data
+        .iter()
+        .filter(|l| l.split_whitespace().count() > 1)
+        .count();
+    if 2 * spaced > data.len() {
+        Separator::Spaces
+    } else {
+        Separator::Mark(',')
+    }
 }
 
 fn outside_quotes(line: &str, mark: char) -> bool {
@@ -202,7 +256,9 @@ fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableErr
             break;
         }
         let from = fields.position().map_or(0, |p| p.byte() as usize);
-        let mut written = text.get(from..reader.position().byte() as usize).unwrap_or_default();
+        let mut written = text
+            .get(from..reader.position().byte() as usize)
+            .unwrap_or_default();
         // The reader begins at the blank lines and comments above a record.
         while written.starts_with(['\n', '#']) {
             written = written.split_once('\n').unwrap_or_default().1;
@@ -212,7 +268,9 @@ fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableErr
         let written = written.trim_end();
         let lines = written.lines().count();
         if lines > MOST_LINES || (lines > 1 && written.matches('"').count() % 2 == 1) {
-            return Err(TableError::Refused(format!("line {line}: a quote (\") is opened and not closed")));
+            return Err(TableError::Refused(format!(
+                "line {line}: a quote (\") is opened and not closed"
+            )));
         }
         out.push(TableRow::new(line, fields.clone()));
     }
@@ -225,7 +283,11 @@ mod tests {
 
     fn rows(text: &str) -> Vec<(u64, Vec<String>)> {
         let sheet = Sheet::split(text).unwrap();
-        sheet.rows.iter().map(|r| (r.line, r.fields().map(str::to_owned).collect())).collect()
+        sheet
+            .rows
+            .iter()
+            .map(|r| (r.line, r.fields().map(str::to_owned).collect()))
+            .collect()
     }
 
     fn row(line: u64, fields: &[&str]) -> (u64, Vec<String>) {
@@ -234,12 +296,19 @@ mod tests {
 
     #[test]
     fn lines_are_those_of_an_editor() {
-        let wanted = [row(3, &["a", "b"]), row(5, &["1", "2"]), row(8, &["3", "4"])];
+        let wanted = [
+            row(3, &["a", "b"]),
+            row(5, &["1", "2"]),
+            row(8, &["3", "4"]),
+        ];
         let text = "# x, \"y\n\na,b\n\n 1 , 2,,\n  \n# \"\n3,4\n";
         for ending in ["\n", "\r\n", "\r"] {
             assert_eq!(rows(&text.replace('\n', ending)), wanted, "{ending:?}");
         }
-        assert_eq!(rows("\"Druck\n[kPa]\",b\n1,2"), [row(1, &["Druck\n[kPa]", "b"]), row(3, &["1", "2"])]);
+        assert_eq!(
+            rows("\"Druck\n[kPa]\",b\n1,2"),
+            [row(1, &["Druck\n[kPa]", "b"]), row(3, &["1", "2"])]
+        );
     }
 
     #[test]
@@ -264,17 +333,25 @@ mod tests {
     fn headings_of_several_words_are_separated_by_wider_gaps_or_units() {
         let data = "0.0   0.000\n5.0   4.148\n";
         let wanted = row(1, &["Elongation (%)", "Engineering Stress (psi)"]);
-        for heading in ["Elongation (%)  Engineering Stress (psi)", "Elongation (%) Engineering Stress (psi)"]
-        {
+        for heading in [
+            "Elongation (%)  Engineering Stress (psi)",
+            "Elongation (%) Engineering Stress (psi)",
+        ] {
             assert_eq!(rows(&format!("{heading}\n{data}"))[0], wanted);
         }
-        assert_eq!(rows("Load cell   Way\n1 2\n3 4\n")[0], row(1, &["Load cell", "Way"]));
+        assert_eq!(
+            rows("Load cell   Way\n1 2\n3 4\n")[0],
+            row(1, &["Load cell", "Way"])
+        );
         assert_eq!(rows("a b c\n1 2\n3 4\n")[0], row(1, &["a", "b", "c"]));
     }
 
     #[test]
     fn letters_of_full_width_are_those_of_half_width() {
-        assert_eq!(rows("\u{feff}压力（ｋＰａ）；１２，５％")[0], row(1, &["压力(kPa)", "12,5%"]));
+        assert_eq!(
+            rows("\u{feff}压力（ｋＰａ）；１２，５％")[0],
+            row(1, &["压力(kPa)", "12,5%"])
+        );
     }
 
     #[test]
@@ -289,8 +366,18 @@ mod tests {
     #[test]
     fn an_open_quote_is_named() {
         let text = format!("a,b\n1,\"2\n{}", "3,4\n".repeat(20));
-        assert!(Sheet::split(&text).unwrap_err().to_string().starts_with("line 2: a quote"));
-        assert!(Sheet::split("a,b\n1,\"2\n3,4\n").unwrap_err().to_string().starts_with("line 2: a quote"));
+        assert!(
+            Sheet::split(&text)
+                .unwrap_err()
+                .to_string()
+                .starts_with("line 2: a quote")
+        );
+        assert!(
+            Sheet::split("a,b\n1,\"2\n3,4\n")
+                .unwrap_err()
+                .to_string()
+                .starts_with("line 2: a quote")
+        );
         assert_eq!(rows("a\",b\n1,2\n").len(), 2);
     }
 }

@@ -5,8 +5,8 @@ use super::vocabulary::Need;
 use crate::cancel::Cancelled;
 use thiserror::Error;
 
-/// Why a table cannot be read. Lines are counted from 1, as an editor counts them. Fields of requests are named in
-/// backquotes.
+/// Why a table cannot be read. Lines are counted from 1, as an editor counts them. Fields of
+/// requests are named in backquotes.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TableError {
@@ -31,7 +31,10 @@ impl TableError {
 
     /// A word that is not known.
     pub fn word(line: u64, name: &str, text: &str, known: impl std::fmt::Display) -> Self {
-        Self::Refused(format!("line {line}: the {name} \"{}\" is {known}", short(text)))
+        Self::Refused(format!(
+            "line {line}: the {name} \"{}\" is {known}",
+            short(text)
+        ))
     }
 
     pub(crate) fn missing_column(need: &Need, columns: &str, empty: &str, example: &str) -> Self {
@@ -41,12 +44,16 @@ impl TableError {
             empty => format!("; without a number in any line: {empty}"),
         };
         Self::Refused(format!(
-            "no column of {wanted} (the columns are: {columns}{empty}); name it {names}, or assign it with `columns` {example}"
+            "no column of {wanted} (the columns are: {columns}{empty}); name it {names}, or assign \
+             it with `columns` {example}"
         ))
     }
 }
 
 /// Somebody else's text, cut where it gets long.
 pub(crate) fn short(text: &str) -> String {
-    text.chars().take(60).map(|c| if c.is_control() { ' ' } else { c }).collect()
+    text.chars()
+        .take(60)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
 }

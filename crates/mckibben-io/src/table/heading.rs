@@ -19,7 +19,13 @@ pub(crate) struct Heading {
 impl Heading {
     /// Of a column that somebody chose.
     pub(crate) fn of(meaning: Meaning, unit: Option<Unit>) -> Self {
-        Self { meaning, unit, unknown_unit: false, label: String::new(), rank: 0 }
+        Self {
+            meaning,
+            unit,
+            unknown_unit: false,
+            label: String::new(),
+            rank: 0,
+        }
     }
 }
 
@@ -48,13 +54,21 @@ const PLAIN: [&str; 16] = [
     "εϵ",
 ];
 
-/// A heading in plain form: lower case, no accents, everything that is no letter or digit as an underscore, `%` as
-/// `percent`.
+/// A heading in plain form: lower case, no accents, everything that is no letter or digit as an
+/// underscore, `%` as `percent`.
 pub(crate) fn plain(heading: &str) -> String {
     let mut out = String::new();
-    for c in heading.trim().to_lowercase().replace('%', " percent ").replace('ß', "ss").chars() {
-        let letter =
-            PLAIN.iter().find(|letters| letters.contains(c)).and_then(|letters| letters.chars().next());
+    for c in heading
+        .trim()
+        .to_lowercase()
+        .replace('%', " percent ")
+        .replace('ß', "ss")
+        .chars()
+    {
+        let letter = PLAIN
+            .iter()
+            .find(|letters| letters.contains(c))
+            .and_then(|letters| letters.chars().next());
         match letter.unwrap_or(c) {
             // Combining accents.
             '\u{300}'..='\u{36f}' => {}
@@ -85,7 +99,10 @@ pub(crate) const MINUS: [char; 2] = ['-', '−'];
 
 /// Whether a heading says that its values have the opposite sign: `-F [N]`.
 pub(crate) fn is_negated(heading: &str) -> bool {
-    heading.trim().strip_prefix(MINUS).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
+    heading
+        .trim()
+        .strip_prefix(MINUS)
+        .is_some_and(|rest| rest.starts_with(char::is_alphabetic))
 }
 
 /// Units of what sensors give before anybody converts it.
@@ -93,16 +110,21 @@ const ELECTRICAL: [&str; 8] = ["V", "mV", "A", "mA", "volt", "volts", "counts", 
 
 /// A unit in the last brackets of a heading, of whatever quantity.
 pub(crate) fn other_unit(heading: &str) -> Option<&str> {
-    let (_, behind) = cuts(heading.trim()).filter(|cut| unbracketed(cut.1).is_some()).last()?;
+    let (_, behind) = cuts(heading.trim())
+        .filter(|cut| unbracketed(cut.1).is_some())
+        .last()?;
     let said = unbracketed(behind)?.trim();
-    let electrical = ELECTRICAL.iter().any(|unit| unit.eq_ignore_ascii_case(said));
+    let electrical = ELECTRICAL
+        .iter()
+        .any(|unit| unit.eq_ignore_ascii_case(said));
     (electrical || Dimension::all().any(|d| d.unit(said).is_some())).then_some(said)
 }
 
 /// Whether a heading of pressures says that they are absolute.
 pub fn is_absolute(heading: &str) -> bool {
     let plain = plain(heading);
-    plain.split('_').any(|w| is_spoken("absolute", w)) || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
+    plain.split('_').any(|w| is_spoken("absolute", w))
+        || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
 }
 
 /// What is in brackets that hold all of a text.
@@ -129,18 +151,29 @@ fn cuts(heading: &str) -> impl Iterator<Item = (&str, &str)> {
 /// The words before a unit without `in`, `en`.
 fn label(words: &str) -> String {
     let plain = plain(words);
-    ["_in", "_en"].iter().find_map(|w| plain.strip_suffix(w)).unwrap_or(&plain).to_owned()
+    ["_in", "_en"]
+        .iter()
+        .find_map(|w| plain.strip_suffix(w))
+        .unwrap_or(&plain)
+        .to_owned()
 }
 
 /// How well a heading with a plain label names a quantity; `None` where it does not.
 fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
-    if let Some(place) = entry.preferred.iter().position(|word| word.eq_ignore_ascii_case(heading)) {
+    if let Some(place) = entry
+        .preferred
+        .iter()
+        .position(|word| word.eq_ignore_ascii_case(heading))
+    {
         return Some(place);
     }
     if entry.knows(label) {
         return Some(WORD);
     }
-    let kept: Vec<&str> = label.split('_').filter(|w| !is_spoken("fillers", w)).collect();
+    let kept: Vec<&str> = label
+        .split('_')
+        .filter(|w| !is_spoken("fillers", w))
+        .collect();
     let kept = kept.join("_");
     if kept != label && entry.knows(&kept) {
         return Some(WITH_FILLERS);
@@ -163,8 +196,15 @@ impl Vocabulary {
             let is_bracketed = unbracketed(behind).is_some_and(|unit| !unit.is_empty());
             (is_bracketed && entry.dimension.is_some()).then_some((entry.meaning, None))
         };
-        let with_unit = self.cut(heading, known).or_else(|| self.without_unit(heading));
-        with_unit.or_else(|| Some(Heading { unknown_unit: true, ..self.cut(heading, unknown)? }))
+        let with_unit = self
+            .cut(heading, known)
+            .or_else(|| self.without_unit(heading));
+        with_unit.or_else(|| {
+            Some(Heading {
+                unknown_unit: true,
+                ..self.cut(heading, unknown)?
+            })
+        })
     }
 
     /// A heading cut into words for a quantity and what is behind them, which `meant` tells.
@@ -178,7 +218,13 @@ impl Vocabulary {
             self.entries().find_map(|entry| {
                 let rank = rank(heading, &label, entry)?;
                 let (meaning, unit) = meant(entry, behind)?;
-                Some(Heading { meaning, unit, unknown_unit: false, label: label.clone(), rank })
+                Some(Heading {
+                    meaning,
+                    unit,
+                    unknown_unit: false,
+                    label: label.clone(),
+                    rank,
+                })
             })
         })
     }
@@ -188,7 +234,13 @@ impl Vocabulary {
         let headings = self.entries().filter_map(|entry| {
             let rank = rank(heading, &label, entry)?;
             let (meaning, label) = (entry.meaning, label.clone());
-            Some(Heading { meaning, unit: None, unknown_unit: false, label, rank })
+            Some(Heading {
+                meaning,
+                unit: None,
+                unknown_unit: false,
+                label,
+                rank,
+            })
         });
         headings.min_by_key(|h| h.rank)
     }
@@ -196,7 +248,10 @@ impl Vocabulary {
     /// The unit of a text for a quantity, and the quantity that it then is.
     pub(crate) fn unit_of(&self, entry: &Entry, text: &str) -> Option<(Meaning, Unit)> {
         let other = entry.otherwise.and_then(|m| self.entry(m));
-        [Some(entry), other].into_iter().flatten().find_map(|e| Some((e.meaning, unit(text, e.dimension?)?)))
+        [Some(entry), other]
+            .into_iter()
+            .flatten()
+            .find_map(|e| Some((e.meaning, unit(text, e.dimension?)?)))
     }
 
     /// The words before a unit of a quantity, in plain form.
@@ -208,8 +263,14 @@ impl Vocabulary {
     /// Units of a quantity, for messages.
     pub(crate) fn units(&self, entry: &Entry) -> String {
         let other = entry.otherwise.and_then(|m| self.entry(m));
-        let dimensions = [Some(entry), other].into_iter().flatten().filter_map(|e| e.dimension);
-        dimensions.flat_map(Dimension::unit_names).collect::<Vec<_>>().join(", ")
+        let dimensions = [Some(entry), other]
+            .into_iter()
+            .flatten()
+            .filter_map(|e| e.dimension);
+        dimensions
+            .flat_map(Dimension::unit_names)
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 
     /// The unit that is in a heading, whatever its words.
@@ -226,7 +287,10 @@ mod tests {
     fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {
         let heading = vocabulary.understand(heading)?;
         let unit = heading.unit.map(|unit| unit.name);
-        Some((heading.meaning, unit.or(heading.unknown_unit.then_some("?"))))
+        Some((
+            heading.meaning,
+            unit.or(heading.unknown_unit.then_some("?")),
+        ))
     }
 
     /// Beside the headings that `mckibben-fit` reads as points (`spellings.txt` there).
@@ -257,7 +321,11 @@ mod tests {
             ("Pressure [furlong]", Pressure, "?"),
             ("Force (mm)", Force, "?"),
         ] {
-            assert_eq!(said(&POINTS, heading), Some((meaning, Some(unit))), "{heading}");
+            assert_eq!(
+                said(&POINTS, heading),
+                Some((meaning, Some(unit))),
+                "{heading}"
+            );
         }
         for (heading, meaning) in [("ΔL/L0", Contraction), ("F", Force)] {
             assert_eq!(said(&POINTS, heading), Some((meaning, None)), "{heading}");
@@ -297,7 +365,9 @@ mod tests {
     #[test]
     fn our_own_headings_go_before_all_others() {
         let rank = |heading: &str| POINTS.understand(heading).unwrap().rank;
-        assert!(rank("pressure_mpa") < rank("pressure_bar") && rank("pressure_bar") < rank("p_bar"));
+        assert!(
+            rank("pressure_mpa") < rank("pressure_bar") && rank("pressure_bar") < rank("p_bar")
+        );
         assert!(rank("p_bar") < rank("measured p [bar]"));
     }
 }

@@ -7,15 +7,23 @@ use super::{Columns, Meaning, Table, TableError};
 const SHORTENING: usize = 0;
 const FORCE: usize = 1;
 
-/// Reads a load from a table in any common form: shortenings in mm (contraction ratios are multiplied by the muscle's length L0) and forces
-/// in N, in the order of the table.
+/// Reads a load from a table in any common form: shortenings in mm (contraction ratios are
+/// multiplied by the muscle's length L0) and forces in N, in the order of the table.
 pub fn read_load(text: &str, rest_length_mm: f64) -> Result<Vec<(f64, f64)>, TableError> {
     let table = Table::read(text, &LOADS, &Columns::default())?;
     let column = table.needed(SHORTENING)?;
-    let length = if column.meaning == Meaning::Contraction { rest_length_mm } else { 1.0 };
+    let length = if column.meaning == Meaning::Contraction {
+        rest_length_mm
+    } else {
+        1.0
+    };
     let shortenings = table.numbers(column)?;
     let forces = table.numbers(table.needed(FORCE)?)?;
-    Ok(shortenings.into_iter().map(|x| x * length).zip(forces).collect())
+    Ok(shortenings
+        .into_iter()
+        .map(|x| x * length)
+        .zip(forces)
+        .collect())
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
 //! People's tables: bytes → text → rows → columns with a meaning and a unit → numbers.
 //!
-//! The only reader of measured tables. A reader names the [`Vocabulary`] of its quantities ([`POINTS`] of a muscle, [`TESTS`] of a rubber,
-//! [`HISTORIES`], loads, commands over time); this crate finds the encoding, separator, decimal mark, comments, the line of the
-//! heading, a line of units below it, and what each heading means and in which unit. [`Understood`] says what was found;
-//! [`TableError`] names the line and column that was not.
+//! The only reader of measured tables. A reader names the [`Vocabulary`] of its quantities
+//! ([`POINTS`] of a muscle, [`TESTS`] of a rubber, [`HISTORIES`], loads, commands over time); this
+//! crate finds the encoding, separator, decimal mark, comments, the line of the heading, a line of
+//! units below it, and what each heading means and in which unit. [`Understood`] says what was
+//! found; [`TableError`] names the line and column that was not.
 //!
 //! Numbers are in mm, MPa, N, degrees, s, or plain ratios.
 

@@ -25,13 +25,21 @@ fn evidence(text: &str) -> Option<Decimal> {
     let number = number.trim_start_matches(['+', '-']);
     let number = number.split(['e', 'E']).next().unwrap_or(number);
     match (number.rfind('.'), number.rfind(',')) {
-        (Some(point), Some(comma)) => Some(if point > comma { Decimal::Point } else { Decimal::Comma }),
+        (Some(point), Some(comma)) => Some(if point > comma {
+            Decimal::Point
+        } else {
+            Decimal::Comma
+        }),
         (None, None) => None,
         (point, comma) => {
             let at = point.or(comma)?;
             let (before, behind) = (&number[..at], &number[at + 1..]);
             let whole = before.contains(['.', ',']) || (behind.len() == 3 && is_lead(before));
-            let mark = if point.is_some() { Decimal::Point } else { Decimal::Comma };
+            let mark = if point.is_some() {
+                Decimal::Point
+            } else {
+                Decimal::Comma
+            };
             (!whole).then_some(mark)
         }
     }
@@ -58,8 +66,11 @@ pub(crate) fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Sepa
         (true, false) => Decimal::Point,
         (false, true) => Decimal::Comma,
         (true, true) => Decimal::Unknown,
-        // Nobody who writes decimal commas separates by commas; behind semicolons `1.234` may be a thousand.
-        (false, false) if !commas && (!points || separator != Separator::Mark(';')) => Decimal::Point,
+        // Nobody who writes decimal commas separates by commas; behind semicolons `1.234` may be a
+        // thousand.
+        (false, false) if !commas && (!points || separator != Separator::Mark(';')) => {
+            Decimal::Point
+        }
         (false, false) => Decimal::Unknown,
     }
 }
@@ -95,7 +106,8 @@ fn is_space(c: char) -> bool {
 }
 
 fn exponent_follows(text: &str) -> bool {
-    text.trim_start_matches(['+', '-', '−']).starts_with(|c: char| c.is_ascii_digit())
+    text.trim_start_matches(['+', '-', '−'])
+        .starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Three digits and no fourth.
@@ -116,7 +128,9 @@ pub(crate) fn number(text: &str, decimal: Decimal) -> Result<(f64, &str), NoNumb
         (_, None) if !plain.contains(['.', ',']) => plain,
         (Decimal::Unknown, _) => return Err(NoNumber::Ambiguous),
         (Decimal::Point, _) => without_groups(&plain, ',', '.').ok_or(NoNumber::Ambiguous)?,
-        (Decimal::Comma, _) => without_groups(&plain, '.', ',').ok_or(NoNumber::Ambiguous)?.replace(',', "."),
+        (Decimal::Comma, _) => without_groups(&plain, '.', ',')
+            .ok_or(NoNumber::Ambiguous)?
+            .replace(',', "."),
     };
     match plain.parse::<f64>() {
         Ok(v) if v.is_finite() => Ok((v, unit.trim())),
@@ -124,7 +138,8 @@ pub(crate) fn number(text: &str, decimal: Decimal) -> Result<(f64, &str), NoNumb
     }
 }
 
-/// `1,234.5` without its commas; `None` where they are not followed by a decimal mark, or groups are not of three.
+/// `1,234.5` without its commas; `None` where they are not followed by a decimal mark, or groups
+/// are not of three.
 fn without_groups(text: &str, group: char, mark: char) -> Option<String> {
     if !text.contains(group) {
         return Some(text.to_owned());
@@ -162,7 +177,9 @@ mod tests {
 
     #[test]
     fn what_is_no_number_or_ambiguous_is_refused() {
-        for text in ["", "abc", "NaN", "inf", "-", "1e999", "1.2.3", "--1", ".", "#DIV/0!"] {
+        for text in [
+            "", "abc", "NaN", "inf", "-", "1e999", "1.2.3", "--1", ".", "#DIV/0!",
+        ] {
             assert_eq!(number(text, Decimal::Point), Err(NoNumber::Text), "{text}");
         }
         for (text, decimal) in [

@@ -25,7 +25,8 @@ pub enum OverTime {
     Angle,
 }
 
-/// Reads times in s and values from a table in any common form; shortenings in mm are divided by the muscle's length L0.
+/// Reads times in s and values from a table in any common form; shortenings in mm are divided by
+/// the muscle's length L0.
 ///
 /// ```
 /// use mckibben_io::table::{OverTime, read_over_time};
@@ -37,15 +38,26 @@ pub enum OverTime {
 pub fn read_over_time(text: &str, what: OverTime, rest_length_mm: f64) -> Result<Series> {
     let table = Table::read(text, &OVER_TIME[what as usize], &Columns::default())?;
     let column = table.needed(1)?;
-    let length = if column.meaning == Meaning::Shortening { rest_length_mm } else { 1.0 };
+    let length = if column.meaning == Meaning::Shortening {
+        rest_length_mm
+    } else {
+        1.0
+    };
     let (times, values) = (table.numbers(table.needed(0)?)?, table.numbers(column)?);
-    Ok(times.into_iter().zip(values.into_iter().map(|value| value / length)).collect())
+    Ok(times
+        .into_iter()
+        .zip(values.into_iter().map(|value| value / length))
+        .collect())
 }
 
 /// Reads those of some quantities over time that a table has.
 pub fn read_log(text: &str, wanted: &[OverTime], rest_length_mm: f64) -> Result<Log> {
-    let has = |what: OverTime| Table::read(text, &OVER_TIME[what as usize], &Columns::default()).is_ok();
+    let has =
+        |what: OverTime| Table::read(text, &OVER_TIME[what as usize], &Columns::default()).is_ok();
     let found: Vec<OverTime> = wanted.iter().copied().filter(|what| has(*what)).collect();
     let found = if found.is_empty() { wanted } else { &found };
-    found.iter().map(|what| Ok((*what, read_over_time(text, *what, rest_length_mm)?))).collect()
+    found
+        .iter()
+        .map(|what| Ok((*what, read_over_time(text, *what, rest_length_mm)?)))
+        .collect()
 }

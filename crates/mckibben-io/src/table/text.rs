@@ -7,25 +7,36 @@ use crate::units::Dimension;
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{EUC_JP, Encoding, GBK, SHIFT_JIS, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-/// The text of a table, and what it was read from where that is not UTF-8: `GBK`, `sheet Data`. Of a workbook it is the sheet of this name, else the
-/// first with numbers.
+/// The text of a table, and what it was read from where that is not UTF-8: `GBK`, `sheet Data`. Of
+/// a workbook it is the sheet of this name, else the first with numbers.
 ///
 /// # Errors
 /// [`TableError::Refused`] for a file that is no table.
-pub fn read_text(bytes: &[u8], sheet: Option<&str>) -> Result<(String, Option<String>), TableError> {
-    if WORKBOOKS.iter().any(|beginning| bytes.starts_with(beginning)) {
+pub fn read_text(
+    bytes: &[u8],
+    sheet: Option<&str>,
+) -> Result<(String, Option<String>), TableError> {
+    if WORKBOOKS
+        .iter()
+        .any(|beginning| bytes.starts_with(beginning))
+    {
         let (text, name) = workbook::read(bytes, sheet)?;
         return Ok((text, Some(format!("sheet {name}"))));
     }
     if let Some((_, what)) = NO_TEXT.iter().find(|n| bytes.starts_with(n.0)) {
-        return Err(TableError::Refused(format!("this is not text but {what}; save the table as CSV")));
+        return Err(TableError::Refused(format!(
+            "this is not text but {what}; save the table as CSV"
+        )));
     }
     let (encoding, text) = match Encoding::for_bom(bytes) {
         Some((encoding, mark)) => (encoding, &bytes[mark..]),
         None => (encoding(bytes)?, bytes),
     };
     let (text, _) = encoding.decode_without_bom_handling(text);
-    Ok((text.into_owned(), (encoding != UTF_8).then(|| encoding.name().to_owned())))
+    Ok((
+        text.into_owned(),
+        (encoding != UTF_8).then(|| encoding.name().to_owned()),
+    ))
 }
 
 /// Beginnings of workbooks: packed ones (.xlsx, .ods), and the old kind (.xls).
@@ -42,18 +53,28 @@ const NO_TEXT: [(&[u8], &str); 4] = [
 /// The encoding of a text without a byte order mark.
 fn encoding(bytes: &[u8]) -> Result<&'static Encoding, TableError> {
     // Letters of headings and digits are one byte and a zero.
-    let zeros = |from: usize| bytes.iter().skip(from).step_by(2).filter(|b| **b == 0).count();
+    let zeros = |from: usize| {
+        bytes
+            .iter()
+            .skip(from)
+            .step_by(2)
+            .filter(|b| **b == 0)
+            .count()
+    };
     let half = bytes.len() / 2;
     match (zeros(0), zeros(1)) {
         (0, odd) if odd > 0 && 10 * odd >= 8 * half => Ok(UTF_16LE),
         (even, 0) if even > 0 && 10 * even >= 8 * half => Ok(UTF_16BE),
         (0, 0) if std::str::from_utf8(bytes).is_ok() => Ok(UTF_8),
         (0, 0) => Ok(of_words(bytes)),
-        _ => Err(TableError::Refused("this is not text but binary data; save the table as CSV".into())),
+        _ => Err(TableError::Refused(
+            "this is not text but binary data; save the table as CSV".into(),
+        )),
     }
 }
 
-/// The encoding in which most words are known ones, else the likeliest: a few letters alone decide little.
+/// The encoding in which most words are known ones, else the likeliest: a few letters alone decide
+/// little.
 fn of_words(bytes: &[u8]) -> &'static Encoding {
     const HEAD: usize = 4096;
     let mut detector = EncodingDetector::new(Iso2022JpDetection::Deny);
@@ -63,10 +84,16 @@ fn of_words(bytes: &[u8]) -> &'static Encoding {
     let known = |encoding: &&'static Encoding| {
         let (text, _) = encoding.decode_without_bom_handling(&bytes[..bytes.len().min(HEAD)]);
         let words = text.split(|c: char| c.is_whitespace() || "[](){}<>;,|/\"".contains(c));
-        words.filter(|w| !w.is_ascii() && (is_known(&plain(w)) || is_unit(w))).count()
+        words
+            .filter(|w| !w.is_ascii() && (is_known(&plain(w)) || is_unit(w)))
+            .count()
     };
     let others = [WINDOWS_1252, GBK, SHIFT_JIS, EUC_JP];
-    others.into_iter().chain([likely]).max_by_key(known).unwrap_or(likely)
+    others
+        .into_iter()
+        .chain([likely])
+        .max_by_key(known)
+        .unwrap_or(likely)
 }
 
 #[cfg(test)]
@@ -88,15 +115,25 @@ mod tests {
     fn text_of_unicode_is_that_text() {
         let named = |name: Option<&str>| (TEXT.to_owned(), name.map(str::to_owned));
         assert_eq!(read(TEXT.as_bytes()), named(None));
-        assert_eq!(read(&[b"\xef\xbb\xbf", TEXT.as_bytes()].concat()), named(None));
+        assert_eq!(
+            read(&[b"\xef\xbb\xbf", TEXT.as_bytes()].concat()),
+            named(None)
+        );
         let (little, big) = (sixteen(u16::to_le_bytes), sixteen(u16::to_be_bytes));
-        assert_eq!(read(&[&b"\xff\xfe"[..], &little].concat()), named(Some("UTF-16LE")));
-        assert_eq!(read(&[&b"\xfe\xff"[..], &big].concat()), named(Some("UTF-16BE")));
+        assert_eq!(
+            read(&[&b"\xff\xfe"[..], &little].concat()),
+            named(Some("UTF-16LE"))
+        );
+        assert_eq!(
+            read(&[&b"\xfe\xff"[..], &big].concat()),
+            named(Some("UTF-16BE"))
+        );
         assert_eq!(read(&little), named(Some("UTF-16LE")));
         assert_eq!(read(&big), named(Some("UTF-16BE")));
     }
 
-    /// What spreadsheets and benches write in China, Japan, Western and Central Europe and Turkey, down to a heading of one letter.
+    /// What spreadsheets and benches write in China, Japan, Western and Central Europe and Turkey,
+    /// down to a heading of one letter.
     #[test]
     fn encodings_are_recognised() {
         for (encoding, text) in [
@@ -110,13 +147,25 @@ mod tests {
             (WINDOWS_1252, TEXT),
             (WINDOWS_1252, "p [N/mm²];x [mm]\r\n1,5;2\r\n"),
             (WINDOWS_1252, "x [µm];Kraft [N]\n1;2\n"),
-            (WINDOWS_1252, "Pressão [bar];Contração [%];Força [N]\n1;2;3\n"),
+            (
+                WINDOWS_1252,
+                "Pressão [bar];Contração [%];Força [N]\n1;2;3\n",
+            ),
             (WINDOWS_1252, "pression [bar] – déplacement [mm]\n1;2;3\n"),
-            (WINDOWS_1250, "Ciśnienie [bar];Skrócenie [mm];Siła [N]\n1;2;3\n"),
-            (WINDOWS_1254, "Basınç [bar];Kısalma [mm];Kuvvet [N]\n1;2;3\n"),
+            (
+                WINDOWS_1250,
+                "Ciśnienie [bar];Skrócenie [mm];Siła [N]\n1;2;3\n",
+            ),
+            (
+                WINDOWS_1254,
+                "Basınç [bar];Kısalma [mm];Kuvvet [N]\n1;2;3\n",
+            ),
         ] {
             let (bytes, ..) = encoding.encode(text);
-            assert_eq!(read(&bytes), (text.to_owned(), Some(encoding.name().to_owned())));
+            assert_eq!(
+                read(&bytes),
+                (text.to_owned(), Some(encoding.name().to_owned()))
+            );
         }
     }
 

@@ -47,7 +47,10 @@ pub struct UnderstoodColumn {
 /// Strains and contractions that all are smaller are likely ratios under a heading of percent.
 const SMALL: f64 = 0.01;
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde hands over references"
+)]
 fn is_zero(count: &usize) -> bool {
     *count == 0
 }
@@ -61,7 +64,11 @@ impl Understood {
                 .flatten()
                 .filter(|t| !t.is_empty())
                 .collect();
-            let about = if about.is_empty() { String::new() } else { format!(" ({})", about.join(", ")) };
+            let about = if about.is_empty() {
+                String::new()
+            } else {
+                format!(" ({})", about.join(", "))
+            };
             format!("{} → {}{about}", c.column, c.quantity)
         };
         let columns: Vec<String> = self.columns.iter().map(column).collect();
@@ -89,29 +96,57 @@ impl Table {
         let mut used: Vec<_> = used.iter().collect();
         used.sort_by_key(|u| u.0.index);
         let columns = used.iter().map(|(column, note)| {
-            let dimension = self.vocabulary.entry(column.meaning).and_then(|e| e.dimension);
-            let values = self.some_numbers(column.meaning).unwrap_or_default().into_iter().flatten();
+            let dimension = self
+                .vocabulary
+                .entry(column.meaning)
+                .and_then(|e| e.dimension);
+            let values = self
+                .some_numbers(column.meaning)
+                .unwrap_or_default()
+                .into_iter()
+                .flatten();
             let range = dimension.and_then(|d| {
-                let (low, high) = (values.clone().reduce(f64::min)?, values.clone().reduce(f64::max)?);
-                Some(format!("{}..{}{}", tidy(low, 7), tidy(high, 7), d.unit_inside().name))
+                let (low, high) = (
+                    values.clone().reduce(f64::min)?,
+                    values.clone().reduce(f64::max)?,
+                );
+                Some(format!(
+                    "{}..{}{}",
+                    tidy(low, 7),
+                    tidy(high, 7),
+                    d.unit_inside().name
+                ))
             });
             UnderstoodColumn {
                 column: column.heading.clone(),
-                quantity: self.vocabulary.entry(column.meaning).map_or("", |e| &e.name).to_owned(),
+                quantity: self
+                    .vocabulary
+                    .entry(column.meaning)
+                    .map_or("", |e| &e.name)
+                    .to_owned(),
                 unit: column.unit.map_or("", |u| u.name).to_owned(),
                 range,
                 note: self.noted(column, note.as_deref()),
             }
         });
         let is_used = |i: usize| used.iter().any(|u| u.0.index == i);
-        let others = self.headings.iter().enumerate().filter(|(i, h)| !is_used(*i) && !h.is_empty());
+        let others = self
+            .headings
+            .iter()
+            .enumerate()
+            .filter(|(i, h)| !is_used(*i) && !h.is_empty());
         Understood {
             rows: self.rows.len(),
             left_out: self.left_out,
             not_filled: self.not_filled,
             heading_line: self.heading_line,
             separator: self.separator.name().into(),
-            decimal: if self.decimal == Decimal::Comma { "comma" } else { "point" }.into(),
+            decimal: if self.decimal == Decimal::Comma {
+                "comma"
+            } else {
+                "point"
+            }
+            .into(),
             columns: columns.collect(),
             not_used: others.map(|(_, h)| super::error::short(h)).collect(),
         }
@@ -120,7 +155,12 @@ impl Table {
     /// What was done with a column, or is odd of it.
     fn noted(&self, column: &Column, note: Option<&str>) -> Option<String> {
         let percent = column.unit.is_some_and(|unit| unit.name == "%");
-        let values = || self.some_numbers(column.meaning).unwrap_or_default().into_iter().flatten();
+        let values = || {
+            self.some_numbers(column.meaning)
+                .unwrap_or_default()
+                .into_iter()
+                .flatten()
+        };
         let small = percent && values().any(|v| v != 0.0) && values().all(|v| v.abs() < SMALL);
         let notes = [
             note,

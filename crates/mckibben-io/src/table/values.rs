@@ -20,12 +20,17 @@ impl Table {
         let need: &Need = &self.vocabulary.needed[group];
         let all = || need.any_of.iter().filter_map(|m| self.column(*m));
         let missing = || TableError::missing_column(need, &self.headings.join(", "), "", "");
-        all().find(|c| c.chosen).or_else(|| all().next()).ok_or_else(missing)
+        all()
+            .find(|c| c.chosen)
+            .or_else(|| all().next())
+            .ok_or_else(missing)
     }
 
     /// Leaves out rows whose word in a column is none of these, and counts them.
     pub fn keep(&mut self, meaning: Meaning, words: &[&str]) {
-        let Some(index) = self.column(meaning).map(|c| c.index) else { return };
+        let Some(index) = self.column(meaning).map(|c| c.index) else {
+            return;
+        };
         let before = self.rows.len();
         self.rows.retain(|r| words.contains(&r.field(index)));
         self.left_out += before - self.rows.len();
@@ -65,7 +70,10 @@ impl Table {
 
     /// Gives a column another meaning.
     pub fn rename(&mut self, from: Meaning, to: Meaning) {
-        self.columns.iter_mut().filter(|c| c.meaning == from).for_each(|c| c.meaning = to);
+        self.columns
+            .iter_mut()
+            .filter(|c| c.meaning == from)
+            .for_each(|c| c.meaning = to);
     }
 
     /// Lines of the rows.
@@ -75,23 +83,38 @@ impl Table {
 
     /// A column in the unit used inside, row by row.
     pub fn numbers(&self, column: &Column) -> Result<Vec<f64>, TableError> {
-        (0..self.rows.len()).map(|row| self.number(row, column)).collect()
+        (0..self.rows.len())
+            .map(|row| self.number(row, column))
+            .collect()
     }
 
     /// The same where fields may be empty, and where there may be no such column.
     pub fn some_numbers(&self, meaning: Meaning) -> Result<Vec<Option<f64>>, TableError> {
-        let Some(column) = self.column(meaning) else { return Ok(vec![None; self.rows.len()]) };
+        let Some(column) = self.column(meaning) else {
+            return Ok(vec![None; self.rows.len()]);
+        };
         let one = |row: usize| {
             let empty = self.rows[row].field(column.index).is_empty();
-            if empty { Ok(None) } else { self.number(row, column).map(Some) }
+            if empty {
+                Ok(None)
+            } else {
+                self.number(row, column).map(Some)
+            }
         };
         (0..self.rows.len()).map(one).collect()
     }
 
     /// The same where numbers are above zero.
-    pub fn above_zero(&self, meaning: Meaning, expected: &str) -> Result<Vec<Option<f64>>, TableError> {
+    pub fn above_zero(
+        &self,
+        meaning: Meaning,
+        expected: &str,
+    ) -> Result<Vec<Option<f64>>, TableError> {
         let values = self.some_numbers(meaning)?;
-        match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), self.column(meaning)) {
+        match (
+            values.iter().position(|v| v.is_some_and(|v| v <= 0.0)),
+            self.column(meaning),
+        ) {
             (Some(row), Some(column)) => Err(self.impossible(row, column, expected)),
             _ => Ok(values),
         }
@@ -108,21 +131,34 @@ impl Table {
         if text.is_empty() && row.width() <= column.index {
             let (line, count, expected) = (row.line, row.width(), self.headings.len());
             return Err(TableError::Refused(format!(
-                "line {line} has {count} fields and the heading {expected}; every line needs as many fields as the heading"
+                "line {line} has {count} fields and the heading {expected}; every line needs as \
+                 many fields as the heading"
             )));
         }
-        let not_a_number =
-            |hint| column.refused(row.line, format!("\"{}\" is not a finite number{hint}", short(text)));
-        let decimal = if column.is_constant() { Decimal::Point } else { self.decimal };
-        let (value, unit) = number::number(text, decimal).map_err(|why| match why {
+        let not_a_number = |hint| {
+            column.refused(
+                row.line,
+                format!("\"{}\" is not a finite number{hint}", short(text)),
+            )
+        };
+        let decimal = if column.is_constant() {
+            Decimal::Point
+        } else {
+            self.decimal
+        };
+        let (value, unit) = number::number(text, decimal).map_err(|why| {
+            match why {
             NoNumber::Text if text.is_empty() => {
                 not_a_number("; the field is empty: leave the whole line out")
             }
             NoNumber::Text => not_a_number(""),
             NoNumber::Ambiguous => column.refused(row.line, format!(
-                "\"{}\" can be read in two ways: is its mark a decimal mark, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines",
+                "\"{}\" can be read in two ways: is its mark a decimal mark, or does it separate \
+                 thousands? Write numbers without separators of thousands, with the same decimal \
+                 mark in all lines",
                 short(text)
             )),
+        }
         })?;
         let dimension = self.entry(column).and_then(|e| e.dimension);
         let value = if column.negated { -value } else { value };
@@ -170,26 +206,34 @@ impl Table {
         words: &[(&str, T)],
         known: &'static str,
     ) -> Result<Option<T>, TableError> {
-        let Some(column) = self.column(meaning) else { return Ok(None) };
+        let Some(column) = self.column(meaning) else {
+            return Ok(None);
+        };
         let (line, text) = (self.rows[row].line, self.rows[row].field(column.index));
         if text.is_empty() {
             return Ok(None);
         }
         let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
         let name = self.entry(column).map_or("", |e| &e.name);
-        word.map(Some).ok_or_else(|| TableError::word(line, name, text, known))
+        word.map(Some)
+            .ok_or_else(|| TableError::word(line, name, text, known))
     }
 
     /// A value that cannot be.
     pub fn impossible(&self, row: usize, column: &Column, expected: &str) -> TableError {
-        let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
+        let (line, text) = self
+            .rows
+            .get(row)
+            .map_or((0, ""), |r| (r.line, r.field(column.index)));
         column.refused(line, format!("{} {expected}", short(text)))
     }
 
     /// A ratio that is probably in percent.
     pub fn percent(&self, row: usize, column: &Column) -> TableError {
         let hint = format!(
-            "is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{}:%\" (:mm if it is a length)",
+            "is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for \
+             15 %, name the column contraction_percent, or give `columns` contraction=\"{}:%\" \
+             (:mm if it is a length)",
             column.heading
         );
         self.impossible(row, column, &hint)
@@ -201,7 +245,11 @@ impl Table {
             Dimension::Pressure if self.vocabulary.entry(Meaning::Pressure).is_some() => "kPa",
             d => d.unit_inside().name,
         };
-        let stated = if column.unknown_unit { " (that in its brackets is not known)" } else { "" };
+        let stated = if column.unknown_unit {
+            " (that in its brackets is not known)"
+        } else {
+            ""
+        };
         let unit = entry.and_then(|e| e.dimension).map_or("", example);
         let (name, units) = self.units_of(column);
         if column.is_constant() {
@@ -212,24 +260,42 @@ impl Table {
         }
         if let Some(other) = heading::other_unit(&column.heading) {
             return TableError::Refused(format!(
-                "column {column}: {other} is no unit of {name}; convert the values, or choose another column with `columns` {name}=\"HEADING:{unit}\" (units: {units})",
+                "column {column}: {other} is no unit of {name}; convert the values, or choose \
+                 another column with `columns` {name}=\"HEADING:{unit}\" (units: {units})",
                 column = column.heading
             ));
         }
-        let column = column.heading.split(['[', '(']).next().unwrap_or_default().trim();
+        let column = column
+            .heading
+            .split(['[', '('])
+            .next()
+            .unwrap_or_default()
+            .trim();
         TableError::Refused(format!(
-            "column {column} does not state its unit{stated}; write it after the heading, as {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"
+            "column {column} does not state its unit{stated}; write it after the heading, as \
+             {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"
         ))
     }
 
     /// Name and units of what a column holds.
     fn units_of(&self, column: &Column) -> (&str, String) {
-        self.entry(column).map_or(("", String::new()), |e| (e.name.as_str(), self.vocabulary.units(e)))
+        self.entry(column).map_or(("", String::new()), |e| {
+            (e.name.as_str(), self.vocabulary.units(e))
+        })
     }
 
-    pub(super) fn wrong_unit(&self, line: u64, column: &Column, unit: &str, clash: String) -> TableError {
+    pub(super) fn wrong_unit(
+        &self,
+        line: u64,
+        column: &Column,
+        unit: &str,
+        clash: String,
+    ) -> TableError {
         let (name, units) = self.units_of(column);
         let unit = short(unit);
-        column.refused(line, format!("\"{unit}\" is not a unit of {name}{clash}; its units are {units}"))
+        column.refused(
+            line,
+            format!("\"{unit}\" is not a unit of {name}{clash}; its units are {units}"),
+        )
     }
 }

@@ -1,7 +1,9 @@
-//! The quantities that tables hold, and the words that people use for them: declared here and nowhere else.
+//! The quantities that tables hold, and the words that people use for them: declared here and
+//! nowhere else.
 //!
-//! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
-//! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) is beside them.
+//! Words are in plain form: lower case, without accents, everything that is no letter or digit as
+//! an underscore ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other
+//! spelling (`ue`) is beside them.
 
 use crate::named;
 use crate::units::Dimension;
@@ -81,11 +83,12 @@ pub enum Meaning {
 }
 
 impl Meaning {
-    /// What is larger is no measurement but a slip or a wrong unit, in MPa, N, mm, degrees. Ratios and stresses are looked at
-    /// where it is known what they mean.
+    /// What is larger is no measurement but a slip or a wrong unit, in MPa, N, mm, degrees. Ratios
+    /// and stresses are looked at where it is known what they mean.
     pub(crate) fn most(self) -> f64 {
         match self {
-            // Far above muscles on oil and water; what lies below is compared with the muscle (`identify::advice`).
+            // Far above muscles on oil and water; what lies below is compared with the muscle
+            // (`identify::advice`).
             Meaning::Pressure | Meaning::PressureError => 100.0,
             Meaning::Force | Meaning::ForceError | Meaning::Weight => 1e6,
             Meaning::Volume | Meaning::VolumeError => 1e10,
@@ -104,7 +107,8 @@ pub(crate) struct Words {
     pub(crate) name: String,
     /// `None` for words and plain numbers.
     pub(crate) dimension: Option<Dimension>,
-    /// What the same words mean with a unit of another dimension: contraction in mm is a shortening.
+    /// What the same words mean with a unit of another dimension: contraction in mm is a
+    /// shortening.
     pub(crate) otherwise: Option<Meaning>,
     /// Headings that this program writes, the best first; they go before all others.
     pub(crate) preferred: Vec<String>,
@@ -172,7 +176,12 @@ static WORDS: LazyLock<BTreeMap<String, Words>> = LazyLock::new(|| {
 });
 
 static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let entry = |(key, words): (&String, &'static Words)| Some(Entry { meaning: named(key)?, words });
+    let entry = |(key, words): (&String, &'static Words)| {
+        Some(Entry {
+            meaning: named(key)?,
+            words,
+        })
+    };
     WORDS.iter().filter_map(entry).collect()
 });
 
@@ -195,10 +204,14 @@ pub(super) fn is_known(plain: &str) -> bool {
 impl Words {
     /// The preferred headings and the words of people.
     pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
-        self.preferred.iter().chain(self.people.values().flatten()).map(String::as_str)
+        self.preferred
+            .iter()
+            .chain(self.people.values().flatten())
+            .map(String::as_str)
     }
 
-    /// Whether a plain label is a word for it where no other column is it: a weight hangs on a muscle beside a load cell.
+    /// Whether a plain label is a word for it where no other column is it: a weight hangs on a
+    /// muscle beside a load cell.
     pub(crate) fn knows_last(&self, label: &str) -> bool {
         self.last.iter().any(|word| word == label)
     }
@@ -213,15 +226,28 @@ impl Vocabulary {
     /// A kind of `data/tables.txt`.
     fn named(kind: &str) -> Self {
         let mut lines = include_str!("../../data/tables.txt").lines().map(cells);
-        let head = lines.find(|(_, cells)| cells[0] == kind).unwrap_or_default().1;
+        let head = lines
+            .find(|(_, cells)| cells[0] == kind)
+            .unwrap_or_default()
+            .1;
         let needed = lines.map_while(|(below, [wanted, any_of, names])| {
-            below.then(|| Need { wanted, any_of: meanings(any_of), names })
+            below.then(|| Need {
+                wanted,
+                any_of: meanings(any_of),
+                names,
+            })
         });
-        Self { what: head[1], meanings: meanings(head[2]), needed: needed.collect() }
+        Self {
+            what: head[1],
+            meanings: meanings(head[2]),
+            needed: needed.collect(),
+        }
     }
 
     pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
-        self.meanings.iter().filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
+        self.meanings
+            .iter()
+            .filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
     }
 
     /// Whether a column of this meaning holds numbers.
@@ -237,7 +263,10 @@ impl Vocabulary {
 /// Whether a line belongs to the kind above it, and its cells.
 fn cells(line: &'static str) -> (bool, [&'static str; 3]) {
     let mut cells = line.split(" | ").map(str::trim);
-    (line.starts_with(' '), [(); 3].map(|()| cells.next().unwrap_or_default()))
+    (
+        line.starts_with(' '),
+        [(); 3].map(|()| cells.next().unwrap_or_default()),
+    )
 }
 
 fn meanings(words: &str) -> Vec<Meaning> {
@@ -255,8 +284,9 @@ pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("tes
 /// A load over the shortening of the muscle that meets it.
 pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("loads"));
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
-pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> =
-    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::named));
+pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> = LazyLock::new(|| {
+    ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::named)
+});
 
 #[cfg(test)]
 mod tests {
@@ -268,14 +298,22 @@ mod tests {
         for vocabulary in [&POINTS, &TESTS, &HISTORIES, &OVER_TIME[0]] {
             let mut seen = vec![];
             for entry in vocabulary.entries() {
-                assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
+                assert!(
+                    vocabulary
+                        .entry(entry.meaning)
+                        .is_some_and(|e| e.name == entry.name)
+                );
                 for word in entry.all() {
                     assert_eq!(plain(word), word, "{word}");
-                    // `deformation` is a mode in this program's tables, a strain with a unit in French ones.
-                    // What both a shortening and an extension are called is the first of a kind's list.
+                    // `deformation` is a mode in this program's tables, a strain with a unit in
+                    // French ones. What both a shortening and an extension are called is the first
+                    // of a kind's list.
                     let is_way = entry.meaning == Meaning::Extension;
                     let may_be_twice = word == "deformation" || is_way;
-                    assert!(!seen.contains(&word) || may_be_twice, "{word} is there twice");
+                    assert!(
+                        !seen.contains(&word) || may_be_twice,
+                        "{word} is there twice"
+                    );
                     seen.push(word);
                 }
             }

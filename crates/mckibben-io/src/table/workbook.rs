@@ -1,4 +1,5 @@
-//! From a workbook to the text of a table: `.xlsx`, `.ods`, `.xls`. Lines are the rows of the sheet, tabs are between fields.
+//! From a workbook to the text of a table: `.xlsx`, `.ods`, `.xls`. Lines are the rows of the
+//! sheet, tabs are between fields.
 
 use super::{MAX_BYTES, TableError};
 use calamine::{Cell, Data, DataRef, DataType, Reader, Sheets, open_workbook_auto_from_rs};
@@ -14,9 +15,13 @@ struct Sheet {
 
 impl Sheet {
     fn add(&mut self, at: (u32, u32), value: &impl DataType) {
-        let number = value.get_float().or(value.get_int().map(|whole| whole as f64));
+        let number = value
+            .get_float()
+            .or(value.get_int().map(|whole| whole as f64));
         self.has_numbers |= number.is_some();
-        let text = number.map(|number| number.to_string()).or_else(|| value.as_string());
+        let text = number
+            .map(|number| number.to_string())
+            .or_else(|| value.as_string());
         // An error of a formula is an empty field.
         let text = text.filter(|text| !text.is_empty() && !value.is_error());
         let plain = |text: String| text.replace(['\t', '\n', '\r'], " ").replace('"', "″");
@@ -27,9 +32,15 @@ impl Sheet {
         let mut out = String::new();
         let mut at = (0, 0);
         for (place, text) in &self.cells {
-            let (lines, tabs) = (place.0 - at.0, place.1 - if place.0 > at.0 { 0 } else { at.1 });
+            let (lines, tabs) = (
+                place.0 - at.0,
+                place.1 - if place.0 > at.0 { 0 } else { at.1 },
+            );
             if out.len() + (lines + tabs) as usize + text.len() > MAX_BYTES {
-                let message = format!("the sheet is larger than {} MB; take fewer rows", MAX_BYTES >> 20);
+                let message = format!(
+                    "the sheet is larger than {} MB; take fewer rows",
+                    MAX_BYTES >> 20
+                );
                 return Err(TableError::Refused(message));
             }
             out.extend((0..lines).map(|_| '\n').chain((0..tabs).map(|_| '\t')));
@@ -41,14 +52,19 @@ impl Sheet {
 }
 
 fn wrong(error: impl std::fmt::Display) -> TableError {
-    TableError::Refused(format!("the spreadsheet cannot be read: {error}; save the table as CSV"))
+    TableError::Refused(format!(
+        "the spreadsheet cannot be read: {error}; save the table as CSV"
+    ))
 }
 
 /// The sheet of this name, else the first with numbers, and its name.
 pub(super) fn read(bytes: &[u8], wanted: Option<&str>) -> Result<(String, String), TableError> {
     let mut book = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(wrong)?;
     let names = book.sheet_names();
-    for name in names.iter().filter(|name| wanted.is_none_or(|wanted| wanted == *name)) {
+    for name in names
+        .iter()
+        .filter(|name| wanted.is_none_or(|wanted| wanted == *name))
+    {
         let sheet = read_sheet(&mut book, name)?;
         if sheet.has_numbers {
             return Ok((sheet.text()?, name.clone()));
@@ -66,8 +82,9 @@ fn read_sheet(book: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<Sheet, Tab
     if let Sheets::Xlsx(book) = book {
         // Cell by cell: a far cell makes no large sheet.
         let mut cells = book.worksheet_cells_reader(name).map_err(wrong)?;
-        let mut next =
-            || -> Result<Option<Cell<DataRef<'_>>>, TableError> { cells.next_cell().map_err(wrong) };
+        let mut next = || -> Result<Option<Cell<DataRef<'_>>>, TableError> {
+            cells.next_cell().map_err(wrong)
+        };
         while let Some(cell) = next()? {
             sheet.add(cell.get_position(), cell.get_value());
         }
@@ -87,19 +104,24 @@ mod tests {
     use super::super::{Columns, Meaning, TESTS, Table, read_text};
     use super::*;
 
-    /// The workbook of a testing machine: a sheet of words, then one with a title, headings, units, and numbers from the second column on.
+    /// The workbook of a testing machine: a sheet of words, then one with a title, headings, units,
+    /// and numbers from the second column on.
     #[test]
     fn the_first_sheet_with_numbers_is_the_table() {
-        for book in
-            [&include_bytes!("workbook/tests/pull.xlsx")[..], include_bytes!("workbook/tests/pull.ods")]
-        {
+        for book in [
+            &include_bytes!("workbook/tests/pull.xlsx")[..],
+            include_bytes!("workbook/tests/pull.ods"),
+        ] {
             let (text, from) = read_text(book, None).unwrap();
             assert_eq!(from.as_deref(), Some("sheet Werte Probe 1"));
             let table = Table::read(&text, &TESTS, &Columns::default()).unwrap();
             assert_eq!(table.lines(), [6, 7, 8, 9, 10]);
             let numbers = |meaning| table.numbers(table.column(meaning).unwrap()).unwrap();
             assert_eq!(numbers(Meaning::Extension), [0.0, 5.0, 10.0, 20.5, 40.0]);
-            assert_eq!(numbers(Meaning::Force), [0.0, 3.1, 5.2, 8.100000000000001, 12.3]);
+            assert_eq!(
+                numbers(Meaning::Force),
+                [0.0, 3.1, 5.2, 8.100000000000001, 12.3]
+            );
             let refused = read_text(book, Some("Werte")).unwrap_err().to_string();
             let said = "no sheet \"Werte\" with numbers; the sheets are: Parameter, Werte Probe 1";
             assert_eq!(refused, said);
@@ -112,6 +134,12 @@ mod tests {
         for row in 0..3000 {
             sheet.add((row, 16_000), &Data::Float(1.0));
         }
-        assert!(sheet.text().unwrap_err().to_string().starts_with("the sheet is larger than"));
+        assert!(
+            sheet
+                .text()
+                .unwrap_err()
+                .to_string()
+                .starts_with("the sheet is larger than")
+        );
     }
 }

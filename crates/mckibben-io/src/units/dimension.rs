@@ -5,7 +5,9 @@ use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dimension {
     /// Lengths, in mm.
@@ -53,8 +55,9 @@ pub enum Dimension {
     Flow,
 }
 
-/// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
-/// inside. Keeping the fraction makes `1.5bar` the same number as `0.15MPa`, to the last bit.
+/// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it
+/// into the unit used inside. Keeping the fraction makes `1.5bar` the same number as `0.15MPa`, to
+/// the last bit.
 pub(super) type Spelled = (Vec<&'static str>, f64, f64);
 
 /// A dimension with its units, and how people speak of it.
@@ -76,11 +79,18 @@ fn read(text: &'static str) -> Vec<Kind> {
         match (&fields[..], kinds.last_mut()) {
             (&[spellings, numerator, denominator], Some(kind)) => {
                 let numbers = (number(numerator), number(denominator));
-                kind.units.push((spellings.split(", ").collect(), numbers.0, numbers.1));
+                kind.units
+                    .push((spellings.split(", ").collect(), numbers.0, numbers.1));
             }
             (&[name, noun, expectation, end], _) => {
                 let end_of_name = Some(end).filter(|end| !end.is_empty());
-                let kind = |dimension| Kind { dimension, units: vec![], noun, expectation, end_of_name };
+                let kind = |dimension| Kind {
+                    dimension,
+                    units: vec![],
+                    noun,
+                    expectation,
+                    end_of_name,
+                };
                 kinds.extend(named(name).map(kind));
             }
             _ => {}
@@ -90,7 +100,11 @@ fn read(text: &'static str) -> Vec<Kind> {
 }
 
 fn number(text: &str) -> f64 {
-    if text == "pi" { std::f64::consts::PI } else { text.parse().unwrap_or(f64::NAN) }
+    if text == "pi" {
+        std::f64::consts::PI
+    } else {
+        text.parse().unwrap_or(f64::NAN)
+    }
 }
 
 impl Dimension {
@@ -117,7 +131,8 @@ impl Dimension {
         self.kind().expectation
     }
 
-    /// The end of the name of a field that is one of these, in the unit inside; none of a plain ratio.
+    /// The end of the name of a field that is one of these, in the unit inside; none of a plain
+    /// ratio.
     pub fn end_of_name(self) -> Option<&'static str> {
         self.kind().end_of_name
     }
@@ -132,7 +147,11 @@ mod tests {
         assert_eq!(KINDS.len(), Dimension::Flow as usize + 1);
         for (i, kind) in KINDS.iter().enumerate() {
             assert_eq!(kind.dimension as usize, i, "{}", kind.noun);
-            assert!(kind.units.iter().all(|u| u.1 > 0.0 && u.2 > 0.0), "{}", kind.noun);
+            assert!(
+                kind.units.iter().all(|u| u.1 > 0.0 && u.2 > 0.0),
+                "{}",
+                kind.noun
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Quantities with units, as people type them: `30mm`, `2.5bar`, `28deg`, `10%`, `0..2.5:0.1bar`.
 //!
-//! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are degrees where a
-//! name says `_deg` and radians elsewhere. Units exist at the edge only, here.
+//! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are
+//! degrees where a name says `_deg` and radians elsewhere. Units exist at the edge only, here.
 
 mod convert;
 mod dimension;

@@ -1,6 +1,8 @@
-//! Names of fields, and the units that they carry: a quantity has its unit at the end of its name (`pressure_mpa`).
+//! Names of fields, and the units that they carry: a quantity has its unit at the end of its name
+//! (`pressure_mpa`).
 //!
-//! This is the one table of it. Schemas, documentation and the Python package have their units from here.
+//! This is the one table of it. Schemas, documentation and the Python package have their units from
+//! here.
 
 use super::dimension::Dimension;
 
@@ -18,7 +20,8 @@ const ANSWERED: &[(&str, &str)] = &[
     ("normal_litres_per_cycle", "normal L"),
 ];
 
-/// Names without a unit at their end that are a quantity all the same, as whole names or as the last word of one.
+/// Names without a unit at their end that are a quantity all the same, as whole names or as the
+/// last word of one.
 const RATIOS: [&str; 4] = ["contraction", "contractions", "strain", "uncertainty"];
 /// A number in N/mm, or a name.
 const STIFFNESS: &str = "stiffness";
@@ -34,7 +37,10 @@ pub struct NamedUnit {
 
 impl NamedUnit {
     fn inside(dimension: Dimension) -> Self {
-        Self { unit: dimension.unit_inside().name, dimension: Some(dimension) }
+        Self {
+            unit: dimension.unit_inside().name,
+            dimension: Some(dimension),
+        }
     }
 
     /// The unit that a field has by its name; none where it is a plain number, or no number.
@@ -47,12 +53,29 @@ impl NamedUnit {
     /// ```
     pub fn of_field(name: &str) -> Option<Self> {
         let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::inside(d))));
-        let answered = ANSWERED.iter().map(|&(end, unit)| (end, Self { unit, dimension: None }));
-        let ends = |end: &str| name.strip_suffix(end).is_some_and(|rest| rest.ends_with('_'));
+        let answered = ANSWERED.iter().map(|&(end, unit)| {
+            (
+                end,
+                Self {
+                    unit,
+                    dimension: None,
+                },
+            )
+        });
+        let ends = |end: &str| {
+            name.strip_suffix(end)
+                .is_some_and(|rest| rest.ends_with('_'))
+        };
         // The longest: `_n_per_mm` ends with `_mm` too.
-        let end = typed.chain(answered).filter(|(end, _)| ends(end)).max_by_key(|(end, _)| end.len());
+        let end = typed
+            .chain(answered)
+            .filter(|(end, _)| ends(end))
+            .max_by_key(|(end, _)| end.len());
         end.map(|(_, unit)| unit).or_else(|| {
-            let last = name.rsplit('_').find(|word| word.parse::<u32>().is_err()).unwrap_or_default();
+            let last = name
+                .rsplit('_')
+                .find(|word| word.parse::<u32>().is_err())
+                .unwrap_or_default();
             match last {
                 _ if name == STIFFNESS => Some(Self::inside(Dimension::Stiffness)),
                 last if RATIOS.contains(&last) => Some(Self::inside(Dimension::Ratio)),
@@ -67,14 +90,21 @@ mod tests {
     use super::*;
     use crate::units::parse_quantity;
 
-    /// An identity: the end of a name is the unit inside, in which a bare number and one with the unit are the same.
+    /// An identity: the end of a name is the unit inside, in which a bare number and one with the
+    /// unit are the same.
     #[test]
     fn every_kind_of_quantity_is_found_by_the_end_of_a_name() {
         for dimension in Dimension::all() {
-            let name = dimension.end_of_name().map_or("contraction".to_owned(), |end| format!("some_{end}"));
+            let name = dimension
+                .end_of_name()
+                .map_or("contraction".to_owned(), |end| format!("some_{end}"));
             let named = NamedUnit::of_field(&name).unwrap();
             assert_eq!(named.dimension, Some(dimension), "{name}");
-            assert_eq!(parse_quantity(&format!("1.5 {}", named.unit), dimension), Ok(1.5), "{name}");
+            assert_eq!(
+                parse_quantity(&format!("1.5 {}", named.unit), dimension),
+                Ok(1.5),
+                "{name}"
+            );
         }
     }
 
@@ -99,7 +129,18 @@ mod tests {
         ] {
             assert_eq!(unit(name), Some(expected), "{name}");
         }
-        for name in ["turns", "columns", "n", "mm", "summ", "is_open", "at_neutral", "length_um", "1", ""] {
+        for name in [
+            "turns",
+            "columns",
+            "n",
+            "mm",
+            "summ",
+            "is_open",
+            "at_neutral",
+            "length_um",
+            "1",
+            "",
+        ] {
             assert_eq!(unit(name), None, "{name}");
         }
     }

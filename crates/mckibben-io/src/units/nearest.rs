@@ -1,7 +1,8 @@
 //! Which of the known words somebody meant.
 
-/// The candidate closest to `word` by edit distance, where it is close enough to be a slip of the hand: at most two
-/// edits, or a third of the word; one inside the other (`thickness`, `wall_thickness`) counts too. Case does not matter.
+/// The candidate closest to `word` by edit distance, where it is close enough to be a slip of the
+/// hand: at most two edits, or a third of the word; one inside the other (`thickness`,
+/// `wall_thickness`) counts too. Case does not matter.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // Nobody mistypes a word into a novel; and the distance takes length² steps.
     if word.chars().count() > 60 {
@@ -14,7 +15,8 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .filter_map(|c| {
             let lower = c.to_lowercase();
             let edits = strsim::osa_distance(&word, &lower);
-            let inside = word.len().min(lower.len()) >= 3 && (lower.contains(&word) || word.contains(&lower));
+            let inside = word.len().min(lower.len()) >= 3
+                && (lower.contains(&word) || word.contains(&lower));
             let close = edits <= allowed && edits < lower.chars().count();
             (close || inside).then_some((edits, c))
         })
@@ -22,7 +24,8 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, c)| c)
 }
 
-/// The word that was probably meant, behind a message: ` (did you mean rubber?)`; nothing where none is near.
+/// The word that was probably meant, behind a message: ` (did you mean rubber?)`; nothing where
+/// none is near.
 pub fn meant(nearest: Option<&str>) -> String {
     nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
 }

@@ -16,7 +16,10 @@ pub struct QuantityError {
 
 impl QuantityError {
     fn about(text: &str, problem: String) -> Self {
-        Self { subject: format!("\"{}\" ", text.trim()), problem }
+        Self {
+            subject: format!("\"{}\" ", text.trim()),
+            problem,
+        }
     }
 
     /// A text that is something else than what was expected.
@@ -31,14 +34,19 @@ impl QuantityError {
 
     /// A number so large or so small that its powers leave the range of a double.
     pub(super) fn beyond(text: &str, expected: Dimension) -> Self {
-        Self::is(text, &format!("is outside the allowed range ({BOUNDS})"), expected)
+        Self::is(
+            text,
+            &format!("is outside the allowed range ({BOUNDS})"),
+            expected,
+        )
     }
 }
 
 /// The sizes of quantities that are computed with, beside 0, in words.
 pub const BOUNDS: &str = "1e-30 to 1e30, or 0";
 
-/// Whether a quantity is of a size that can be computed with: powers of it are finite, and above zero.
+/// Whether a quantity is of a size that can be computed with: powers of it are finite, and above
+/// zero.
 pub fn plausible(value: f64) -> bool {
     value == 0.0 || (1e-30..=1e30).contains(&value.abs())
 }
@@ -48,10 +56,14 @@ pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), Quan
     let t = text.trim();
     if t.is_empty() {
         let problem = format!("the value is empty; expected {}", expected.expectation());
-        return Err(QuantityError { subject: String::new(), problem });
+        return Err(QuantityError {
+            subject: String::new(),
+            problem,
+        });
     }
     let lower = t.trim_start_matches(['+', '-']).to_ascii_lowercase();
-    // "infinity" and "nan" are numbers to Rust's parser, and "in" is a unit: look at the word, not the prefix.
+    // "infinity" and "nan" are numbers to Rust's parser, and "in" is a unit: look at the word, not
+    // the prefix.
     if ["nan", "inf", "infinity"].iter().any(|w| lower == *w) {
         return Err(QuantityError::not_finite(t, expected));
     }
@@ -74,8 +86,9 @@ pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), Quan
             end = exponent;
         }
     }
-    let value: f64 =
-        t[..end].parse().map_err(|_| QuantityError::is(t, "does not start with a number", expected))?;
+    let value: f64 = t[..end]
+        .parse()
+        .map_err(|_| QuantityError::is(t, "does not start with a number", expected))?;
     if !value.is_finite() {
         return Err(QuantityError::not_finite(t, expected));
     }
@@ -106,21 +119,30 @@ fn fraction(first: f64, behind: &str) -> Option<(f64, &str)> {
 }
 
 /// The factor of a unit as a fraction, or which error it is.
-pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64), QuantityError> {
+pub(super) fn factor(
+    unit: &str,
+    text: &str,
+    expected: Dimension,
+) -> Result<(f64, f64), QuantityError> {
     match (unit, expected.unit(unit)) {
         ("", _) => Ok((1.0, 1.0)),
         (_, Some(unit)) => Ok(unit.fraction),
         _ => {
-            let other = Dimension::all().find(|d| d.unit(unit).is_some()).map(|d| format!("is {}", d.noun()));
+            let other = Dimension::all()
+                .find(|d| d.unit(unit).is_some())
+                .map(|d| format!("is {}", d.noun()));
             let what = other.unwrap_or_else(|| format!("has the unknown unit \"{unit}\""));
             Err(QuantityError::is(text, &what, expected))
         }
     }
 }
 
-/// Refuses `2,5bar` where one value is wanted. Behind three digits a comma may also have separated thousands.
+/// Refuses `2,5bar` where one value is wanted. Behind three digits a comma may also have separated
+/// thousands.
 fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
-    let Some(rest) = behind.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    let Some(rest) = behind
+        .strip_prefix(',')
+        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
     else {
         return Ok(());
     };
@@ -134,7 +156,8 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
         3 if !whole.contains('.') => format!("; write {pointed} or {joined}"),
         _ => format!("; write {pointed}"),
     };
-    let why = "is not one number: a point begins the decimals and a comma separates the values of a list";
+    let why =
+        "is not one number: a point begins the decimals and a comma separates the values of a list";
     Err(QuantityError::about(text, why.to_owned() + &meant))
 }
 
@@ -154,7 +177,11 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, QuantityEr
     if !out.is_finite() {
         return Err(QuantityError::not_finite(text, expected));
     }
-    if plausible(out) { Ok(out) } else { Err(QuantityError::beyond(text, expected)) }
+    if plausible(out) {
+        Ok(out)
+    } else {
+        Err(QuantityError::beyond(text, expected))
+    }
 }
 
 #[cfg(test)]
@@ -179,7 +206,11 @@ mod tests {
             (".5", Dimension::Ratio, 0.5),
             ("8 N m", Dimension::Torque, 8.0),
             ("1 lbf ft", Dimension::Torque, 1.355_817_948_331_400_4),
-            ("1 Nm/deg", Dimension::AngularStiffness, 57.295_779_513_082_32),
+            (
+                "1 Nm/deg",
+                Dimension::AngularStiffness,
+                57.295_779_513_082_32,
+            ),
             ("30 L/(min bar)", Dimension::Conductance, 0.5),
             ("5e-9 m3/(s Pa)", Dimension::Conductance, 0.5),
             ("200 g", Dimension::Mass, 0.2),
@@ -196,17 +227,21 @@ mod tests {
     #[test]
     fn a_unit_of_another_kind_is_named() {
         let error = parse_quantity("30bar", Dimension::Length).unwrap_err();
-        let said =
-            "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare number is mm)";
+        let said = "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare \
+            number is mm)";
         assert_eq!(error.to_string(), said);
     }
 
     #[test]
     fn a_comma_in_a_number_is_named_with_what_may_be_meant() {
-        let cases = "2,5bar|2.5bar; 1,250kPa|1.250kPa or 1250kPa; 1.234,5|1234.5; 1,234.5|1234.5; 0,05|0.05";
+        let cases = "2,5bar|2.5bar; 1,250kPa|1.250kPa or 1250kPa; 1.234,5|1234.5; 1,234.5|1234.5; \
+            0,05|0.05";
         for (text, meant) in cases.split("; ").filter_map(|case| case.split_once('|')) {
             let error = parse_quantity(text, Dimension::Pressure).unwrap_err();
-            assert!(error.to_string().ends_with(&format!("write {meant}")), "{error}");
+            assert!(
+                error.to_string().ends_with(&format!("write {meant}")),
+                "{error}"
+            );
         }
         let list = parse_quantity("2,bar", Dimension::Pressure).unwrap_err();
         assert!(list.to_string().contains("unknown unit"), "{list}");
@@ -214,16 +249,23 @@ mod tests {
 
     #[test]
     fn bar_and_megapascal_are_the_same_bits() {
-        for (bar, mpa) in [("1.5bar", "0.15"), ("0.7bar", "0.07"), ("2.3 bar", "0.23MPa")] {
-            assert_eq!(parse_quantity(bar, Dimension::Pressure), parse_quantity(mpa, Dimension::Pressure));
+        for (bar, mpa) in [
+            ("1.5bar", "0.15"),
+            ("0.7bar", "0.07"),
+            ("2.3 bar", "0.23MPa"),
+        ] {
+            assert_eq!(
+                parse_quantity(bar, Dimension::Pressure),
+                parse_quantity(mpa, Dimension::Pressure)
+            );
         }
     }
 
     #[test]
     fn what_is_not_a_quantity_is_refused() {
         for text in [
-            "", " ", "abc", "NaN", "inf", "-inf", "1e999", "1..2", "--3", "1,5mm", "3 mm mm", "mPa", "1mPa",
-            "1/0in", "-1/2in",
+            "", " ", "abc", "NaN", "inf", "-inf", "1e999", "1..2", "--3", "1,5mm", "3 mm mm",
+            "mPa", "1mPa", "1/0in", "-1/2in",
         ] {
             assert!(parse_quantity(text, Dimension::Pressure).is_err(), "{text}");
             assert!(parse_quantity(text, Dimension::Length).is_err(), "{text}");

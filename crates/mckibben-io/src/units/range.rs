@@ -25,7 +25,9 @@ impl Values {
             Values::List(list) => list.clone(),
             Values::Interval(low, high) => {
                 let n = divisions.max(1);
-                (0..=n).map(|i| tidy(low + (high - low) * i as f64 / n as f64, 12)).collect()
+                (0..=n)
+                    .map(|i| tidy(low + (high - low) * i as f64 / n as f64, 12))
+                    .collect()
             }
         }
     }
@@ -34,9 +36,11 @@ impl Values {
     pub fn bounds(&self) -> (f64, f64) {
         match self {
             Values::Interval(low, high) => (*low, *high),
-            Values::List(list) => {
-                list.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &v| (a.min(v), b.max(v)))
-            }
+            Values::List(list) => list
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &v| {
+                    (a.min(v), b.max(v))
+                }),
         }
     }
 }
@@ -52,8 +56,8 @@ pub enum RangeError {
     Form(String),
 }
 
-/// Reads a number, a list `1,2,3`, a range `0..0.25` or a range with a step `0..0.25:0.01`. A unit behind the
-/// last number holds for all that carry none (`0..2.5:0.1bar`, `20,80,150N`).
+/// Reads a number, a list `1,2,3`, a range `0..0.25` or a range with a step `0..0.25:0.01`. A unit
+/// behind the last number holds for all that carry none (`0..2.5:0.1bar`, `20,80,150N`).
 ///
 /// ```
 /// use mckibben_io::units::{Dimension, Values, parse_values};
@@ -74,15 +78,26 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
         }
         range(&parts, text, dimension)?
     } else if text.contains(':') {
-        return Err(RangeError::Form(format!("\"{text}\" has a step but no range: write low..high:step")));
+        return Err(RangeError::Form(format!(
+            "\"{text}\" has a step but no range: write low..high:step"
+        )));
     } else {
         let count = text.bytes().filter(|b| *b == b',').count() + 1;
         if count > MAX_POINTS {
             return Err(too_many(text, count as f64));
         }
-        let parts = text.split(',').map(|p| split(p, dimension)).collect::<Result<Vec<_>, _>>()?;
+        let parts = text
+            .split(',')
+            .map(|p| split(p, dimension))
+            .collect::<Result<Vec<_>, _>>()?;
         let factors = factors(&parts, text, dimension)?;
-        Values::List(parts.iter().zip(factors).map(|(p, f)| convert(p.0, f)).collect())
+        Values::List(
+            parts
+                .iter()
+                .zip(factors)
+                .map(|(p, f)| convert(p.0, f))
+                .collect(),
+        )
     };
     let (low, high) = parsed.bounds();
     if !(low.is_finite() && high.is_finite()) {
@@ -92,7 +107,11 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
         Values::List(list) => list.iter().copied().all(plausible),
         Values::Interval(low, high) => plausible(*low) && plausible(*high),
     };
-    if sound { Ok(parsed) } else { Err(QuantityError::beyond(&shortened(text), dimension).into()) }
+    if sound {
+        Ok(parsed)
+    } else {
+        Err(QuantityError::beyond(&shortened(text), dimension).into())
+    }
 }
 
 fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Values, RangeError> {
@@ -109,7 +128,9 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
     }
     let step = value(2);
     if step <= 0.0 {
-        return Err(RangeError::Form(format!("the step in \"{text}\" must be above zero")));
+        return Err(RangeError::Form(format!(
+            "the step in \"{text}\" must be above zero"
+        )));
     }
     let steps = (high - low) / step;
     if steps.is_nan() || steps >= MAX_POINTS as f64 {
@@ -119,8 +140,9 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
     let (num, den) = factors[2];
     let (from, by) = (low * den / num, parts[2].0);
     let whole = (steps + 1e-9).floor() as usize;
-    let mut list: Vec<f64> =
-        (0..=whole).map(|i| convert(tidy(from + by * i as f64, 12), factors[2])).collect();
+    let mut list: Vec<f64> = (0..=whole)
+        .map(|i| convert(tidy(from + by * i as f64, 12), factors[2]))
+        .collect();
     if let Some(last) = list.last_mut() {
         if (*last - high).abs() <= 1e-9 * step {
             *last = high;
@@ -132,7 +154,11 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
 }
 
 /// The unit of each part: its own, or the last one's where only that carries one.
-fn factors(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Vec<(f64, f64)>, RangeError> {
+fn factors(
+    parts: &[(f64, &str)],
+    text: &str,
+    dimension: Dimension,
+) -> Result<Vec<(f64, f64)>, RangeError> {
     let last = parts.last().map_or("", |p| p.1);
     // Zero is zero in every unit.
     let bare = parts.iter().any(|p| p.1.is_empty() && p.0 != 0.0);
@@ -140,7 +166,8 @@ fn factors(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Ve
     if bare && units > usize::from(!last.is_empty()) {
         let text = shortened(text);
         return Err(RangeError::Form(format!(
-            "in \"{text}\" some values carry a unit and some do not: put one unit after the last value, or one after each"
+            "in \"{text}\" some values carry a unit and some do not: put one unit after the last \
+             value, or one after each"
         )));
     }
     parts
@@ -174,12 +201,18 @@ mod tests {
     }
 
     fn is_list(text: &str, dimension: Dimension, list: &[f64]) {
-        assert_eq!(parse_values(text, dimension), Ok(Values::List(list.to_vec())), "{text}");
+        assert_eq!(
+            parse_values(text, dimension),
+            Ok(Values::List(list.to_vec())),
+            "{text}"
+        );
     }
 
     #[test]
     fn both_ends_are_in_and_decimals_stay_decimals() {
-        let Values::List(list) = parse_values("0..0.25:0.01", Dimension::Pressure).unwrap() else { panic!() };
+        let Values::List(list) = parse_values("0..0.25:0.01", Dimension::Pressure).unwrap() else {
+            panic!()
+        };
         assert_eq!((list.len(), list[15], list[25]), (26, 0.15, 0.25));
         is_list("0..20:5%", Dimension::Ratio, &[0.0, 0.05, 0.10, 0.15, 0.20]);
         // A step that does not divide the range still ends at the end.
@@ -189,9 +222,15 @@ mod tests {
     #[test]
     fn one_unit_behind_the_last_holds_for_all() {
         is_list("1,2,3bar", Dimension::Pressure, &[0.1, 0.2, 0.3]);
-        assert_eq!(parse_values("1bar..2.5bar", Dimension::Pressure), Ok(Values::Interval(0.1, 0.25)));
+        assert_eq!(
+            parse_values("1bar..2.5bar", Dimension::Pressure),
+            Ok(Values::Interval(0.1, 0.25))
+        );
         for mixed in ["1bar,2,3bar", "1bar,2", "0..2bar:1"] {
-            assert!(said(mixed, Dimension::Pressure).contains("some values carry a unit"), "{mixed}");
+            assert!(
+                said(mixed, Dimension::Pressure).contains("some values carry a unit"),
+                "{mixed}"
+            );
         }
     }
 

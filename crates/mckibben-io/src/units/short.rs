@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
-/// A text whose numbers have at most seven significant digits where they had more than nine, and an exponent where they are longer than
-/// that: `0.03569728515256208 s` becomes `0.03569729 s`, and a one with two hundred zeros `1e200`. What is in quotes, and what is
-/// part of a word, stays as it is.
+/// A text whose numbers have at most seven significant digits where they had more than nine, and an
+/// exponent where they are longer than that: `0.03569728515256208 s` becomes `0.03569729 s`, and a
+/// one with two hundred zeros `1e200`. What is in quotes, and what is part of a word, stays as it
+/// is.
 ///
 /// ```
 /// use mckibben_io::units::short_numbers;
@@ -15,7 +16,10 @@ use std::borrow::Cow;
 pub fn short_numbers(text: &str) -> Cow<'_, str> {
     const FEW: usize = 9;
     let long = |word: &str| word.bytes().filter(u8::is_ascii_digit).count() > FEW;
-    if !text.split(|c: char| !(c.is_ascii_digit() || c == '.')).any(long) {
+    if !text
+        .split(|c: char| !(c.is_ascii_digit() || c == '.'))
+        .any(long)
+    {
         return Cow::Borrowed(text);
     }
     let mut out = String::with_capacity(text.len());
@@ -76,11 +80,20 @@ fn number_at(text: &str) -> &str {
 /// A number with at most so many decimals, without zeros at the end.
 pub fn trimmed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.into() }
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
 }
 
-/// Seven significant digits, without zeros at the end; with an exponent below 1e-5 and from 1e15 on.
+/// Seven significant digits, without zeros at the end; with an exponent below 1e-5 and from 1e15
+/// on.
 fn short(value: f64) -> String {
     const DIGITS: i32 = 7;
     if value == 0.0 {
@@ -93,7 +106,10 @@ fn short(value: f64) -> String {
     }
     let text = format!("{value:.6e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    format!("{}e{exponent}", digits.trim_end_matches('0').trim_end_matches('.'))
+    format!(
+        "{}e{exponent}",
+        digits.trim_end_matches('0').trim_end_matches('.')
+    )
 }
 
 #[cfg(test)]
@@ -103,7 +119,10 @@ mod tests {
     #[test]
     fn long_numbers_become_short_and_the_rest_stays() {
         for (text, expected) in [
-            ("at 0.050006443630911265 s, 0.0001223208368105605 MPa", "at 0.05000644 s, 0.0001223208 MPa"),
+            (
+                "at 0.050006443630911265 s, 0.0001223208368105605 MPa",
+                "at 0.05000644 s, 0.0001223208 MPa",
+            ),
             ("-8481.414633225937 N", "-8481.415 N"),
             ("0.19999999999982648 MPa", "0.2 MPa"),
             ("1.2345678901234e-19 bar", "1.234568e-19 bar"),
@@ -118,7 +137,13 @@ mod tests {
         ] {
             assert_eq!(short_numbers(text), text);
         }
-        assert_eq!(short_numbers(&format!("{} and {}", 1e300, 1e-300)), "1e300 and 1e-300");
-        assert_eq!(short_numbers(&format!("{}", f64::MIN_POSITIVE)), "2.225074e-308");
+        assert_eq!(
+            short_numbers(&format!("{} and {}", 1e300, 1e-300)),
+            "1e300 and 1e-300"
+        );
+        assert_eq!(
+            short_numbers(&format!("{}", f64::MIN_POSITIVE)),
+            "2.225074e-308"
+        );
     }
 }

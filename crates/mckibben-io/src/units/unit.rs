@@ -14,7 +14,10 @@ pub struct Unit {
 
 impl Unit {
     pub(super) fn new(spelled: &Spelled) -> Self {
-        Self { name: spelled.0.first().copied().unwrap_or_default(), fraction: (spelled.1, spelled.2) }
+        Self {
+            name: spelled.0.first().copied().unwrap_or_default(),
+            fraction: (spelled.1, spelled.2),
+        }
     }
 
     /// A value in the unit that is used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
@@ -29,29 +32,53 @@ impl Unit {
 }
 
 /// A plain ratio.
-const RATIO: Unit = Unit { name: "", fraction: (1.0, 1.0) };
+const RATIO: Unit = Unit {
+    name: "",
+    fraction: (1.0, 1.0),
+};
 
-/// Spellings that mean a unit only where it is known what is measured, as in the heading of a column: `Load (kg)` can only be
-/// a force. Without regard to case.
+/// Spellings that mean a unit only where it is known what is measured, as in the heading of a
+/// column: `Load (kg)` can only be a force. Without regard to case.
 const SPOKEN: &[(Dimension, &[&str], &str)] = &[
     (Dimension::Force, &["kg"], "kgf"),
     (Dimension::Force, &["lb", "lbs"], "lbf"),
     (Dimension::Force, &["g"], "gf"),
     (Dimension::Force, &["newton", "newtons"], "N"),
-    (Dimension::Pressure, &["psig", "psi(g)", "psi g", "lbf/in2", "lbf/in²"], "psi"),
-    (Dimension::Pressure, &["barg", "bar(g)", "bar g", "bar(ü)"], "bar"),
+    (
+        Dimension::Pressure,
+        &["psig", "psi(g)", "psi g", "lbf/in2", "lbf/in²"],
+        "psi",
+    ),
+    (
+        Dimension::Pressure,
+        &["barg", "bar(g)", "bar g", "bar(ü)"],
+        "bar",
+    ),
     (Dimension::Pressure, &["kPag", "kPa(g)", "kPa g"], "kPa"),
     (Dimension::Pressure, &["MPag", "MPa(g)", "MPa g"], "MPa"),
-    (Dimension::Ratio, &["percent", "pct", "prozent", "pourcent", "porcentaje"], "%"),
-    (Dimension::Ratio, &["mm/mm", "m/m", "in/in", "-", "–", "1", "ratio"], ""),
+    (
+        Dimension::Ratio,
+        &["percent", "pct", "prozent", "pourcent", "porcentaje"],
+        "%",
+    ),
+    (
+        Dimension::Ratio,
+        &["mm/mm", "m/m", "in/in", "-", "–", "1", "ratio"],
+        "",
+    ),
     (Dimension::Angle, &["degrees", "degree"], "deg"),
 ];
 
 impl Dimension {
-    /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
-    /// would not, and are refused).
+    /// The unit of a spelling: exact first, then without regard to case where that leaves one
+    /// meaning (`mPa` and `MN` would not, and are refused).
     pub fn unit(self, name: &str) -> Option<Unit> {
-        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::new);
+        let exact = |d: Dimension| {
+            d.units()
+                .iter()
+                .find(|u| u.0.contains(&name))
+                .map(Unit::new)
+        };
         if let Some(unit) = exact(self) {
             return Some(unit);
         }
@@ -59,11 +86,14 @@ impl Dimension {
         if careful.contains(&name) || Dimension::all().any(|d| exact(d).is_some()) {
             return None;
         }
-        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::new)
+        self.units()
+            .iter()
+            .find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name)))
+            .map(Unit::new)
     }
 
-    /// The unit that a word means in the heading of a column of this dimension: what people type as a quantity, and
-    /// what they only say (`Load (kg)`, `bar(g)`, `percent`).
+    /// The unit that a word means in the heading of a column of this dimension: what people type as
+    /// a quantity, and what they only say (`Load (kg)`, `bar(g)`, `percent`).
     ///
     /// ```
     /// use mckibben_io::units::Dimension;
@@ -77,7 +107,11 @@ impl Dimension {
                 s.0 == self && s.1.iter().any(|spelling| spelling.to_lowercase() == lower)
             };
             let name = SPOKEN.iter().find(said)?.2;
-            if name.is_empty() { Some(RATIO) } else { self.unit(name) }
+            if name.is_empty() {
+                Some(RATIO)
+            } else {
+                self.unit(name)
+            }
         })
     }
 
@@ -89,7 +123,10 @@ impl Dimension {
 
     /// The usual spellings of all its units, for messages.
     pub fn unit_names(self) -> Vec<&'static str> {
-        self.units().iter().filter_map(|u| u.0.first().copied()).collect()
+        self.units()
+            .iter()
+            .filter_map(|u| u.0.first().copied())
+            .collect()
     }
 }
 
@@ -115,8 +152,13 @@ mod tests {
             (Dimension::Ratio, "mm/mm", 1.0),
         ];
         for (dimension, name, value) in cases {
-            let unit = dimension.heading_unit(name).unwrap_or_else(|| panic!("{name}"));
-            assert!((unit.inside(1.0) - value).abs() <= 1e-14 * value, "{name}: {unit:?}");
+            let unit = dimension
+                .heading_unit(name)
+                .unwrap_or_else(|| panic!("{name}"));
+            assert!(
+                (unit.inside(1.0) - value).abs() <= 1e-14 * value,
+                "{name}: {unit:?}"
+            );
         }
     }
 

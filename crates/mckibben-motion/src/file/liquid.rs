@@ -9,16 +9,28 @@ use mckibben::muscle::file::{FileError, Section};
 use mckibben::refused::Refused;
 
 /// What [liquid] says; `None` where it is not written.
-pub(super) fn liquid(section: &Section<'_>, temperature_k: f64) -> Result<Option<LiquidFill>, FileError> {
-    let Some(name) = section.get("name") else { return Ok(None) };
+pub(super) fn liquid(
+    section: &Section<'_>,
+    temperature_k: f64,
+) -> Result<Option<LiquidFill>, FileError> {
+    let Some(name) = section.get("name") else {
+        return Ok(None);
+    };
     let wrong = |error: Refused| {
-        section.error(error.fields.last().copied().unwrap_or_default(), format!("is invalid: {error}"))
+        section.error(
+            error.fields.last().copied().unwrap_or_default(),
+            format!("is invalid: {error}"),
+        )
     };
     let mut liquid = Liquid::named(name, section.get("gas_share").unwrap_or(0.0)).map_err(wrong)?;
     if let Some(modulus) = section.get("bulk_modulus") {
         liquid = liquid.with_bulk_modulus(modulus).map_err(wrong)?;
     }
-    Ok(Some(LiquidFill { liquid, temperature_k, dead_volume_mm3: section.get("dead_volume").unwrap_or(0.0) }))
+    Ok(Some(LiquidFill {
+        liquid,
+        temperature_k,
+        dead_volume_mm3: section.get("dead_volume").unwrap_or(0.0),
+    }))
 }
 
 /// The valve of a liquid.
@@ -27,15 +39,38 @@ pub(super) fn valve(
     kind: ValveKind,
     line: Option<Hose>,
 ) -> Result<LiquidValve, FileError> {
-    let of_air =
-        ["name", "sonic_conductance", "critical_ratio", "exhaust_conductance", "exhaust_critical_ratio"];
+    let of_air = [
+        "name",
+        "sonic_conductance",
+        "critical_ratio",
+        "exhaust_conductance",
+        "exhaust_critical_ratio",
+    ];
     if let Some(key) = of_air.into_iter().find(|key| section.has(key)) {
-        return Err(section.error(key, "is of a valve of air; a liquid needs flow_coefficient alone"));
+        return Err(section.error(
+            key,
+            "is of a valve of air; a liquid needs flow_coefficient alone",
+        ));
     }
-    let path = |key: &str| section.get(key).map(|kv| section.valid(key, Restriction::new(kv))).transpose();
-    let supply = path("flow_coefficient")?
-        .ok_or_else(|| section.missing("flow_coefficient", None, "the valve's Kv, such as \"0.1 m3/h\""))?;
-    Ok(LiquidValve { kind, supply, tank: path("return_coefficient")?.unwrap_or(supply), line })
+    let path = |key: &str| {
+        section
+            .get(key)
+            .map(|kv| section.valid(key, Restriction::new(kv)))
+            .transpose()
+    };
+    let supply = path("flow_coefficient")?.ok_or_else(|| {
+        section.missing(
+            "flow_coefficient",
+            None,
+            "the valve's Kv, such as \"0.1 m3/h\"",
+        )
+    })?;
+    Ok(LiquidValve {
+        kind,
+        supply,
+        tank: path("return_coefficient")?.unwrap_or(supply),
+        line,
+    })
 }
 
 /// [syringe].

@@ -10,7 +10,8 @@ use crate::orifice::Orifice;
 use crate::valve::{Valve, ValveKind};
 use mckibben::muscle::file::{FileError, Section};
 
-/// Where the command of a pressure opens a proportional valve wide, in MPa, and half of an on–off valve's dead band.
+/// Where the command of a pressure opens a proportional valve wide, in MPa, and half of an on–off
+/// valve's dead band.
 const WIDE_OPEN_MPA: f64 = 0.05;
 const HYSTERESIS_MPA: f64 = 0.005;
 
@@ -27,17 +28,21 @@ pub(super) fn actuator(root: &Section<'_>, is_liquid: bool) -> Result<Actuator, 
     let section = root.at(first.unwrap_or_default());
     match first {
         Some("valve") => read_valve(&section, is_liquid),
-        Some("regulator") => {
-            Ok(Actuator::Regulator { time_constant_s: section.get("time_constant").unwrap_or_default() })
-        }
+        Some("regulator") => Ok(Actuator::Regulator {
+            time_constant_s: section.get("time_constant").unwrap_or_default(),
+        }),
         Some("pump") => {
             let flow_mm3_per_s = section.get("flow").unwrap_or_default();
-            Ok(Actuator::Pump(Pump { kind: kind(&section), flow_mm3_per_s, line: hose(&section)? }))
+            Ok(Actuator::Pump(Pump {
+                kind: kind(&section),
+                flow_mm3_per_s,
+                line: hose(&section)?,
+            }))
         }
         Some(_) => Ok(liquid::syringe(&section)),
         None => {
-            let expected =
-                "a [valve] or a [regulator] that gives the air; of a liquid also a [pump] or a [syringe]";
+            let expected = "a [valve] or a [regulator] that gives the air; of a liquid also a \
+                [pump] or a [syringe]";
             Err(root.missing("valve", None, expected))
         }
     }
@@ -49,30 +54,62 @@ fn read_valve(section: &Section<'_>, is_liquid: bool) -> Result<Actuator, FileEr
     if is_liquid {
         return Ok(Actuator::LiquidValve(liquid::valve(section, kind, hose)?));
     }
-    if let Some(key) = ["flow_coefficient", "return_coefficient"].into_iter().find(|key| section.has(key)) {
+    if let Some(key) = ["flow_coefficient", "return_coefficient"]
+        .into_iter()
+        .find(|key| section.has(key))
+    {
         let said = "is of a liquid, and the file has no [liquid]; air needs sonic_conductance";
         return Err(section.error(key, said));
     }
-    Ok(Actuator::Valve(Valve { kind, hose, ..of_air(section)? }))
+    Ok(Actuator::Valve(Valve {
+        kind,
+        hose,
+        ..of_air(section)?
+    }))
 }
 
 /// A valve; of a named one the file overrides what it states.
 fn of_air(section: &Section<'_>) -> Result<Valve, FileError> {
     let unknown = |name| section.error("name", format!("is not a known valve: {}", known(name)));
-    let named = section.get("name").map(|name| valve_named(name).ok_or_else(|| unknown(name)));
+    let named = section
+        .get("name")
+        .map(|name| valve_named(name).ok_or_else(|| unknown(name)));
     let named = named.transpose()?;
     let path = |c: &str, b: &str, default: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
-        let conductance = section.get(c).or(default.map(|o| o.conductance_l_per_s_bar));
-        let ratio = section.get(b).or(default.map(|o| o.critical_ratio)).unwrap_or(CRITICAL_RATIO);
+        let conductance = section
+            .get(c)
+            .or(default.map(|o| o.conductance_l_per_s_bar));
+        let ratio = section
+            .get(b)
+            .or(default.map(|o| o.critical_ratio))
+            .unwrap_or(CRITICAL_RATIO);
         let key = if section.has(b) { b } else { c };
-        conductance.map(|conductance| section.valid(key, Orifice::new(conductance, ratio))).transpose()
+        conductance
+            .map(|conductance| section.valid(key, Orifice::new(conductance, ratio)))
+            .transpose()
     };
-    let supply = path("sonic_conductance", "critical_ratio", named.map(|v| v.supply))?.ok_or_else(|| {
-        section.missing("sonic_conductance", None, "the valve's C, such as \"0.5 L/(s bar)\", or a name")
+    let supply = path(
+        "sonic_conductance",
+        "critical_ratio",
+        named.map(|v| v.supply),
+    )?
+    .ok_or_else(|| {
+        section.missing(
+            "sonic_conductance",
+            None,
+            "the valve's C, such as \"0.5 L/(s bar)\", or a name",
+        )
     })?;
-    let same = named.filter(|_| !section.has("sonic_conductance")).map_or(supply, |v| v.exhaust);
-    let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(same))?.unwrap_or(supply);
-    Ok(Valve { supply, exhaust, ..Valve::new(supply) })
+    let same = named
+        .filter(|_| !section.has("sonic_conductance"))
+        .map_or(supply, |v| v.exhaust);
+    let exhaust =
+        path("exhaust_conductance", "exhaust_critical_ratio", Some(same))?.unwrap_or(supply);
+    Ok(Valve {
+        supply,
+        exhaust,
+        ..Valve::new(supply)
+    })
 }
 
 /// How a valve or a pump moves.
@@ -101,8 +138,12 @@ fn hose(section: &Section<'_>) -> Result<Option<Hose>, FileError> {
 }
 
 pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {
-    let expected = "\"isothermal\", \"adiabatic\", or a coefficient such as \"25 W/(m2 K)\" or \"0.3 W/K\"";
-    let heat = match (section.get("heat").map(str::trim), section.get("polytropic_index")) {
+    let expected =
+        "\"isothermal\", \"adiabatic\", or a coefficient such as \"25 W/(m2 K)\" or \"0.3 W/K\"";
+    let heat = match (
+        section.get("heat").map(str::trim),
+        section.get("polytropic_index"),
+    ) {
         (Some(_), Some::<f64>(_)) => {
             return Err(section.error("polytropic_index", "conflicts with heat; keep one"));
         }
@@ -110,8 +151,13 @@ pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air,
         (None | Some("isothermal"), None) => Heat::Isothermal,
         (Some("adiabatic"), None) => Heat::Adiabatic,
         (Some(text), None) => {
-            let number = |unit: &str| text.strip_suffix(unit).and_then(|t| t.trim().parse::<f64>().ok());
-            let of_area = ["W/(m2 K)", "W/(m² K)", "W/m2/K", "W/(m^2 K)"].into_iter().find_map(number);
+            let number = |unit: &str| {
+                text.strip_suffix(unit)
+                    .and_then(|t| t.trim().parse::<f64>().ok())
+            };
+            let of_area = ["W/(m2 K)", "W/(m² K)", "W/m2/K", "W/(m^2 K)"]
+                .into_iter()
+                .find_map(number);
             match (of_area, number("W/K")) {
                 (Some(h), _) if h >= 0.0 => Heat::Transfer(h),
                 (None, Some(h)) if h >= 0.0 => Heat::Conductance(h),
@@ -119,5 +165,9 @@ pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air,
             }
         }
     };
-    Ok(Air { heat, wall_temperature_k, dead_volume_mm3: section.get("dead_volume").unwrap_or(0.0) })
+    Ok(Air {
+        heat,
+        wall_temperature_k,
+        dead_volume_mm3: section.get("dead_volume").unwrap_or(0.0),
+    })
 }

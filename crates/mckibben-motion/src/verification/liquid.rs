@@ -1,13 +1,14 @@
-//! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid shut in against the static filling of the same
-//! muscle ([`mckibben::load::fill`]), which solves for the volume, without equations of motion.
+//! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid
+//! shut in against the static filling of the same muscle ([`mckibben::load::fill`]), which solves
+//! for the volume, without equations of motion.
 //!
-//! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V, the time from Q0 to Q1 is
-//! t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
+//! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V,
+//! the time from Q0 to Q1 is t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
 
 use super::{Vessel, driven, opening, ran};
 use crate::{
-    Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump, Restriction,
-    SingleMuscle, Syringe, Target, ValveKind,
+    Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump,
+    Restriction, SingleMuscle, Syringe, Target, ValveKind,
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::liquid::Liquid;
@@ -29,8 +30,15 @@ const PUSHED_MM3: f64 = 60e3;
 const DEAD_MM3: f64 = 50e3;
 
 fn water(bulk_modulus_mpa: f64, dead_volume_mm3: f64) -> Option<Fluid> {
-    let liquid = Liquid::named("water", 0.0).ok()?.with_bulk_modulus(bulk_modulus_mpa).ok()?;
-    Some(Fluid::Liquid(LiquidFill { liquid, temperature_k: 293.15, dead_volume_mm3 }))
+    let liquid = Liquid::named("water", 0.0)
+        .ok()?
+        .with_bulk_modulus(bulk_modulus_mpa)
+        .ok()?;
+    Some(Fluid::Liquid(LiquidFill {
+        liquid,
+        temperature_k: 293.15,
+        dead_volume_mm3,
+    }))
 }
 
 /// The pressure of the vessel in MPa after a time, from none.
@@ -43,7 +51,10 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
         ..Actuated::new(&model, actuator)
     };
     let drive = driven(&held, muscle, opening(1.0), (until_s, 1e-10));
-    let motion = ran(&Drive { output_step_s: until_s, ..drive })?;
+    let motion = ran(&Drive {
+        output_step_s: until_s,
+        ..drive
+    })?;
     motion.series.muscles.first()?.pressure_mpa.last().copied()
 }
 
@@ -51,7 +62,12 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
 fn valve() -> Option<Actuator> {
     let restriction = Restriction::new(KV_MM3_PER_S).ok()?;
     let kind = ValveKind::DEFAULT;
-    Some(Actuator::LiquidValve(LiquidValve { kind, supply: restriction, tank: restriction, line: None }))
+    Some(Actuator::LiquidValve(LiquidValve {
+        kind,
+        supply: restriction,
+        tank: restriction,
+        line: None,
+    }))
 }
 
 /// The muscle with 10 kg of both comparisons.
@@ -63,7 +79,13 @@ struct Hanging {
 impl Hanging {
     fn new() -> Self {
         let model = ThickWall::new(&Muscle::prototype());
-        Self { model, load: Load::Mass { mass_kg: 10.0, level: false } }
+        Self {
+            model,
+            load: Load::Mass {
+                mass_kg: 10.0,
+                level: false,
+            },
+        }
     }
 
     /// Where the volume of the syringe brings it; the rest in the syringe counts as dead volume.
@@ -76,7 +98,9 @@ impl Hanging {
             load: Some(&self.load),
             held_at: None,
         };
-        Evaluation::new(&self.model, &mut Workspace::new(), Options::default()).fill(&filling).ok()
+        Evaluation::new(&self.model, &mut Workspace::new(), Options::default())
+            .fill(&filling)
+            .ok()
     }
 
     fn load(&self) -> SingleMuscle {
@@ -88,31 +112,56 @@ impl Hanging {
     }
 
     fn muscle(&self, actuator: Actuator, dead_mm3: f64) -> Option<Actuated<'_>> {
-        Some(Actuated { fluid: water(2179.0, dead_mm3)?, ..Actuated::new(&self.model, actuator) })
+        Some(Actuated {
+            fluid: water(2179.0, dead_mm3)?,
+            ..Actuated::new(&self.model, actuator)
+        })
     }
 
     /// The muscle that a syringe fills within a second, at rest.
     fn pushed(&self) -> Option<Motion> {
         let load = self.load();
-        let syringe = Syringe { volume_mm3: PUSHED_MM3 + DEAD_MM3, time_constant_s: 0.02 };
+        let syringe = Syringe {
+            volume_mm3: PUSHED_MM3 + DEAD_MM3,
+            time_constant_s: 0.02,
+        };
         let muscle = self.muscle(Actuator::Syringe(syringe), DEAD_MM3)?;
         let ramp = Command::Ramps(vec![(0.0, 0.0), (1.0, PUSHED_MM3)]);
-        ran(&driven(&load, muscle, Target::Volume(vec![ramp]), (6.0, 1e-8)))
+        ran(&driven(
+            &load,
+            muscle,
+            Target::Volume(vec![ramp]),
+            (6.0, 1e-8),
+        ))
     }
 
     /// Frequency in Hz with the valve shut at the pressure of the filling.
     fn hertz(&self, at: &Fill) -> Option<f64> {
-        let load = SingleMuscle { damping_n_s_per_m: 0.0, ..self.load() };
+        let load = SingleMuscle {
+            damping_n_s_per_m: 0.0,
+            ..self.load()
+        };
         let mut muscle = self.muscle(valve()?, 2.0 * DEAD_MM3)?;
         muscle.initial_pressure_mpa = Some(at.answer.response.pressure_mpa);
-        Some(Linear::new(&driven(&load, muscle, opening(0.0), (1.0, 1e-6))).ok()?.oscillation()?.0)
+        Some(
+            Linear::new(&driven(&load, muscle, opening(0.0), (1.0, 1e-6)))
+                .ok()?
+                .oscillation()?
+                .0,
+        )
     }
 }
 
 /// Vessels and a muscle.
 pub fn liquid() -> Vec<VerificationRow> {
     let row = |name: &str, source, reference: f64, ours, tolerance| {
-        VerificationRow::new(format!("liquid: {name}"), source, reference, ours, tolerance)
+        VerificationRow::new(
+            format!("liquid: {name}"),
+            source,
+            reference,
+            ours,
+            tolerance,
+        )
     };
     let nan = |value: Option<f64>| value.unwrap_or(f64::NAN);
     // Δp = a Q² + b Q at 1 bar and Kv, with the laminar term of a thousandth; from 0.6 to 0.15 MPa.
@@ -120,9 +169,14 @@ pub fn liquid() -> Vec<VerificationRow> {
     let linear = 1e-3 * square * kv;
     let flow = |p: f64| ((linear * linear + 4.0 * square * p).sqrt() - linear) / (2.0 * square);
     let (fast, slow) = (flow(0.6), flow(0.15));
-    let until_s = VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln());
+    let until_s =
+        VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln());
     let valve = valve().and_then(|valve| vessel(valve, until_s));
-    let pump = Pump { kind: ValveKind::DEFAULT, flow_mm3_per_s: 2.0, line: None };
+    let pump = Pump {
+        kind: ValveKind::DEFAULT,
+        flow_mm3_per_s: 2.0,
+        line: None,
+    };
     let pumped_s = 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0);
     let hanging = Hanging::new();
     let (filled, pushed) = (hanging.filled(), hanging.pushed());
@@ -137,7 +191,8 @@ pub fn liquid() -> Vec<VerificationRow> {
         let e = m.energies;
         Some((e.enthalpy_in_j - e.enthalpy_out_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j)
     });
-    // Both ends of the filling's work against gauge pressure; the ramp is slow and the load damped, so that the piston's work has more.
+    // Both ends of the filling's work against gauge pressure; the ramp is slow and the load damped,
+    // so that the piston's work has more.
     let hertz = filled.as_ref().and_then(|at| hanging.hertz(at));
     let shut = at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU);
     let stored = at(&|f| f.pump_work_j);
@@ -145,11 +200,47 @@ pub fn liquid() -> Vec<VerificationRow> {
     let without_losses = work.zip(lost).map(|(work, lost)| work - lost);
     vec![
         row("p of a vessel on a valve (MPa)", CLOSED, 0.45, valve, 1e-5),
-        row("p of a vessel on a pump (MPa)", CLOSED, 0.3, vessel(Actuator::Pump(pump), pumped_s), 1e-5),
-        row("p of a muscle on a syringe (MPa)", STATIC, nan(still(&|r| r.pressure_mpa)), pressure, 1e-6),
-        row("its contraction", STATIC, nan(still(&|r| r.contraction)), contraction, 1e-6),
-        row("work of its piston less what the damper took (J)", STATIC, nan(stored), without_losses, 1e-4),
-        row("10 kg on the muscle with the liquid shut in (Hz)", STATIC, nan(shut), hertz, 1e-4),
-        row("energy that is lost, of the work of the piston", BALANCE, 0.0, energy, 1e-6),
+        row(
+            "p of a vessel on a pump (MPa)",
+            CLOSED,
+            0.3,
+            vessel(Actuator::Pump(pump), pumped_s),
+            1e-5,
+        ),
+        row(
+            "p of a muscle on a syringe (MPa)",
+            STATIC,
+            nan(still(&|r| r.pressure_mpa)),
+            pressure,
+            1e-6,
+        ),
+        row(
+            "its contraction",
+            STATIC,
+            nan(still(&|r| r.contraction)),
+            contraction,
+            1e-6,
+        ),
+        row(
+            "work of its piston less what the damper took (J)",
+            STATIC,
+            nan(stored),
+            without_losses,
+            1e-4,
+        ),
+        row(
+            "10 kg on the muscle with the liquid shut in (Hz)",
+            STATIC,
+            nan(shut),
+            hertz,
+            1e-4,
+        ),
+        row(
+            "energy that is lost, of the work of the piston",
+            BALANCE,
+            0.0,
+            energy,
+            1e-6,
+        ),
     ]
 }

@@ -2,8 +2,8 @@
 
 use super::{driven, opening, ran};
 use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Linear, Orifice, Prony,
-    SingleMuscle, Target, Valve, equilibrium,
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Linear, Orifice,
+    Prony, SingleMuscle, Target, Valve, equilibrium,
 };
 use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
@@ -16,7 +16,8 @@ const SHUT: &str = "closed form: K_P − (1/L0) ∂F/∂P (∂P/∂ε)_m";
 const LOOP: &str = "closed form: 2 F_c (stroke − 4/3 x_s)";
 const ORDER: &str = "convergence: against a tolerance of 1e-12";
 
-/// Balances of a drive with all losses, shut air, a slow loop, and what the tolerance makes of the error.
+/// Balances of a drive with all losses, shut air, a slow loop, and what the tolerance makes of the
+/// error.
 pub fn mechanics() -> Vec<VerificationRow> {
     let mut rows = balances().unwrap_or_default();
     rows.extend(shut());
@@ -36,33 +37,76 @@ fn universal() -> Option<Box<dyn ForceModel>> {
 /// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
 fn balances() -> Option<Vec<VerificationRow>> {
     let model = universal()?;
-    let spring = Load::Spring { rate_n_per_mm: 1.0, preload_n: 0.0 };
-    let line = Load::Sum(vec![Load::Mass { mass_kg: 5.0, level: false }, spring]);
-    let load =
-        SingleMuscle { damping_n_s_per_m: 200.0, stops_mm: (0.0, 60.0), ..SingleMuscle::new(&*model, line) };
+    let spring = Load::Spring {
+        rate_n_per_mm: 1.0,
+        preload_n: 0.0,
+    };
+    let line = Load::Sum(vec![
+        Load::Mass {
+            mass_kg: 5.0,
+            level: false,
+        },
+        spring,
+    ]);
+    let load = SingleMuscle {
+        damping_n_s_per_m: 200.0,
+        stops_mm: (0.0, 60.0),
+        ..SingleMuscle::new(&*model, line)
+    };
     let mut rows = vec![];
-    for (name, heat) in
-        [("isothermal", Heat::Isothermal), ("adiabatic", Heat::Adiabatic), ("warm", Heat::Transfer(50.0))]
-    {
+    for (name, heat) in [
+        ("isothermal", Heat::Isothermal),
+        ("adiabatic", Heat::Adiabatic),
+        ("warm", Heat::Transfer(50.0)),
+    ] {
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
-        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
+        muscle.fluid = Fluid::Air(Air {
+            heat,
+            dead_volume_mm3: 10e3,
+            ..Air::default()
+        });
         muscle.friction = Some(Friction::power_law(20.0, 0.7));
-        muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
+        muscle.rubber = Prony(vec![Branch {
+            share: 0.2,
+            time_constant_s: 0.05,
+        }]);
         let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
-        let motion = ran(&driven(&load, muscle, Target::Pressure(vec![steps]), (1.5, 1e-9)));
+        let motion = ran(&driven(
+            &load,
+            muscle,
+            Target::Pressure(vec![steps]),
+            (1.5, 1e-9),
+        ));
         let share = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
-            motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
+            motion
+                .as_ref()
+                .map(|m| (value(&m.energies) / m.energies.work_j).abs())
         };
-        let air = share(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
+        let air =
+            share(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
         let work = share(&|e| {
             let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
             pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
         });
         let row = |what: &str, ours, tolerance| {
-            VerificationRow::new(format!("drive, {name} air: {what}"), BALANCE, 0.0, ours, tolerance)
+            VerificationRow::new(
+                format!("drive, {name} air: {what}"),
+                BALANCE,
+                0.0,
+                ours,
+                tolerance,
+            )
         };
-        rows.push(row("air that is lost, of that in it", motion.as_ref().map(|m| m.mass_defect), 1e-12));
-        rows.push(row("energy of the air that is lost, of the work", air, 1e-6));
+        rows.push(row(
+            "air that is lost, of that in it",
+            motion.as_ref().map(|m| m.mass_defect),
+            1e-12,
+        ));
+        rows.push(row(
+            "energy of the air that is lost, of the work",
+            air,
+            1e-6,
+        ));
         rows.push(row("work that is lost, of it", work, 1e-6));
     }
     Some(rows)
@@ -74,7 +118,11 @@ fn shut() -> Vec<VerificationRow> {
         let model = universal()?;
         let load = SingleMuscle::hanging(&*model, 10.0);
         let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
-        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
+        muscle.fluid = Fluid::Air(Air {
+            heat,
+            dead_volume_mm3: 10e3,
+            ..Air::default()
+        });
         muscle.initial_pressure_mpa = Some(0.2);
         let drive = driven(&load, muscle, opening(0.0), (1.0, 1e-6));
         let linear = Linear::new(&drive).ok()?;
@@ -84,11 +132,19 @@ fn shut() -> Vec<VerificationRow> {
             crossings(&drive, &linear, 10.0),
         ))
     };
-    let rows = [("isothermal", Heat::Isothermal, 1.0), ("adiabatic", Heat::Adiabatic, 1.4)];
+    let rows = [
+        ("isothermal", Heat::Isothermal, 1.0),
+        ("adiabatic", Heat::Adiabatic, 1.4),
+    ];
     let rows = rows.into_iter().flat_map(|(name, heat, index)| {
         let values = values(heat, index);
-        let (exact, linear, moving) = values.map_or((f64::NAN, None, None), |v| (v.0, Some(v.1), v.2));
-        [("of the linearised system", linear), ("of its motion", moving)].map(|(what, ours)| {
+        let (exact, linear, moving) =
+            values.map_or((f64::NAN, None, None), |v| (v.0, Some(v.1), v.2));
+        [
+            ("of the linearised system", linear),
+            ("of its motion", moving),
+        ]
+        .map(|(what, ours)| {
             let name = format!("10 kg on shut {name} air: {what} (Hz)");
             VerificationRow::new(name, SHUT, exact, ours, 1e-4)
         })
@@ -100,7 +156,9 @@ fn shut() -> Vec<VerificationRow> {
 fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<f64> {
     let length = model.muscle().length_mm();
     let contraction = equilibrium(drive, &[0.2]).ok()?.coordinate / length;
-    let r = model.response(&mut Workspace::new(), 0.2, contraction).ok()?;
+    let r = model
+        .response(&mut Workspace::new(), 0.2, contraction)
+        .ok()?;
     let p = 0.2 + ATMOSPHERE_MPA;
     let volume = r.volume_mm3? + 10e3;
     let slope = -index * p * r.volume_per_contraction_mm3?
@@ -109,7 +167,8 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<
     Some((1e3 * stiffness / 10.0).sqrt() / TAU)
 }
 
-/// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth of a mm.
+/// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth
+/// of a mm.
 fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
@@ -117,7 +176,12 @@ fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     drive.tolerance = 1e-9;
     (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
-    let x: Vec<f64> = motion.series.coordinate.iter().map(|x| x - linear.coordinate()).collect();
+    let x: Vec<f64> = motion
+        .series
+        .coordinate
+        .iter()
+        .map(|x| x - linear.coordinate())
+        .collect();
     let falls: Vec<f64> = (1..x.len())
         .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
         .map(|i| motion.series.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
@@ -126,7 +190,8 @@ fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
     Some((falls.len() - 1) as f64 / (last - first))
 }
 
-/// The area of a slow loop against a spring. After each of its two reversals z goes from 1 to −1 within 2 x_s, as 2 (1 − x/2x_s)² − 1, which takes 4/3 F_c x_s from it.
+/// The area of a slow loop against a spring. After each of its two reversals z goes from 1 to −1
+/// within 2 x_s, as 2 (1 − x/2x_s)² − 1, which takes 4/3 F_c x_s from it.
 fn loops() -> Vec<VerificationRow> {
     const LEVEL_N: f64 = 10.0;
     const PRESLIDING_MM: f64 = 0.02;
@@ -135,14 +200,38 @@ fn loops() -> Vec<VerificationRow> {
         let spring = SingleMuscle {
             damping_n_s_per_m: 1e3,
             added_mass_kg: 1.0,
-            ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+            ..SingleMuscle::new(
+                &model,
+                Load::Spring {
+                    rate_n_per_mm: 5.0,
+                    preload_n: 0.0,
+                },
+            )
         };
         let until = |periods: f64| {
-            let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
+            let mut muscle = Actuated::new(
+                &model,
+                Actuator::Regulator {
+                    time_constant_s: 0.02,
+                },
+            );
             let presliding_mm = Some(PRESLIDING_MM);
-            muscle.friction = Some(Friction { presliding_mm, ..Friction::power_law(LEVEL_N, 0.0) });
-            let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
-            ran(&driven(&spring, muscle, Target::Pressure(vec![sine]), (periods / hz, 1e-8)))
+            muscle.friction = Some(Friction {
+                presliding_mm,
+                ..Friction::power_law(LEVEL_N, 0.0)
+            });
+            let sine = Command::Sine {
+                mean: 0.15,
+                amplitude: 0.08,
+                frequency_hz: hz,
+                phase_rad: 0.0,
+            };
+            ran(&driven(
+                &spring,
+                muscle,
+                Target::Pressure(vec![sine]),
+                (periods / hz, 1e-8),
+            ))
         };
         let (one, two) = (until(1.0)?, until(2.0)?);
         let x = &two.series.coordinate[two.series.coordinate.len() / 2..];
@@ -153,7 +242,13 @@ fn loops() -> Vec<VerificationRow> {
     };
     let row = |hz: f64| {
         let (exact, ours) = one(hz).map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
-        VerificationRow::new(format!("friction loop of the braid at {hz} Hz (N mm)"), LOOP, exact, ours, 1e-4)
+        VerificationRow::new(
+            format!("friction loop of the braid at {hz} Hz (N mm)"),
+            LOOP,
+            exact,
+            ours,
+            1e-4,
+        )
     };
     [0.1, 1.0].map(row).into()
 }
@@ -170,7 +265,12 @@ fn convergence() -> Vec<VerificationRow> {
         };
         let steps = Command::Steps(vec![(0.0, 0.0), (0.05, 0.2)]);
         let muscle = Actuated::new(&model, Actuator::Valve(valve()?));
-        let drive = driven(&load, muscle, Target::Pressure(vec![steps]), (0.5, relative));
+        let drive = driven(
+            &load,
+            muscle,
+            Target::Pressure(vec![steps]),
+            (0.5, relative),
+        );
         ran(&drive)?.series.coordinate.last().copied()
     };
     let exact = end(1e-12);

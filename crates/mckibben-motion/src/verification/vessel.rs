@@ -1,12 +1,14 @@
 //! Charge and discharge of a rigid vessel through a valve after ISO 6358.
 //!
-//! C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 6 bar above the atmosphere, 20 °C. With x = p/p_s and k = R T0 ρ0 C/V the charge at constant
-//! temperature is x = x0 + k t as long as it is choked (x ≤ b), then x = b + (1 − b) sin(k (t − t_b)/(1 − b)); without heat it ends at
-//! T = T0 κ/(1 + (κ − 1) x0). A choked discharge is an exponential of time, or a power without heat.
+//! C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 6 bar above the atmosphere, 20 °C. With x = p/p_s and k
+//! = R T0 ρ0 C/V the charge at constant temperature is x = x0 + k t as long as it is choked (x ≤
+//! b), then x = b + (1 − b) sin(k (t − t_b)/(1 − b)); without heat it ends at T = T0 κ/(1 + (κ − 1)
+//! x0). A choked discharge is an exponential of time, or a power without heat.
 
 use super::{driven, ran};
 use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle, Valve,
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
+    Valve,
 };
 use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
 use mckibben::muscle::Muscle;
@@ -16,7 +18,8 @@ const SOURCE: &str = "ISO 6358: closed form of a rigid vessel";
 const BALANCE: &str = "identity: what goes in, comes out and stays";
 /// The supply's absolute pressure in MPa.
 const SUPPLY_MPA: f64 = 0.6 + ATMOSPHERE_MPA;
-/// k in 1/s: 287 J/(kg K) · 293.15 K · 1.185 kg/m³ · 0.5e-8 m³/(s Pa) / 0.2e-3 m³, from the design note.
+/// k in 1/s: 287 J/(kg K) · 293.15 K · 1.185 kg/m³ · 0.5e-8 m³/(s Pa) / 0.2e-3 m³, from the design
+/// note.
 const RATE_PER_S: f64 = 2.492_905;
 const CRITICAL: f64 = 0.3;
 
@@ -30,9 +33,16 @@ pub struct Vessel {
 
 impl Default for Vessel {
     fn default() -> Self {
-        let entry = ModelEntry { name: "vessel", description: "a rigid vessel", source: "a rigid vessel" };
+        let entry = ModelEntry {
+            name: "vessel",
+            description: "a rigid vessel",
+            source: "a rigid vessel",
+        };
         // Something that has a length.
-        Self { info: ModelInfo::new(&entry, &Muscle::prototype()), volume_mm3: Some(0.2e6) }
+        Self {
+            info: ModelInfo::new(&entry, &Muscle::prototype()),
+            volume_mm3: Some(0.2e6),
+        }
     }
 }
 
@@ -55,16 +65,23 @@ impl ForceModel for Vessel {
     }
 }
 
-/// The vessel after a time in s with its valve open to the supply (1) or to the atmosphere (−1), from a gauge pressure in MPa.
+/// The vessel after a time in s with its valve open to the supply (1) or to the atmosphere (−1),
+/// from a gauge pressure in MPa.
 pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Motion> {
     let model = Vessel::default();
     let held = SingleMuscle::held(&model);
     let valve = Valve::new(Orifice::new(0.5, CRITICAL).ok()?);
     let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
-    muscle.fluid = Fluid::Air(Air { heat, ..Air::default() });
+    muscle.fluid = Fluid::Air(Air {
+        heat,
+        ..Air::default()
+    });
     muscle.initial_pressure_mpa = Some(from_mpa);
     let drive = driven(&held, muscle, super::opening(opening), (until_s, 1e-11));
-    ran(&Drive { output_step_s: until_s, ..drive })
+    ran(&Drive {
+        output_step_s: until_s,
+        ..drive
+    })
 }
 
 /// Absolute pressure in MPa at the end of a motion.
@@ -77,14 +94,28 @@ pub fn vessel() -> Vec<VerificationRow> {
     let from = ATMOSPHERE_MPA / SUPPLY_MPA;
     let choked_s = (CRITICAL - from) / RATE_PER_S;
     let row = |name: &str, reference: f64, ours, tolerance| {
-        VerificationRow::new(format!("vessel: {name}"), SOURCE, reference, ours, tolerance)
+        VerificationRow::new(
+            format!("vessel: {name}"),
+            SOURCE,
+            reference,
+            ours,
+            tolerance,
+        )
     };
     // The standard's flow up to 0.99 p_s; beyond it the linear range about equal pressures.
     let late_s = choked_s + (1.0 - CRITICAL) * (0.69_f64 / 0.7).asin() / RATE_PER_S;
     let charge = |heat, until_s| after(heat, 1.0, 0.0, until_s);
     let discharge = |heat, until_s| after(heat, -1.0, 0.6, until_s);
     let p = |motion: Option<Motion>| pressure(motion.as_ref());
-    let k = |motion: Option<Motion>| motion?.series.muscles.first()?.temperature_k.last().copied();
+    let k = |motion: Option<Motion>| {
+        motion?
+            .series
+            .muscles
+            .first()?
+            .temperature_k
+            .last()
+            .copied()
+    };
     let warm = charge(Heat::Adiabatic, 2.0);
     let cold = discharge(Heat::Adiabatic, 0.2);
     let warm_k = 293.15 * 1.4 / (1.0 + 0.4 * from);
@@ -93,29 +124,83 @@ pub fn vessel() -> Vec<VerificationRow> {
     let polytropic = k(charge(Heat::Polytropic(1.4), 2.0));
     let out = p(discharge(Heat::Isothermal, 0.1));
     let mut rows = vec![
-        row("p at the end of the choked charge (MPa)", CRITICAL * SUPPLY_MPA, choked, 1e-6),
-        row("p of the charge at 0.99 p_s (MPa)", 0.99 * SUPPLY_MPA, late, 1e-6),
-        row("p of the adiabatic charge at its end (MPa)", SUPPLY_MPA, pressure(warm.as_ref()), 1e-7),
-        row("T of the adiabatic charge at its end (K)", warm_k, k(warm), 1e-6),
-        row("T of a polytropic charge with n = κ (K)", warm_k, polytropic, 1e-6),
-        row("p of the isothermal discharge after 0.1 s (MPa)", 0.546_580_1, out, 2e-7),
-        row("p of the adiabatic discharge after 0.2 s (MPa)", 0.360_541_2, pressure(cold.as_ref()), 2e-7),
-        row("T of the adiabatic discharge after 0.2 s (K)", 242.397_8, k(cold), 2e-7),
+        row(
+            "p at the end of the choked charge (MPa)",
+            CRITICAL * SUPPLY_MPA,
+            choked,
+            1e-6,
+        ),
+        row(
+            "p of the charge at 0.99 p_s (MPa)",
+            0.99 * SUPPLY_MPA,
+            late,
+            1e-6,
+        ),
+        row(
+            "p of the adiabatic charge at its end (MPa)",
+            SUPPLY_MPA,
+            pressure(warm.as_ref()),
+            1e-7,
+        ),
+        row(
+            "T of the adiabatic charge at its end (K)",
+            warm_k,
+            k(warm),
+            1e-6,
+        ),
+        row(
+            "T of a polytropic charge with n = κ (K)",
+            warm_k,
+            polytropic,
+            1e-6,
+        ),
+        row(
+            "p of the isothermal discharge after 0.1 s (MPa)",
+            0.546_580_1,
+            out,
+            2e-7,
+        ),
+        row(
+            "p of the adiabatic discharge after 0.2 s (MPa)",
+            0.360_541_2,
+            pressure(cold.as_ref()),
+            2e-7,
+        ),
+        row(
+            "T of the adiabatic discharge after 0.2 s (K)",
+            242.397_8,
+            k(cold),
+            2e-7,
+        ),
     ];
-    let heats = [Heat::Isothermal, Heat::Polytropic(1.2), Heat::Adiabatic, Heat::Transfer(30.0)];
+    let heats = [
+        Heat::Isothermal,
+        Heat::Polytropic(1.2),
+        Heat::Adiabatic,
+        Heat::Transfer(30.0),
+    ];
     let motions = heats.map(|heat| charge(heat, 0.3));
     let largest = |value: &dyn Fn(&Motion) -> f64| -> Option<f64> {
-        motions.iter().try_fold(0.0, |most: f64, m| m.as_ref().map(|m| most.max(value(m).abs())))
+        motions.iter().try_fold(0.0, |most: f64, m| {
+            m.as_ref().map(|m| most.max(value(m).abs()))
+        })
     };
     let energy = largest(&|m| {
         let e = m.energies;
-        (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j
+        (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j)
+            / e.enthalpy_in_j
     });
-    let mass = ("air that is lost, of that in it", largest(&|m| m.mass_defect), 1e-12);
-    rows.extend([mass, ("energy that is lost, of the enthalpy", energy, 1e-7)].map(
-        |(name, ours, tolerance)| {
-            VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
-        },
-    ));
+    let mass = (
+        "air that is lost, of that in it",
+        largest(&|m| m.mass_defect),
+        1e-12,
+    );
+    rows.extend(
+        [mass, ("energy that is lost, of the enthalpy", energy, 1e-7)].map(
+            |(name, ours, tolerance)| {
+                VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
+            },
+        ),
+    );
     rows
 }

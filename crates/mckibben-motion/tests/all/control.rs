@@ -5,8 +5,14 @@ use mckibben::model::ModelKind;
 use mckibben_motion::*;
 
 fn on_off(closed_centre: bool) -> Actuator {
-    let kind = ValveKind::OnOff { hysteresis_mpa: 0.005, closed_centre };
-    Actuator::Valve(Valve { kind, ..Valve::new(Orifice::new(0.5, 0.3).unwrap()) })
+    let kind = ValveKind::OnOff {
+        hysteresis_mpa: 0.005,
+        closed_centre,
+    };
+    Actuator::Valve(Valve {
+        kind,
+        ..Valve::new(Orifice::new(0.5, 0.3).unwrap())
+    })
 }
 
 #[test]
@@ -15,17 +21,39 @@ fn identity_a_two_point_law_switches_at_its_thresholds() {
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     for closed_centre in [false, true] {
         let target = steps(&[(0.0, 0.0), (0.05, 0.2)]);
-        let mut drive = Drive::new(&load, vec![Actuated::new(&*model, on_off(closed_centre))], target, 0.5);
+        let mut drive = Drive::new(
+            &load,
+            vec![Actuated::new(&*model, on_off(closed_centre))],
+            target,
+            0.5,
+        );
         drive.output_step_s = 1e-4;
         let motion = ran(&drive);
         let p = &motion.series.muscles[0].pressure_mpa;
-        let settled = motion.series.time_s.iter().zip(p).filter(|(t, _)| **t > 0.4).map(|(_, p)| *p);
-        assert!(settled.clone().all(|p| (p - 0.2).abs() <= 0.005 + 1e-6), "{closed_centre}");
+        let settled = motion
+            .series
+            .time_s
+            .iter()
+            .zip(p)
+            .filter(|(t, _)| **t > 0.4)
+            .map(|(_, p)| *p);
+        assert!(
+            settled.clone().all(|p| (p - 0.2).abs() <= 0.005 + 1e-6),
+            "{closed_centre}"
+        );
         let count = |kind| motion.events.iter().filter(|e| e.kind == kind).count();
         if closed_centre {
-            assert!(count(EventKind::Closed) >= 1 && count(EventKind::Venting) <= 3, "{:?}", motion.events);
+            assert!(
+                count(EventKind::Closed) >= 1 && count(EventKind::Venting) <= 3,
+                "{:?}",
+                motion.events
+            );
         } else {
-            assert!(count(EventKind::Venting) > 2 && count(EventKind::Filling) > 2, "{:?}", motion.events);
+            assert!(
+                count(EventKind::Venting) > 2 && count(EventKind::Filling) > 2,
+                "{:?}",
+                motion.events
+            );
         }
     }
 }
@@ -35,11 +63,23 @@ fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     let pressure_at_80_ms = |lag: f64, hose: Option<Hose>| {
-        let kind = ValveKind::Proportional { time_constant_s: lag, gain_per_mpa: 20.0 };
+        let kind = ValveKind::Proportional {
+            time_constant_s: lag,
+            gain_per_mpa: 20.0,
+        };
         let orifice = Orifice::new(0.5, 0.3).unwrap();
-        let valve = Valve { kind, hose, ..Valve::new(orifice) };
+        let valve = Valve {
+            kind,
+            hose,
+            ..Valve::new(orifice)
+        };
         let muscle = Actuated::new(&*model, Actuator::Valve(valve));
-        let motion = ran(&Drive::new(&load, vec![muscle], steps(&[(0.0, 0.0), (0.05, 0.2)]), 1.0));
+        let motion = ran(&Drive::new(
+            &load,
+            vec![muscle],
+            steps(&[(0.0, 0.0), (0.05, 0.2)]),
+            1.0,
+        ));
         close(last(&motion.series.muscles[0].pressure_mpa), 0.2, 1e-4);
         let i = motion.series.time_s.iter().position(|t| *t > 0.08).unwrap();
         assert!(motion.fill_time_s.is_some());
@@ -47,13 +87,19 @@ fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
     };
     let (bare, lagging) = (pressure_at_80_ms(0.0, None), pressure_at_80_ms(0.02, None));
     let hosed = pressure_at_80_ms(0.02, Some(Hose::new(4.0, 1000.0).unwrap()));
-    assert!(bare > lagging && lagging > hosed, "{bare} {lagging} {hosed}");
+    assert!(
+        bare > lagging && lagging > hosed,
+        "{bare} {lagging} {hosed}"
+    );
 }
 
 #[test]
 fn identity_an_integral_controller_leaves_no_error() {
     let model = ModelKind::Universal.build(&note_muscle()).unwrap();
-    let load = SingleMuscle { damping_n_s_per_m: 400.0, ..SingleMuscle::hanging(&*model, 5.0) };
+    let load = SingleMuscle {
+        damping_n_s_per_m: 400.0,
+        ..SingleMuscle::hanging(&*model, 5.0)
+    };
     let pid = |output| Pid {
         proportional: 0.5,
         integral_per_s: 5.0,
@@ -62,10 +108,23 @@ fn identity_an_integral_controller_leaves_no_error() {
         tracking_s: 0.2,
         output,
     };
-    let target = |pid| Target::Position { command: Command::Steps(vec![(0.0, 0.1), (0.1, 0.2)]), pid };
+    let target = |pid| Target::Position {
+        command: Command::Steps(vec![(0.0, 0.1), (0.1, 0.2)]),
+        pid,
+    };
     let target = [
-        (target(pid(PidOutput::Pressure { bias_mpa: 0.0 })), regulator(0.02)),
-        (target(Pid { proportional: 20.0, integral_per_s: 20.0, ..pid(PidOutput::Opening) }), valve()),
+        (
+            target(pid(PidOutput::Pressure { bias_mpa: 0.0 })),
+            regulator(0.02),
+        ),
+        (
+            target(Pid {
+                proportional: 20.0,
+                integral_per_s: 20.0,
+                ..pid(PidOutput::Opening)
+            }),
+            valve(),
+        ),
     ];
     for (target, actuator) in target {
         let drive = Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 5.0);
@@ -88,9 +147,17 @@ fn two_antagonists_follow_an_angle() {
         tracking_s: 0.2,
         output: PidOutput::Pressure { bias_mpa: 0.2 },
     };
-    let target = Target::Position { command: Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]), pid };
+    let target = Target::Position {
+        command: Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]),
+        pid,
+    };
     let muscle = Actuated::new(&*model, regulator(0.02));
-    let motion = ran(&Drive::new(&joint, vec![muscle.clone(), muscle], target, 4.0));
+    let motion = ran(&Drive::new(
+        &joint,
+        vec![muscle.clone(), muscle],
+        target,
+        4.0,
+    ));
     close(last(&motion.series.coordinate), 0.3, 1e-3);
     let p = |i: usize| last(&motion.series.muscles[i].pressure_mpa);
     close(p(0) + p(1), 0.4, 1e-6);
@@ -103,7 +170,11 @@ fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() 
     let target = steps(&[(0.0, 0.0), (0.05, 0.2)]);
     let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 2.0);
     let sized = size(&drive, 0.2, &mckibben::progress::Silent).unwrap();
-    assert!(sized.rise_time_s <= 0.2 && sized.rise_time_s > 0.199, "{}", sized.rise_time_s);
+    assert!(
+        sized.rise_time_s <= 0.2 && sized.rise_time_s > 0.199,
+        "{}",
+        sized.rise_time_s
+    );
     let smaller = Orifice::new(0.98 * sized.conductance_l_per_s_bar, 0.3).unwrap();
     let mut drive = drive;
     drive.muscles[0].actuator = Actuator::Valve(Valve::new(smaller));

@@ -11,24 +11,36 @@ use std::f64::consts::{PI, TAU};
 fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Drive<'a> {
     let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
     let mut muscle = Actuated::new(model, Actuator::Valve(valve));
-    muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3: 10e3, ..Air::default() });
+    muscle.fluid = Fluid::Air(Air {
+        heat,
+        dead_volume_mm3: 10e3,
+        ..Air::default()
+    });
     muscle.initial_pressure_mpa = Some(0.3);
-    Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0)
+    Drive::new(
+        load,
+        vec![muscle],
+        Target::Opening(vec![Command::Constant(0.0)]),
+        1.0,
+    )
 }
 
 #[test]
 fn closed_form_of_the_note_closed_valve_by_finite_elements() {
     let model = Axisymmetric::new(&note_muscle()).unwrap();
     let load = SingleMuscle::hanging(&model, 10.0);
-    for (heat, index, stiffness, hertz) in
-        [(Heat::Isothermal, 1.0, 8.73229, 4.7031), (Heat::Adiabatic, 1.4, 8.95607, 4.7630)]
-    {
+    for (heat, index, stiffness, hertz) in [
+        (Heat::Isothermal, 1.0, 8.73229, 4.7031),
+        (Heat::Adiabatic, 1.4, 8.95607, 4.7630),
+    ] {
         let drive = shut(&model, &load, heat);
         // (dP/dε)_m = −g p V_ε/(V + g p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε
         let at = equilibrium(&drive, &[0.3]).unwrap();
         let contraction = at.coordinate / 220.0;
         close(contraction, 0.2659460, 1e-6);
-        let r = model.response(&mut Workspace::new(), 0.3, contraction).unwrap();
+        let r = model
+            .response(&mut Workspace::new(), 0.3, contraction)
+            .unwrap();
         let (v, vp, ve) = (
             r.volume_mm3.unwrap() + 10e3,
             r.volume_per_pressure_mm3_per_mpa.unwrap(),
@@ -36,7 +48,8 @@ fn closed_form_of_the_note_closed_valve_by_finite_elements() {
         );
         let p = 0.3 + ATMOSPHERE_MPA;
         let slope = -index * p * ve / (v + index * p * vp);
-        let total = r.stiffness_n_per_mm.unwrap() - r.force_per_pressure_mm2.unwrap() * slope / 220.0;
+        let total =
+            r.stiffness_n_per_mm.unwrap() - r.force_per_pressure_mm2.unwrap() * slope / 220.0;
         close(total, stiffness, 1e-5);
         close((1e3 * total / 10.0).sqrt() / TAU, hertz, 1e-4);
         let linear = Linear::new(&drive).unwrap();
@@ -49,10 +62,18 @@ fn closed_form_of_the_note_closed_valve_by_finite_elements() {
 #[test]
 fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
     let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
-    let load = SingleMuscle { damping_n_s_per_m: 600.0, ..SingleMuscle::hanging(&*model, 10.0) };
+    let load = SingleMuscle {
+        damping_n_s_per_m: 600.0,
+        ..SingleMuscle::hanging(&*model, 10.0)
+    };
     let drive = |command: Command, until_s: f64| {
         let target = Target::Pressure(vec![command]);
-        Drive::new(&load, vec![Actuated::new(&*model, regulator(0.02))], target, until_s)
+        Drive::new(
+            &load,
+            vec![Actuated::new(&*model, regulator(0.02))],
+            target,
+            until_s,
+        )
     };
     let linear = Linear::new(&drive(Command::Constant(0.25), 1.0)).unwrap();
     let f = linear.bandwidth_hz().unwrap();
@@ -60,7 +81,12 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
     for (share, expected) in [(0.3, None), (1.0, Some(rest / 2f64.sqrt()))] {
         let hz = share * f;
         let amplitude = 1e-3;
-        let sine = Command::Sine { mean: 0.25, amplitude, frequency_hz: hz, phase_rad: 0.0 };
+        let sine = Command::Sine {
+            mean: 0.25,
+            amplitude,
+            frequency_hz: hz,
+            phase_rad: 0.0,
+        };
         let motion = ran(&drive(sine, 12.0 / hz));
         // Fourier coefficient over the last four periods.
         let (mut c, mut s, mut n) = (0.0, 0.0, 0.0);
@@ -68,7 +94,11 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         for (t, x) in motion.series.time_s.iter().zip(&motion.series.coordinate) {
             if *t > 8.0 / hz && *t <= 12.0 / hz {
                 let y = (x - mean) / model.muscle().length_mm();
-                (c, s, n) = (c + y * (TAU * hz * t).cos(), s + y * (TAU * hz * t).sin(), n + 1.0);
+                (c, s, n) = (
+                    c + y * (TAU * hz * t).cos(),
+                    s + y * (TAU * hz * t).sin(),
+                    n + 1.0,
+                );
             }
         }
         let gain = 2.0 * f64::hypot(c, s) / n / amplitude;
@@ -86,7 +116,12 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     let muscle = Actuated::new(&*model, regulator(0.01));
     let drive = |first: Command, second: Command, until_s: f64| {
         let target = Target::Pressure(vec![first, second]);
-        Drive::new(&joint, vec![muscle.clone(), muscle.clone()], target, until_s)
+        Drive::new(
+            &joint,
+            vec![muscle.clone(), muscle.clone()],
+            target,
+            until_s,
+        )
     };
     let linear = Linear::new(&drive(Command::Constant(0.2), Command::Constant(0.2), 1.0)).unwrap();
     // 2 r F_P u = 2 r² K φ
@@ -94,9 +129,19 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     let still = r.force_per_pressure_mm2.unwrap() / (20.0 * r.stiffness_n_per_mm.unwrap());
     close(linear.response(1e-4).unwrap().norm(), still, 1e-5);
     let hz = linear.bandwidth_hz().unwrap();
-    let sine = |amplitude: f64| Command::Sine { mean: 0.2, amplitude, frequency_hz: hz, phase_rad: 0.0 };
+    let sine = |amplitude: f64| Command::Sine {
+        mean: 0.2,
+        amplitude,
+        frequency_hz: hz,
+        phase_rad: 0.0,
+    };
     let motion = ran(&drive(sine(1e-3), sine(-1e-3), 12.0 / hz));
-    let late = motion.series.time_s.iter().zip(&motion.series.coordinate).filter(|(t, _)| **t > 8.0 / hz);
+    let late = motion
+        .series
+        .time_s
+        .iter()
+        .zip(&motion.series.coordinate)
+        .filter(|(t, _)| **t > 8.0 / hz);
     let most = late.map(|(_, q)| q.abs()).fold(0.0, f64::max);
     close(most / 1e-3, still / 2f64.sqrt(), 5e-3);
 }

@@ -1,5 +1,6 @@
-//! Validation in shape: step responses and release speeds of a muscle of which length, diameter, valve and pressure are not stated
-//! (data/tondu2012_motion). The limits are regressions: what was found, rounded up.
+//! Validation in shape: step responses and release speeds of a muscle of which length, diameter,
+//! valve and pressure are not stated (data/tondu2012_motion). The limits are regressions: what was
+//! found, rounded up.
 
 use crate::support::{damped, ran};
 use mckibben::analysis::{Evaluation, Options};
@@ -15,18 +16,27 @@ const RELEASE: &str = include_str!("../../../../data/tondu2012_motion/quick_rele
 fn muscle(outer_diameter_mm: f64, mu_mpa: f64, length_mm: f64) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(outer_diameter_mm, 0.49, length_mm, rubber);
-    let braid = Braid { angle_deg: 20.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+    let braid = Braid {
+        angle_deg: 20.0,
+        stiffness: BraidStiffness::Inextensible,
+        ..Braid::paper()
+    };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
 /// Half the width of the static muscle's loops, 19.6 N at 1 bar and 49.2 N at 5 bar.
-const FRICTION: Friction =
-    Friction { coefficient: 73.1, exponent: 0.572, lever_mm: 0.0, presliding_mm: Some(0.5) };
+const FRICTION: Friction = Friction {
+    coefficient: 73.1,
+    exponent: 0.572,
+    lever_mm: 0.0,
+    presliding_mm: Some(0.5),
+};
 
 /// Rows of the rayon muscle: load in kg and the rest.
 fn rayon(text: &str) -> Vec<Vec<f64>> {
     let rows = text.lines().filter_map(|line| line.strip_prefix("rayon,"));
-    rows.map(|row| row.split(',').map(|v| v.parse().unwrap()).collect()).collect()
+    rows.map(|row| row.split(',').map(|v| v.parse().unwrap()).collect())
+        .collect()
 }
 
 /// Where a curve first reaches a share of its end.
@@ -48,10 +58,17 @@ fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) 
     drive.initial_coordinate = Some(0.0);
     drive.supply.pressure_mpa = pressure_mpa;
     let motion = ran(&drive);
-    motion.series.time_s.iter().copied().zip(motion.series.coordinate).collect()
+    motion
+        .series
+        .time_s
+        .iter()
+        .copied()
+        .zip(motion.series.coordinate)
+        .collect()
 }
 
-/// Pressure, modulus and length by the ends of the steps, the valve by one time; the other times follow.
+/// Pressure, modulus and length by the ends of the steps, the valve by one time; the other times
+/// follow.
 #[test]
 fn steps_against_loads_have_the_measured_shape() {
     let rows = rayon(STEPS);
@@ -81,7 +98,9 @@ fn steps_against_loads_have_the_measured_shape() {
     println!("load (kg): t25 t50 t75 t90 measured (ms), computed (ms)");
     for kg in loads {
         let (measured, computed) = (curve(kg), lifted(&model, kg, pressure, conductance));
-        let times = |points: &[(f64, f64)]| [0.25, 0.5, 0.75, 0.9].map(|share| 1e3 * reaches(points, share));
+        let times = |points: &[(f64, f64)]| {
+            [0.25, 0.5, 0.75, 0.9].map(|share| 1e3 * reaches(points, share))
+        };
         let (a, b) = (times(&measured), times(&computed));
         println!("{kg}: {a:.0?} {b:.0?}");
         for (a, b) in a.into_iter().zip(b) {
@@ -94,7 +113,8 @@ fn steps_against_loads_have_the_measured_shape() {
     assert!(typical < 1.3, "{typical}");
 }
 
-/// The largest speed after the release from the length at rest over that of one load; the diameter is fitted, by whole millimetres.
+/// The largest speed after the release from the length at rest over that of one load; the diameter
+/// is fitted, by whole millimetres.
 #[test]
 fn release_speeds_fall_with_the_load_as_measured() {
     let rows = rayon(RELEASE);
@@ -102,11 +122,22 @@ fn release_speeds_fall_with_the_load_as_measured() {
     let model = ThickWall::new(&muscle);
     let speed = |mass_kg: f64| {
         let load = SingleMuscle::hanging(&model, mass_kg);
-        let mut muscle = Actuated::new(&model, Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())));
-        muscle.fluid = Fluid::Air(Air { heat: Heat::Adiabatic, ..Air::default() });
+        let mut muscle = Actuated::new(
+            &model,
+            Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())),
+        );
+        muscle.fluid = Fluid::Air(Air {
+            heat: Heat::Adiabatic,
+            ..Air::default()
+        });
         muscle.initial_pressure_mpa = Some(0.5);
         muscle.friction = Some(FRICTION);
-        let mut drive = Drive::new(&load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 0.5);
+        let mut drive = Drive::new(
+            &load,
+            vec![muscle],
+            Target::Opening(vec![Command::Constant(0.0)]),
+            0.5,
+        );
         drive.initial_coordinate = Some(0.0);
         let motion = ran(&drive);
         motion.series.velocity.iter().copied().fold(0.0, f64::max)
@@ -114,7 +145,10 @@ fn release_speeds_fall_with_the_load_as_measured() {
     let computed: Vec<f64> = rows.iter().map(|r| speed(r[1])).collect();
     let middle = 3;
     let mut logs = 0.0;
-    println!("load (kg): measured, computed (mm/s), both over those of {} kg", rows[middle][1]);
+    println!(
+        "load (kg): measured, computed (mm/s), both over those of {} kg",
+        rows[middle][1]
+    );
     for (row, v) in rows.iter().zip(&computed) {
         let (a, b) = (row[3] / rows[middle][3], v / computed[middle]);
         println!("{}: {} {v:.0}; {a:.3} {b:.3}", row[1], row[3]);

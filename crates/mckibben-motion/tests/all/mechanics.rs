@@ -13,40 +13,73 @@ use mckibben_motion::*;
 
 #[test]
 fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
-    // ∮ P dV = ∮ F dx where the model has a potential: there and back to the same pressure and position.
+    // ∮ P dV = ∮ F dx where the model has a potential: there and back to the same pressure and
+    // position.
     let muscle = note_muscle();
     let (wall, ideal) = (ThickWall::new(&muscle), Ideal::new(&muscle));
     for model in [&wall as &dyn ForceModel, &ideal] {
-        let load = SingleMuscle { damping_n_s_per_m: 200.0, ..SingleMuscle::hanging(model, 5.0) };
+        let load = SingleMuscle {
+            damping_n_s_per_m: 200.0,
+            ..SingleMuscle::hanging(model, 5.0)
+        };
         let target = steps(&[(0.0, 0.1), (0.1, 0.3), (1.5, 0.1)]);
-        let mut drive = Drive::new(&load, vec![Actuated::new(model, regulator(0.05))], target, 4.0);
+        let mut drive = Drive::new(
+            &load,
+            vec![Actuated::new(model, regulator(0.05))],
+            target,
+            4.0,
+        );
         drive.tolerance = 1e-9;
         let motion = ran(&drive);
-        close(last(&motion.series.coordinate), motion.series.coordinate[0], 1e-8);
+        close(
+            last(&motion.series.coordinate),
+            motion.series.coordinate[0],
+            1e-8,
+        );
         let e = motion.energies;
         assert!(e.stored_j.abs() < 1e-6 * e.work_j, "{e:?}");
     }
 }
 
-/// Half the width C P^β + μw G of the static branches, by models with and without a contact; ends that slip.
+/// Half the width C P^β + μw G of the static branches, by models with and without a contact; ends
+/// that slip.
 #[test]
 fn identity_a_slow_loop_lies_on_the_static_branches() {
     use mckibben::muscle::{Direction, Terminals};
-    let friction = Friction { lever_mm: 0.8, presliding_mm: Some(0.05), ..Friction::power_law(10.0, 0.7) };
+    let friction = Friction {
+        lever_mm: 0.8,
+        presliding_mm: Some(0.05),
+        ..Friction::power_law(10.0, 0.7)
+    };
     let muscle = note_muscle().with_friction(Some(friction)).unwrap();
-    let ends = Terminals { slip_mm_per_n: Some(0.002), ..Terminals::default() };
+    let ends = Terminals {
+        slip_mm_per_n: Some(0.002),
+        ..Terminals::default()
+    };
     let slipping = muscle.with_terminals(ends).unwrap();
-    let cases =
-        [(ModelKind::ThickWall, &muscle), (ModelKind::Universal, &muscle), (ModelKind::Universal, &slipping)];
+    let cases = [
+        (ModelKind::ThickWall, &muscle),
+        (ModelKind::Universal, &muscle),
+        (ModelKind::Universal, &slipping),
+    ];
     let models = cases.map(|(kind, muscle)| kind.build(muscle).unwrap());
     let elements = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
     // Ends that slip and elements iterate for their equilibrium.
-    let models = models.iter().map(|model| &**model).chain([&elements as &dyn ForceModel]);
+    let models = models
+        .iter()
+        .map(|model| &**model)
+        .chain([&elements as &dyn ForceModel]);
     for (model, relative) in models.zip([1e-8, 1e-8, 5e-6, 5e-6]) {
         let spring = SingleMuscle {
             damping_n_s_per_m: 100.0,
             added_mass_kg: 1.0,
-            ..SingleMuscle::new(model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+            ..SingleMuscle::new(
+                model,
+                Load::Spring {
+                    rate_n_per_mm: 5.0,
+                    preload_n: 0.0,
+                },
+            )
         };
         let mut driven = Actuated::new(model, regulator(0.02));
         driven.friction = Some(friction);
@@ -54,21 +87,34 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
         let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
         drive.tolerance = 1e-8;
         let motion = ran(&drive);
-        for (t, direction) in [(10.0, Direction::Contraction), (30.0, Direction::Elongation)] {
+        for (t, direction) in [
+            (10.0, Direction::Contraction),
+            (30.0, Direction::Elongation),
+        ] {
             let i = motion.series.time_s.iter().position(|x| *x >= t).unwrap();
-            let (p, e) = (motion.series.muscles[0].pressure_mpa[i], motion.series.muscles[0].contraction[i]);
+            let (p, e) = (
+                motion.series.muscles[0].pressure_mpa[i],
+                motion.series.muscles[0].contraction[i],
+            );
             let w = &mut mckibben::model::Workspace::new();
             let expected = Evaluation::new(model, w, direction).force_n(p, e).unwrap();
             assert!((model.force_n(w, p, e).unwrap() / expected - 1.0).abs() > 0.02);
             close(motion.series.muscles[0].force_n[i], expected, relative);
         }
         let e = motion.energies;
-        let (pulled, used) = (e.static_work_j - e.friction_j, e.load_j + e.kinetic_j + e.damper_j);
-        assert!(e.friction_j > 0.0 && (pulled - used).abs() < 1e-5 * e.work_j, "{e:?}");
+        let (pulled, used) = (
+            e.static_work_j - e.friction_j,
+            e.load_j + e.kinetic_j + e.damper_j,
+        );
+        assert!(
+            e.friction_j > 0.0 && (pulled - used).abs() < 1e-5 * e.work_j,
+            "{e:?}"
+        );
     }
 }
 
-/// Return-point memory in a motion: under 200 N and 1.75 ± 0.05 bar at 0.5 Hz the end of each cycle is that of the one before, for a minute.
+/// Return-point memory in a motion: under 200 N and 1.75 ± 0.05 bar at 0.5 Hz the end of each cycle
+/// is that of the one before, for a minute.
 #[test]
 fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
     let muscle = note_muscle();
@@ -76,15 +122,27 @@ fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
     let load = damped(&model, 200.0 / 9.80665, 400.0, (-1e3, 1e3));
     let mut driven = Actuated::new(&model, regulator(0.02));
     driven.friction = Some(Friction::power_law(71.46, 0.56));
-    let sine = Command::Sine { mean: 0.175, amplitude: 0.005, frequency_hz: 0.5, phase_rad: 0.0 };
+    let sine = Command::Sine {
+        mean: 0.175,
+        amplitude: 0.005,
+        frequency_hz: 0.5,
+        phase_rad: 0.0,
+    };
     let mut drive = Drive::new(&load, vec![driven], Target::Pressure(vec![sine]), 60.0);
     drive.output_step_s = 2.0;
     let ends = ran(&drive).series.muscles[0].contraction.clone();
-    let creep = ends[3..].iter().map(|e| (e - ends[3]).abs()).fold(0.0, f64::max);
-    assert!(creep < 1e-6 && (ends[3] - ends[0]).abs() > 1e-5, "{creep}: {ends:?}");
+    let creep = ends[3..]
+        .iter()
+        .map(|e| (e - ends[3]).abs())
+        .fold(0.0, f64::max);
+    assert!(
+        creep < 1e-6 && (ends[3] - ends[0]).abs() > 1e-5,
+        "{creep}: {ends:?}"
+    );
 }
 
-/// Small oscillations: the elements of the friction add 2 F_c/x_s to the stiffness, F_c with the strands' contact.
+/// Small oscillations: the elements of the friction add 2 F_c/x_s to the stiffness, F_c with the
+/// strands' contact.
 #[test]
 fn closed_form_presliding_stiffens_the_linear_system() {
     use mckibben::model::{Workspace, pivoting_n_per_mm};
@@ -92,40 +150,75 @@ fn closed_form_presliding_stiffens_the_linear_system() {
     let model = ThickWall::new(&muscle);
     let load = SingleMuscle::hanging(&model, 10.0);
     let mut driven = Actuated::new(&model, regulator(0.02));
-    driven.friction =
-        Some(Friction { lever_mm: 0.8, presliding_mm: Some(0.7), ..Friction::power_law(10.0, 0.7) });
+    driven.friction = Some(Friction {
+        lever_mm: 0.8,
+        presliding_mm: Some(0.7),
+        ..Friction::power_law(10.0, 0.7)
+    });
     let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.3)]), 1.0);
     let e = equilibrium(&drive, &[0.3]).unwrap().coordinate / 220.0;
     let w = &mut Workspace::new();
-    let k = model.response(w, 0.3, e).unwrap().stiffness_n_per_mm.unwrap();
+    let k = model
+        .response(w, 0.3, e)
+        .unwrap()
+        .stiffness_n_per_mm
+        .unwrap();
     let level_n = 10.0 * 0.3_f64.powf(0.7) + 0.8 * pivoting_n_per_mm(&model, w, 0.3, e).unwrap();
     let stiffness = k + level_n * 2.0 / 0.7;
     let (f, _) = Linear::new(&drive).unwrap().oscillation().unwrap();
-    close(f, (1e3 * stiffness / 10.0).sqrt() / std::f64::consts::TAU, 1e-6);
+    close(
+        f,
+        (1e3 * stiffness / 10.0).sqrt() / std::f64::consts::TAU,
+        1e-6,
+    );
 }
 
 #[test]
 fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
-    // A heavy mass falls freely on a muscle without pressure … from rest h above the stop: v² = 2 g h.
+    // A heavy mass falls freely on a muscle without pressure … from rest h above the stop: v² = 2 g
+    // h.
     let model = verification::Vessel::default();
-    let load = SingleMuscle { stops_mm: (-20.0, 50.0), ..SingleMuscle::hanging(&model, 2.0) };
-    let mut drive = Drive::new(&load, vec![Actuated::new(&model, regulator(0.1))], steps(&[(0.0, 0.1)]), 0.2);
+    let load = SingleMuscle {
+        stops_mm: (-20.0, 50.0),
+        ..SingleMuscle::hanging(&model, 2.0)
+    };
+    let mut drive = Drive::new(
+        &load,
+        vec![Actuated::new(&model, regulator(0.1))],
+        steps(&[(0.0, 0.1)]),
+        0.2,
+    );
     drive.initial_coordinate = Some(0.0);
     drive.tolerance = 1e-9;
     let motion = ran(&drive);
-    let impact = motion.events.iter().find(|e| e.kind == EventKind::LowerStop).unwrap();
+    let impact = motion
+        .events
+        .iter()
+        .find(|e| e.kind == EventKind::LowerStop)
+        .unwrap();
     close(impact.time_s, (2.0 * 0.020_f64 / 9.80665).sqrt(), 1e-8);
     close(impact.lost_j, 2.0 * 9.80665 * 0.020, 1e-8);
-    assert_eq!((last(&motion.series.coordinate), last(&motion.series.velocity)), (-20.0, 0.0));
+    assert_eq!(
+        (
+            last(&motion.series.coordinate),
+            last(&motion.series.velocity)
+        ),
+        (-20.0, 0.0)
+    );
 }
 
 #[test]
 fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     // An inflated muscle that throws a light mass up: it goes slack, the mass flies, and is caught.
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
-    let load = SingleMuscle { ..SingleMuscle::hanging(&*model, 3.0) };
+    let load = SingleMuscle {
+        ..SingleMuscle::hanging(&*model, 3.0)
+    };
     let mut muscle = Actuated::new(&*model, valve());
-    muscle.fluid = Fluid::Air(Air { heat: Heat::Adiabatic, ..Air::default() });
+    muscle.fluid = Fluid::Air(Air {
+        heat: Heat::Adiabatic,
+        ..Air::default()
+    });
     muscle.initial_pressure_mpa = Some(0.2);
     let target = Target::Opening(vec![Command::Constant(0.0)]);
     let mut drive = Drive::new(&load, vec![muscle], target, 1.0);
@@ -133,13 +226,20 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     drive.tolerance = 1e-9;
     let motion = ran(&drive);
     let kinds: Vec<EventKind> = motion.events.iter().map(|e| e.kind).collect();
-    assert!(kinds.starts_with(&[EventKind::Slack, EventKind::Taut]), "{kinds:?}");
+    assert!(
+        kinds.starts_with(&[EventKind::Slack, EventKind::Taut]),
+        "{kinds:?}"
+    );
     // Between the two the mass is in free flight: x is a parabola of −g.
     let (out, back) = (motion.events[0].time_s, motion.events[1].time_s);
     let flying: Vec<usize> = (0..motion.series.time_s.len())
         .filter(|&i| motion.series.time_s[i] > out && motion.series.time_s[i] < back)
         .collect();
-    assert!(flying.iter().all(|&i| motion.series.muscles[0].force_n[i] == 0.0));
+    assert!(
+        flying
+            .iter()
+            .all(|&i| motion.series.muscles[0].force_n[i] == 0.0)
+    );
     let (a, b) = (flying[0], flying[flying.len() - 1]);
     close(
         motion.series.velocity[a] - motion.series.velocity[b],
@@ -149,8 +249,14 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     assert!(motion.mass_defect < 1e-12);
     // A shut muscle without losses comes back to where it began.
     let e = motion.energies;
-    assert!((e.static_work_j - e.load_j - e.kinetic_j).abs() < 1e-6 * e.work_j, "{e:?}");
-    assert!((e.internal_j + e.gas_work_j).abs() < 1e-6 * e.work_j, "{e:?}");
+    assert!(
+        (e.static_work_j - e.load_j - e.kinetic_j).abs() < 1e-6 * e.work_j,
+        "{e:?}"
+    );
+    assert!(
+        (e.internal_j + e.gas_work_j).abs() < 1e-6 * e.work_j,
+        "{e:?}"
+    );
 }
 
 #[test]
@@ -166,19 +272,36 @@ fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
     assert!(at.coordinate.abs() < 1e-10, "{}", at.coordinate);
     // τ' = r² (K1 + K2) at the pressures that the regulators hold.
     let w = &mut mckibben::model::Workspace::new();
-    let k = model.response(w, 0.3, 0.1).unwrap().stiffness_n_per_mm.unwrap();
+    let k = model
+        .response(w, 0.3, 0.1)
+        .unwrap()
+        .stiffness_n_per_mm
+        .unwrap();
     let (f, _) = Linear::new(&both(0.3, 0.3)).unwrap().oscillation().unwrap();
-    close(f, (400.0 * 2.0 * k / 20.0).sqrt() / std::f64::consts::TAU, 1e-6);
-    assert!(equilibrium(&both(0.3, 0.15), &[0.3, 0.15]).unwrap().coordinate > 0.1);
+    close(
+        f,
+        (400.0 * 2.0 * k / 20.0).sqrt() / std::f64::consts::TAU,
+        1e-6,
+    );
+    assert!(
+        equilibrium(&both(0.3, 0.15), &[0.3, 0.15])
+            .unwrap()
+            .coordinate
+            > 0.1
+    );
 }
 
 #[test]
 fn closed_form_relaxation_of_the_rubber() {
-    // Held, its pressure goes up by a step: the pull is above the static one by g F_w e^(−t/τ) in the end.
+    // Held, its pressure goes up by a step: the pull is above the static one by g F_w e^(−t/τ) in
+    // the end.
     let model = ThickWall::new(&note_muscle());
     let held = SingleMuscle::held(&model);
     let mut muscle = Actuated::new(&model, regulator(0.001));
-    muscle.rubber = Prony(vec![Branch { share: 0.3, time_constant_s: 0.2 }]);
+    muscle.rubber = Prony(vec![Branch {
+        share: 0.3,
+        time_constant_s: 0.2,
+    }]);
     let mut drive = Drive::new(&held, vec![muscle], steps(&[(0.0, 0.1), (0.1, 0.3)]), 1.0);
     drive.initial_coordinate = Some(22.0);
     drive.tolerance = 1e-9;
@@ -186,15 +309,28 @@ fn closed_form_relaxation_of_the_rubber() {
     let w = &mut mckibben::model::Workspace::new();
     let still = model.force_n(w, 0.3, 0.1).unwrap();
     let excess = |t: f64| {
-        let i = motion.series.time_s.iter().position(|x| *x >= t - 1e-12).unwrap();
+        let i = motion
+            .series
+            .time_s
+            .iter()
+            .position(|x| *x >= t - 1e-12)
+            .unwrap();
         motion.series.muscles[0].force_n[i] - still
     };
     close(excess(0.6) / excess(0.4), (-1.0_f64).exp(), 1e-5);
     let ideal = Ideal::new(&note_muscle());
-    let wall =
-        |p: f64| model.force_n(&mut mckibben::model::Workspace::new(), p, 0.1).unwrap() - ideal.pull(p, 0.1);
+    let wall = |p: f64| {
+        model
+            .force_n(&mut mckibben::model::Workspace::new(), p, 0.1)
+            .unwrap()
+            - ideal.pull(p, 0.1)
+    };
     // The regulator's lag of 1 ms adds τ_r/τ to the start: e^(−0.3/0.2)/(1 − 0.001/0.2).
-    close(excess(0.4), 0.3 * (wall(0.3) - wall(0.1)) * (-1.5_f64).exp() / (1.0 - 0.005), 2e-2);
+    close(
+        excess(0.4),
+        0.3 * (wall(0.3) - wall(0.1)) * (-1.5_f64).exp() / (1.0 - 0.005),
+        2e-2,
+    );
 }
 
 #[test]
@@ -205,19 +341,37 @@ fn a_muscle_lifts_a_mass_from_its_stop() {
     let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 1.0);
     let motion = ran(&drive);
     // It leaves the stop where the pull is the weight.
-    let lifted = motion.events.iter().find(|e| e.kind == EventKind::Lifted).unwrap();
-    let until = Drive { until_s: lifted.time_s + 1e-9, ..drive.clone() };
+    let lifted = motion
+        .events
+        .iter()
+        .find(|e| e.kind == EventKind::Lifted)
+        .unwrap();
+    let until = Drive {
+        until_s: lifted.time_s + 1e-9,
+        ..drive.clone()
+    };
     close(last(&ran(&until).series.muscles[0].force_n), 98.0665, 1e-6);
     // And comes to rest where it is in equilibrium.
-    close(last(&motion.series.coordinate), equilibrium(&drive, &[0.3]).unwrap().coordinate, 1e-5);
+    close(
+        last(&motion.series.coordinate),
+        equilibrium(&drive, &[0.3]).unwrap().coordinate,
+        1e-5,
+    );
     assert!(motion.rise_time_s.is_some() && motion.settling_time_s > motion.rise_time_s);
 }
 
 #[test]
 fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_contractions() {
     use mckibben::joint::{Joint, JointMuscle, JointSpring, Link, Path};
-    let path = Path::Points { origin_mm: [-20.0, 250.0], insertion_mm: [30.0, 12.0] };
-    let muscle = JointMuscle { muscle: note_muscle(), path, contraction_at_neutral: 0.05 };
+    let path = Path::Points {
+        origin_mm: [-20.0, 250.0],
+        insertion_mm: [30.0, 12.0],
+    };
+    let muscle = JointMuscle {
+        muscle: note_muscle(),
+        path,
+        contraction_at_neutral: 0.05,
+    };
     let link = Link {
         mass_kg: 1.2,
         centre_mm: 150.0,
@@ -226,41 +380,74 @@ fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_co
         payload_at_mm: 300.0,
         ..Link::default()
     };
-    let rope =
-        JointSpring::Rope { path: Path::Pulley { radius_mm: -25.0 }, rate_n_per_mm: 2.0, preload_n: 40.0 };
-    let torsion = JointSpring::Torsion { rate_nm_per_rad: 3.0, preload_nm: 1.0 };
+    let rope = JointSpring::Rope {
+        path: Path::Pulley { radius_mm: -25.0 },
+        rate_n_per_mm: 2.0,
+        preload_n: 40.0,
+    };
+    let torsion = JointSpring::Torsion {
+        rate_nm_per_rad: 3.0,
+        preload_nm: 1.0,
+    };
     for spring in [None, Some(rope), Some(torsion)] {
         let joint = Joint::new(vec![muscle.clone()], spring, link, (-60.0, 60.0)).unwrap();
         let (joint, h) = (&joint as &dyn Mechanism, 1e-5);
         assert_eq!(joint.load_energy_mj(0.0), 0.0);
         for q in [-0.7, -0.1, 0.3, 0.9] {
             let slope = (joint.load_energy_mj(q + h) - joint.load_energy_mj(q - h)) / (2.0 * h);
-            assert!((slope - joint.load(q)).abs() < 1e-4, "{spring:?} {q}: {slope} {}", joint.load(q));
-            let arm = (joint.lever(0, q + h).contraction - joint.lever(0, q - h).contraction) / (2.0 * h);
+            assert!(
+                (slope - joint.load(q)).abs() < 1e-4,
+                "{spring:?} {q}: {slope} {}",
+                joint.load(q)
+            );
+            let arm =
+                (joint.lever(0, q + h).contraction - joint.lever(0, q - h).contraction) / (2.0 * h);
             assert!((arm - joint.lever(0, q).per_coordinate).abs() < 1e-8);
         }
     }
 }
 
-/// Of the 8.486 J that the trials read for `stored_j`, the atmosphere had done 0.101325 MPa × 40 mL = 4.053 J on the piston: 4.433 J were
-/// stored. Here by `fill`, which integrates P dV in another way.
+/// Of the 8.486 J that the trials read for `stored_j`, the atmosphere had done 0.101325 MPa × 40 mL
+/// = 4.053 J on the piston: 4.433 J were stored. Here by `fill`, which integrates P dV in another
+/// way.
 #[test]
 fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() {
     let model = ThickWall::new(&Muscle::prototype());
     let held = SingleMuscle::held(&model);
     let liquid = Liquid::named("water", 0.0).unwrap();
-    let fluid =
-        Fluid::Liquid(LiquidFill { liquid: liquid.clone(), temperature_k: 293.15, dead_volume_mm3: 0.0 });
-    let syringe = Actuator::Syringe(Syringe { volume_mm3: 40e3, time_constant_s: 0.05 });
+    let fluid = Fluid::Liquid(LiquidFill {
+        liquid: liquid.clone(),
+        temperature_k: 293.15,
+        dead_volume_mm3: 0.0,
+    });
+    let syringe = Actuator::Syringe(Syringe {
+        volume_mm3: 40e3,
+        time_constant_s: 0.05,
+    });
     let pushed = |until_s: f64| {
-        let muscle = Actuated { fluid: fluid.clone(), ..Actuated::new(&model, syringe) };
+        let muscle = Actuated {
+            fluid: fluid.clone(),
+            ..Actuated::new(&model, syringe)
+        };
         let command = Command::Steps(vec![(0.0, 0.0), (0.01, 40e3), (1.0, 10e3)]);
-        ran(&Drive::new(&held, vec![muscle], Target::Volume(vec![command]), until_s))
+        ran(&Drive::new(
+            &held,
+            vec![muscle],
+            Target::Volume(vec![command]),
+            until_s,
+        ))
     };
     let (full, drawn_back) = (pushed(1.0), pushed(2.0));
-    let filling =
-        Filling { liquid: &liquid, volume_mm3: 40e3, dead_volume_mm3: 0.0, load: None, held_at: Some(0.0) };
-    let filled = Evaluation::new(&model, &mut Workspace::new(), Options::default()).fill(&filling).unwrap();
+    let filling = Filling {
+        liquid: &liquid,
+        volume_mm3: 40e3,
+        dead_volume_mm3: 0.0,
+        load: None,
+        held_at: Some(0.0),
+    };
+    let filled = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+        .fill(&filling)
+        .unwrap();
     close(full.energies.stored_j, filled.muscle_energy_j, 1e-4);
     close(full.energies.exergy_j, filled.pump_work_j, 1e-4);
     // What returns to the syringe is no work of its.
@@ -268,5 +455,9 @@ fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() 
     let volume = &full.series.muscles[0].volume_mm3;
     // π/4 (24 mm)² 285 mm.
     close(volume[0], 128_931.0, 1e-5);
-    close(last(volume), filled.answer.response.volume_mm3.unwrap(), 1e-5);
+    close(
+        last(volume),
+        filled.answer.response.volume_mm3.unwrap(),
+        1e-5,
+    );
 }

@@ -11,7 +11,10 @@ struct Draw(u64);
 
 impl Draw {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as f64 / (1u64 << 31) as f64
     }
 
@@ -25,29 +28,54 @@ impl Draw {
         }
         let hysteresis_mpa = 0.002 + 0.01 * self.next();
         let kind = match (4.0 * self.next()) as u32 {
-            0 => ValveKind::OnOff { hysteresis_mpa, closed_centre: false },
-            1 => ValveKind::OnOff { hysteresis_mpa, closed_centre: true },
+            0 => ValveKind::OnOff {
+                hysteresis_mpa,
+                closed_centre: false,
+            },
+            1 => ValveKind::OnOff {
+                hysteresis_mpa,
+                closed_centre: true,
+            },
             2 => ValveKind::DEFAULT,
-            _ => ValveKind::Proportional { time_constant_s: 0.01, gain_per_mpa: 100.0 },
+            _ => ValveKind::Proportional {
+                time_constant_s: 0.01,
+                gain_per_mpa: 100.0,
+            },
         };
         let orifice = Orifice::new(self.power(-1.5, 0.5), 0.45 * self.next()).unwrap();
         let hose = Hose::new(2.0 + 4.0 * self.next(), 1.0 + 1000.0 * self.next()).unwrap();
         let hose = (self.next() < 0.5).then_some(hose);
-        Actuator::Valve(Valve { kind, hose, ..Valve::new(orifice) })
+        Actuator::Valve(Valve {
+            kind,
+            hose,
+            ..Valve::new(orifice)
+        })
     }
 
     fn target(&mut self, regulated: bool) -> Target {
-        let sine = |frequency_hz| Command::Sine { mean: 0.25, amplitude: 0.2, frequency_hz, phase_rad: 0.0 };
+        let sine = |frequency_hz| Command::Sine {
+            mean: 0.25,
+            amplitude: 0.2,
+            frequency_hz,
+            phase_rad: 0.0,
+        };
         match (4.0 * self.next()) as u32 {
-            0 => steps(&[(0.0, 0.0), (0.05, 0.1 + 0.4 * self.next()), (0.5, 0.3 * self.next())]),
+            0 => steps(&[
+                (0.0, 0.0),
+                (0.05, 0.1 + 0.4 * self.next()),
+                (0.5, 0.3 * self.next()),
+            ]),
             1 => Target::Pressure(vec![sine(1.0 + 5.0 * self.next())]),
             2 if !regulated => {
                 let opened = vec![(0.0, -1.0), (0.05, 1.0), (0.3, 0.0), (0.6, -1.0)];
                 Target::Opening(vec![Command::Steps(opened)])
             }
             _ => {
-                let output =
-                    if regulated { PidOutput::Pressure { bias_mpa: 0.0 } } else { PidOutput::Opening };
+                let output = if regulated {
+                    PidOutput::Pressure { bias_mpa: 0.0 }
+                } else {
+                    PidOutput::Opening
+                };
                 let pid = Pid {
                     proportional: if regulated { 1.0 } else { 10.0 },
                     integral_per_s: 3.0,
@@ -56,7 +84,10 @@ impl Draw {
                     tracking_s: 0.1,
                     output,
                 };
-                Target::Position { command: Command::Steps(vec![(0.0, 0.05), (0.1, 0.2 * self.next())]), pid }
+                Target::Position {
+                    command: Command::Steps(vec![(0.0, 0.05), (0.1, 0.2 * self.next())]),
+                    pid,
+                }
             }
         }
     }
@@ -72,7 +103,11 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
                 if draw.next() < 0.7 { 0.0 } else { -1e3 },
                 if draw.next() < 0.5 { 40.0 } else { 1e3 },
             ),
-            damping_n_s_per_m: if draw.next() < 0.3 { 0.0 } else { draw.power(1.0, 3.0) },
+            damping_n_s_per_m: if draw.next() < 0.3 {
+                0.0
+            } else {
+                draw.power(1.0, 3.0)
+            },
             ..SingleMuscle::new(&*model, sprung(draw.power(-1.0, 1.3), 3.0 * draw.next()))
         };
         let actuator = draw.actuator();
@@ -85,16 +120,29 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
             2 => Heat::Polytropic(1.2),
             _ => Heat::Isothermal,
         };
-        muscle.fluid = Fluid::Air(Air { heat, dead_volume_mm3, ..Air::default() });
+        muscle.fluid = Fluid::Air(Air {
+            heat,
+            dead_volume_mm3,
+            ..Air::default()
+        });
         let (coefficient, presliding_mm) = (40.0 * draw.next(), Some(0.05 + draw.next()));
         let lever_mm = if coefficient > 20.0 { 0.5 } else { 0.0 };
-        let level = Friction { presliding_mm, lever_mm, ..Friction::power_law(coefficient, 0.7) };
+        let level = Friction {
+            presliding_mm,
+            lever_mm,
+            ..Friction::power_law(coefficient, 0.7)
+        };
         muscle.friction = (draw.next() < 0.5).then_some(level);
         if draw.next() < 0.4 {
-            muscle.rubber =
-                Prony(vec![Branch { share: 0.4 * draw.next(), time_constant_s: draw.power(-2.0, 0.0) }]);
+            muscle.rubber = Prony(vec![Branch {
+                share: 0.4 * draw.next(),
+                time_constant_s: draw.power(-2.0, 0.0),
+            }]);
         }
-        let said = format!("{actuator:?} {target:?} {load:?} {:?} {:?}", muscle.fluid, muscle.friction);
+        let said = format!(
+            "{actuator:?} {target:?} {load:?} {:?} {:?}",
+            muscle.fluid, muscle.friction
+        );
         let motion = match run(&Drive::new(&load, vec![muscle], target, 1.0), &Silent) {
             Ok(motion) => motion,
             Err(MotionError::NeverLifted(_)) => continue,
@@ -107,9 +155,17 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         let used = e.load_j + e.kinetic_j + e.damper_j + e.impacts_j;
         assert!(motion.mass_defect < 1e-12, "{} {said}", motion.mass_defect);
         // At the default tolerance of 1e-6.
-        assert!(air.abs() < 1e-4 * scale && (pulled - used).abs() < 1e-4 * scale, "{e:?} {said}");
         assert!(
-            motion.series.coordinate.iter().chain(&motion.series.muscles[0].force_n).all(|v| v.is_finite())
+            air.abs() < 1e-4 * scale && (pulled - used).abs() < 1e-4 * scale,
+            "{e:?} {said}"
+        );
+        assert!(
+            motion
+                .series
+                .coordinate
+                .iter()
+                .chain(&motion.series.muscles[0].force_n)
+                .all(|v| v.is_finite())
         );
     }
 }

@@ -11,18 +11,35 @@ const STEP_S: f64 = 0.05;
 const COMMANDS: [f64; 8] = [0.0, 0.1, 0.2, 0.2, 0.0, 0.0, 0.0, 0.15];
 
 fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuator) -> Drive<'a> {
-    let points: Vec<(f64, f64)> = COMMANDS.iter().enumerate().map(|(i, p)| (STEP_S * i as f64, *p)).collect();
+    let points: Vec<(f64, f64)> = COMMANDS
+        .iter()
+        .enumerate()
+        .map(|(i, p)| (STEP_S * i as f64, *p))
+        .collect();
     let until_s = STEP_S * COMMANDS.len() as f64;
     // Its memory is part of the state.
-    let muscle =
-        Actuated { friction: Some(Friction::power_law(20.0, 0.7)), ..Actuated::new(model, actuator) };
-    Drive { output_step_s: STEP_S, ..Drive::new(load, vec![muscle], steps(&points), until_s) }
+    let muscle = Actuated {
+        friction: Some(Friction::power_law(20.0, 0.7)),
+        ..Actuated::new(model, actuator)
+    };
+    Drive {
+        output_step_s: STEP_S,
+        ..Drive::new(load, vec![muscle], steps(&points), until_s)
+    }
 }
 
 fn stepped(simulation: &mut Simulation, drive: &Drive<'_>, commands: &[f64]) {
     for command in commands {
         let target = drive.target.constant(&[*command]).unwrap();
-        simulation.step(&Drive { target, ..drive.clone() }, &Silent).unwrap();
+        simulation
+            .step(
+                &Drive {
+                    target,
+                    ..drive.clone()
+                },
+                &Silent,
+            )
+            .unwrap();
     }
 }
 
@@ -37,25 +54,56 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
         let mut copy = simulation.duplicate();
         stepped(&mut simulation, &drive, &COMMANDS[4..]);
         assert_eq!(simulation.motion().series, motion.series);
-        let events = |m: &Motion| m.events.iter().map(|e| (e.time_s, e.kind)).collect::<Vec<_>>();
+        let events = |m: &Motion| {
+            m.events
+                .iter()
+                .map(|e| (e.time_s, e.kind))
+                .collect::<Vec<_>>()
+        };
         assert_eq!(events(simulation.motion()), events(&motion));
         stepped(&mut copy, &drive, &COMMANDS[4..]);
         let rows = (0..).map_while(|i| copy.motion().series.row(i));
         assert!(rows.eq((4..).map_while(|i| motion.series.row(i))));
-        assert!(motion.events.iter().any(|e| e.kind == EventKind::Lifted), "{:?}", motion.events);
+        assert!(
+            motion.events.iter().any(|e| e.kind == EventKind::Lifted),
+            "{:?}",
+            motion.events
+        );
     }
 }
 
 #[test]
 fn a_step_that_fails_leaves_all_as_it_was() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
-    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let load = SingleMuscle {
+        stops_mm: (0.0, 90.0),
+        ..SingleMuscle::hanging(&*model, 5.0)
+    };
     let drive = drive(&load, &*model, regulator(0.01));
     let mut simulation = Simulation::new(&drive, &Silent).unwrap();
     stepped(&mut simulation, &drive, &COMMANDS[..3]);
-    let before = (simulation.motion().series.clone(), simulation.time_s(&drive));
-    assert!(simulation.step(&Drive { outside_force: f64::NAN, ..drive.clone() }, &Silent).is_err());
-    assert_eq!((simulation.motion().series.clone(), simulation.time_s(&drive)), before);
+    let before = (
+        simulation.motion().series.clone(),
+        simulation.time_s(&drive),
+    );
+    assert!(
+        simulation
+            .step(
+                &Drive {
+                    outside_force: f64::NAN,
+                    ..drive.clone()
+                },
+                &Silent
+            )
+            .is_err()
+    );
+    assert_eq!(
+        (
+            simulation.motion().series.clone(),
+            simulation.time_s(&drive)
+        ),
+        before
+    );
     stepped(&mut simulation, &drive, &COMMANDS[3..]);
     assert_eq!(simulation.motion().series, ran(&drive).series);
 }

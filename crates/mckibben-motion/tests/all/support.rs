@@ -12,7 +12,11 @@ pub fn ran(drive: &Drive<'_>) -> Motion {
 }
 
 pub fn close(a: f64, b: f64, relative: f64) {
-    assert!((a / b - 1.0).abs() <= relative, "{a} against {b}: {:.3e}", a / b - 1.0);
+    assert!(
+        (a / b - 1.0).abs() <= relative,
+        "{a} against {b}: {:.3e}",
+        a / b - 1.0
+    );
 }
 
 /// The last value of a list.
@@ -24,10 +28,17 @@ pub fn last(list: &[f64]) -> f64 {
 pub fn note_muscle() -> Muscle {
     use mckibben::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
     use mckibben::rubber::{Law, MooneyRivlin};
-    let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.0 }));
+    let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
+        c10_mpa: 0.1,
+        c01_mpa: 0.0,
+    }));
     let tube = Tube::new(20.0, 1.5, 220.0, rubber);
     let stiffness = BraidStiffness::NewtonPerMm(900.0);
-    let braid = Braid { angle_deg: 24.0, stiffness, ..Braid::paper() };
+    let braid = Braid {
+        angle_deg: 24.0,
+        stiffness,
+        ..Braid::paper()
+    };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
@@ -38,7 +49,11 @@ pub fn elbow(damping_nm_s_per_rad: f64) -> Joint {
         path: Path::Pulley { radius_mm },
         contraction_at_neutral: 0.1,
     };
-    let link = Link { inertia_kg_m2: Some(0.02), damping_nm_s_per_rad, ..Link::default() };
+    let link = Link {
+        inertia_kg_m2: Some(0.02),
+        damping_nm_s_per_rad,
+        ..Link::default()
+    };
     Joint::new(vec![muscle(20.0), muscle(-20.0)], None, link, (-60.0, 60.0)).unwrap()
 }
 
@@ -49,12 +64,25 @@ pub fn damped(
     damping_n_s_per_m: f64,
     stops_mm: (f64, f64),
 ) -> SingleMuscle {
-    SingleMuscle { stops_mm, damping_n_s_per_m, ..SingleMuscle::hanging(model, mass_kg) }
+    SingleMuscle {
+        stops_mm,
+        damping_n_s_per_m,
+        ..SingleMuscle::hanging(model, mass_kg)
+    }
 }
 
 /// A hanging mass with a spring.
 pub fn sprung(mass_kg: f64, rate_n_per_mm: f64) -> Load {
-    Load::Sum(vec![Load::Mass { mass_kg, level: false }, Load::Spring { rate_n_per_mm, preload_n: 0.0 }])
+    Load::Sum(vec![
+        Load::Mass {
+            mass_kg,
+            level: false,
+        },
+        Load::Spring {
+            rate_n_per_mm,
+            preload_n: 0.0,
+        },
+    ])
 }
 
 /// A proportional valve of 0.5 L/(s bar).

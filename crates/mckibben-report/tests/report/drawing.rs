@@ -12,16 +12,25 @@ fn parse(svg: &str) -> usvg::Tree {
     usvg::Tree::from_str(&outlined, &usvg::Options::default()).unwrap()
 }
 
-/// Words, box of their outlines, and whether they are upright; without the white outlines below others.
+/// Words, box of their outlines, and whether they are upright; without the white outlines below
+/// others.
 fn texts(svg: &str) -> Vec<(String, usvg::Rect, bool)> {
     let (tree, document) = (parse(svg), Document::parse(svg).unwrap());
-    let all = document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
-    let shown = all.enumerate().filter(|(_, text)| text.attribute("fill") != Some("#ffffff"));
+    let all = document
+        .descendants()
+        .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
+    let shown = all
+        .enumerate()
+        .filter(|(_, text)| text.attribute("fill") != Some("#ffffff"));
     let boxed = shown.filter_map(|(i, text)| {
         let words = text.text().unwrap_or_default().to_owned();
         let upright = text.attribute("transform").is_none();
         // Blanks alone have no outline.
-        Some((words, tree.node_by_id(&format!("text-{i}"))?.abs_bounding_box(), upright))
+        Some((
+            words,
+            tree.node_by_id(&format!("text-{i}"))?.abs_bounding_box(),
+            upright,
+        ))
     });
     boxed.collect()
 }
@@ -38,7 +47,8 @@ fn check_texts(name: &str, figure: &Figure) {
     let (tree, labels) = (parse(&svg), texts(&svg));
     let (w, h) = (tree.size().width(), tree.size().height());
     for (words, b, _) in &labels {
-        let within = b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
+        let within =
+            b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
         assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
     }
     // boxes of turned texts are larger than the texts, so only upright ones can be told
@@ -63,8 +73,13 @@ fn no_text_is_cut_off_and_none_covers_another() {
 #[test]
 fn texts_of_neighbouring_marks_stay_apart() {
     let mut figure = one(vec![Series::line("a line", vec![(0.0, 0.0), (1.0, 1.0)])]);
-    for (i, at) in [0.0, 0.02, 0.03, 0.5, 0.51, 0.52, 0.97, 0.98, 1.0].into_iter().enumerate() {
-        figure.panels[0].marks.push(Mark::new(at, at, format!("operating point {i}")));
+    for (i, at) in [0.0, 0.02, 0.03, 0.5, 0.51, 0.52, 0.97, 0.98, 1.0]
+        .into_iter()
+        .enumerate()
+    {
+        figure.panels[0]
+            .marks
+            .push(Mark::new(at, at, format!("operating point {i}")));
     }
     check_texts("marks", &figure);
 }
@@ -135,7 +150,10 @@ fn a_gap_breaks_the_line_and_reaches_no_text() {
     ];
     let svg = one(vec![Series::line("", points)]).to_svg().unwrap();
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
-    let line = svg.lines().find(|l| l.contains("#0072b2") && l.starts_with("<path")).unwrap();
+    let line = svg
+        .lines()
+        .find(|l| l.contains("#0072b2") && l.starts_with("<path"))
+        .unwrap();
     // two pieces of line; the point between the gaps is alone
     assert_eq!(line.matches('M').count(), 2, "{line}");
     assert_eq!(svg.matches("<circle").count(), 1);
@@ -148,10 +166,18 @@ fn lines_end_at_the_border_of_the_plot() {
     figure.panels[0].y.range = Some((0.0, 1.0));
     let svg = figure.to_svg().unwrap();
     let line = svg.lines().find(|l| l.contains("#0072b2")).unwrap();
-    let numbers: Vec<f64> =
-        line.split('"').nth(1).unwrap().split(['M', 'L', ' ']).filter_map(|n| n.parse().ok()).collect();
+    let numbers: Vec<f64> = line
+        .split('"')
+        .nth(1)
+        .unwrap()
+        .split(['M', 'L', ' '])
+        .filter_map(|n| n.parse().ok())
+        .collect();
     assert_eq!(numbers.len(), 4);
-    assert!(numbers.iter().all(|n| (0.0..=640.0).contains(n)), "{numbers:?}");
+    assert!(
+        numbers.iter().all(|n| (0.0..=640.0).contains(n)),
+        "{numbers:?}"
+    );
 }
 
 #[test]
@@ -168,27 +194,48 @@ fn odd_data_give_a_figure() {
     ];
     for points in cases {
         for style in [Style::Auto, Style::Points] {
-            let series = Series::new("s", points.clone()).style(style).end_label("end");
+            let series = Series::new("s", points.clone())
+                .style(style)
+                .end_label("end");
             let svg = one(vec![series]).to_svg().unwrap();
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{points:?}");
             parse(&svg);
         }
     }
-    assert!(one(vec![]).to_svg().unwrap().contains("no data in this range"));
+    assert!(
+        one(vec![])
+            .to_svg()
+            .unwrap()
+            .contains("no data in this range")
+    );
 }
 
 #[test]
 fn impossible_figures_are_refused_with_the_reason() {
     let refused = |figure: &Figure, words: &str| {
-        assert!(figure.to_svg().is_err_and(|error| error.to_string().contains(words)), "{words}");
+        assert!(
+            figure
+                .to_svg()
+                .is_err_and(|error| error.to_string().contains(words)),
+            "{words}"
+        );
     };
     refused(&Figure::new("t"), "the figure \"t\" has no panel");
-    for (low, high) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::INFINITY), (-1.7e308, 1.7e308)] {
+    for (low, high) in [
+        (1.0, 1.0),
+        (2.0, 1.0),
+        (f64::NAN, 1.0),
+        (0.0, f64::INFINITY),
+        (-1.7e308, 1.7e308),
+    ] {
         let mut figure = one(vec![]);
         figure.panels[0].y.range = Some((low, high));
         refused(&figure, "axis \"y [N]\": ");
     }
-    refused(&one(vec![Series::new("", vec![(0.0, -1.7e308), (1.0, 1.7e308)])]), "is not a range");
+    refused(
+        &one(vec![Series::new("", vec![(0.0, -1.7e308), (1.0, 1.7e308)])]),
+        "is not a range",
+    );
     for (w, h) in [(0.0, 100.0), (f64::NAN, 100.0), (160.0, 1e6)] {
         refused(&one(vec![]).size_mm(w, h), "(20 to 2000 mm a side)");
     }
@@ -197,14 +244,27 @@ fn impossible_figures_are_refused_with_the_reason() {
 
 #[test]
 fn long_series_are_thinned_but_keep_their_peaks() {
-    let mut points: Vec<(f64, f64)> =
-        (0..100_000).map(|i| (f64::from(i), (f64::from(i) * 0.37).sin())).collect();
+    let mut points: Vec<(f64, f64)> = (0..100_000)
+        .map(|i| (f64::from(i), (f64::from(i) * 0.37).sin()))
+        .collect();
     points[54_321].1 = 10.0;
-    let svg = one(vec![Series::line("", points.clone()), Series::scatter("", points)]).to_svg().unwrap();
+    let svg = one(vec![
+        Series::line("", points.clone()),
+        Series::scatter("", points),
+    ])
+    .to_svg()
+    .unwrap();
     assert!(svg.len() < 1_500_000, "{}", svg.len());
     let line = svg.lines().find(|l| l.contains("#0072b2")).unwrap();
-    let ys = line.split('"').nth(1).unwrap().split(['M', 'L']).filter_map(|p| p.split(' ').nth(1));
-    let highest = ys.filter_map(|y| y.parse::<f64>().ok()).fold(f64::INFINITY, f64::min);
+    let ys = line
+        .split('"')
+        .nth(1)
+        .unwrap()
+        .split(['M', 'L'])
+        .filter_map(|p| p.split(' ').nth(1));
+    let highest = ys
+        .filter_map(|y| y.parse::<f64>().ok())
+        .fold(f64::INFINITY, f64::min);
     assert!(highest < 60.0, "the peak is lost: {highest}");
 }
 
@@ -227,26 +287,36 @@ fn series_of_one_name_and_look_share_an_entry() {
 
 #[test]
 fn many_and_long_entries_stay_on_the_paper() {
-    let long = "a very long name that goes on and on, as names of models with all their options do, and on";
+    let long = "a very long name that goes on and on, as names of models with all their options \
+        do, and on";
     for count in [1, 9, 40] {
         let series = (0..count).map(|i| {
-            Series::new(format!("{i} {long} {long}"), vec![(0.0, 0.0), (0.5, f64::from(i)), (1.0, 1.0)])
+            Series::new(
+                format!("{i} {long} {long}"),
+                vec![(0.0, 0.0), (0.5, f64::from(i)), (1.0, 1.0)],
+            )
         });
         let svg = one(series.collect()).to_svg().unwrap();
         let (tree, labels) = (parse(&svg), texts(&svg));
-        assert!(!labels.is_empty() && labels.iter().all(|t| t.1.right() <= tree.size().width()), "{count}");
+        assert!(
+            !labels.is_empty() && labels.iter().all(|t| t.1.right() <= tree.size().width()),
+            "{count}"
+        );
     }
 }
 
 #[test]
 fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
     let start = std::time::Instant::now();
-    let line =
-        |i: u32| Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"));
+    let line = |i: u32| {
+        Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"))
+    };
     let mut figure = one((0..200).map(line).collect());
     for i in 0..1000 {
         let (x, y) = (f64::from(i % 37) / 37.0, f64::from(i % 91) * 2.0);
-        figure.panels[0].marks.push(Mark::new(x, y, format!("mark {i}")));
+        figure.panels[0]
+            .marks
+            .push(Mark::new(x, y, format!("mark {i}")));
     }
     parse(&figure.to_svg().unwrap());
     assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
@@ -268,20 +338,30 @@ proptest! {
     }
 }
 
-/// A band is a pale area below the lines, cut at the edges of the plot; it has no entry in the legend.
+/// A band is a pale area below the lines, cut at the edges of the plot; it has no entry in the
+/// legend.
 #[test]
 fn a_band_is_drawn_below_its_line() {
     let edges = [(0.0, 1.0, 3.0), (1.0, 2.0, 4.0), (2.0, 1.0, 30.0)];
     let line = Series::line("a line", vec![(0.0, 2.0), (1.0, 3.0), (2.0, 4.0)]).colour(0);
     let panel = Panel::new(Axis::new("x"), Axis::new("y").range(0.0, 5.0));
-    let with = panel.clone().series(line.clone()).series(Series::band(&edges).colour(0));
+    let with = panel
+        .clone()
+        .series(line.clone())
+        .series(Series::band(&edges).colour(0));
     let svg = Figure::new("f").panel(with).to_svg().unwrap();
-    let area = svg.lines().find(|l| l.contains("fill-opacity=\"0.14\"")).unwrap();
+    let area = svg
+        .lines()
+        .find(|l| l.contains("fill-opacity=\"0.14\""))
+        .unwrap();
     let spots = area.matches(['M', 'L']).count();
     // Six corners, one of which lies above the plot: two cuts in its place.
     assert_eq!(spots, 7, "{area}");
     let place = |what: &str| svg.find(what).unwrap();
     assert!(place("fill-opacity=\"0.14\"") < place("stroke-width=\"1.7\""));
     let without = Figure::new("f").panel(panel.series(line)).to_svg().unwrap();
-    assert_eq!(svg.matches("a line").count(), without.matches("a line").count());
+    assert_eq!(
+        svg.matches("a line").count(),
+        without.matches("a line").count()
+    );
 }

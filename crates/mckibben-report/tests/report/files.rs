@@ -14,7 +14,10 @@ fn the_ending_names_the_format() {
         ("a.pdf", b"%PDF-1."),
         ("a.html", b"<!DOCTYPE html>"),
     ] {
-        assert!(figure.bytes(Path::new(name)).unwrap().starts_with(start), "{name}");
+        assert!(
+            figure.bytes(Path::new(name)).unwrap().starts_with(start),
+            "{name}"
+        );
     }
 }
 
@@ -22,9 +25,15 @@ fn the_ending_names_the_format() {
 fn unknown_endings_are_named() {
     for name in ["a.docx", "a", ".svg"] {
         let error = figures::models().bytes(Path::new(name)).unwrap_err();
-        assert!(matches!(error, FigureError::UnknownExtension { .. }), "{error}");
+        assert!(
+            matches!(error, FigureError::UnknownExtension { .. }),
+            "{error}"
+        );
         let text = error.to_string();
-        assert!(text.contains(".svg") && text.contains(".png") && text.contains(".html"), "{text}");
+        assert!(
+            text.contains(".svg") && text.contains(".png") && text.contains(".html"),
+            "{text}"
+        );
     }
 }
 
@@ -52,10 +61,9 @@ fn texts_cannot_break_out_of_the_page() {
 
 #[test]
 fn the_table_holds_the_data_in_plain_numbers() {
-    let figure = Figure::new("t").panel(
-        Panel::new(Axis::new("x"), Axis::new("y"))
-            .series(Series::new("s", vec![(0.1 + 0.2, -2.0), (f64::NAN, 1.0), (1e-7, 5.0)])),
-    );
+    let figure = Figure::new("t").panel(Panel::new(Axis::new("x"), Axis::new("y")).series(
+        Series::new("s", vec![(0.1 + 0.2, -2.0), (f64::NAN, 1.0), (1e-7, 5.0)]),
+    ));
     let html = figure.to_html().unwrap();
     assert!(html.contains("<td>0.3</td><td>-2</td>"));
     assert!(html.contains("<td>1e-7</td><td>5</td>"));
@@ -66,7 +74,11 @@ fn the_table_holds_the_data_in_plain_numbers() {
 fn a_figure_comes_back_from_its_data() {
     for (name, figure) in figures::all() {
         let json = serde_json::to_string(&figure).unwrap();
-        assert_eq!(serde_json::from_str::<Figure>(&json).unwrap(), figure, "{name}");
+        assert_eq!(
+            serde_json::from_str::<Figure>(&json).unwrap(),
+            figure,
+            "{name}"
+        );
     }
 }
 
@@ -77,7 +89,12 @@ fn gaps_are_null_in_the_data_and_few_keys_make_a_figure() {
     assert_eq!(json["points"], serde_json::json!([[0.0, 1.0], [1.0, null]]));
     let back: Series = serde_json::from_value(json).unwrap();
     assert!(back.points[1].1.is_nan());
-    let few =
-        r#"{"panels": [{"x": {"label": "x [mm]"}, "series": [{"points": [[0, 1]], "style": "dash-dot"}]}]}"#;
-    assert!(serde_json::from_str::<Figure>(few).unwrap().to_svg().unwrap().contains("x [mm]"));
+    let few = r#"{"panels": [{"x": {"label": "x [mm]"}, "series": [{"points": [[0, 1]], "style": "dash-dot"}]}]}"#;
+    assert!(
+        serde_json::from_str::<Figure>(few)
+            .unwrap()
+            .to_svg()
+            .unwrap()
+            .contains("x [mm]")
+    );
 }

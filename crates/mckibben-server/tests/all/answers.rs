@@ -12,7 +12,10 @@ async fn the_page_is_that_of_a_server() {
     for path in mckibben_web::paths().filter(|path| path != mckibben_web::KIND) {
         let answer = client.get(&format!("/{path}")).await;
         assert_eq!(answer.status, 200, "{path}");
-        assert!(answer.bytes == *mckibben_web::file(&path).unwrap(), "{path}");
+        assert!(
+            answer.bytes == *mckibben_web::file(&path).unwrap(),
+            "{path}"
+        );
     }
     assert!(client.get("/").await.bytes == *mckibben_web::file("index.html").unwrap());
     let kind = client.get(&format!("/{}", mckibben_web::KIND)).await;
@@ -32,13 +35,19 @@ async fn the_page_is_that_of_a_server() {
 async fn what_a_browser_has_is_not_sent_again_and_the_rest_is_compressed() {
     let client = Client::usual();
     let tag = client.get("/").await.header("etag").to_owned();
-    let known = Request::get("/").header("host", "localhost").header("if-none-match", tag);
+    let known = Request::get("/")
+        .header("host", "localhost")
+        .header("if-none-match", tag);
     let again = client.send(known, Body::empty()).await;
     assert!(again.status == 304 && again.bytes.is_empty(), "{again:?}");
-    let script = Request::get("/js/plot.js").header("host", "localhost").header("accept-encoding", "gzip");
+    let script = Request::get("/js/plot.js")
+        .header("host", "localhost")
+        .header("accept-encoding", "gzip");
     let script = client.send(script, Body::empty()).await;
     assert_eq!(script.header("content-encoding"), "gzip");
-    assert!(script.bytes.len() < mckibben_web::file("js/plot.js").map_or(0, |file| 2 * file.len() / 3));
+    assert!(
+        script.bytes.len() < mckibben_web::file("js/plot.js").map_or(0, |file| 2 * file.len() / 3)
+    );
 }
 
 #[tokio::test]
@@ -64,17 +73,31 @@ async fn answers_are_those_of_the_application_layer_byte_for_byte() {
     let client = Client::usual();
     for (name, request) in [
         ("force", r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#),
-        ("contraction", r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#),
-        ("curve", r#"{"test": "isobaric", "model": "ideal", "figure": "bar"}"#),
+        (
+            "contraction",
+            r#"{"force_n": 100, "pressure_mpa": 0.2, "model": "thick-wall"}"#,
+        ),
+        (
+            "curve",
+            r#"{"test": "isobaric", "model": "ideal", "figure": "bar"}"#,
+        ),
         ("compare", r#"{"models": ["ideal", "paper"]}"#),
         ("units", "{}"),
     ] {
         let answer = client.post(name, request).await;
         assert_eq!(answer.header("content-type"), "application/json");
-        assert!(answer.bytes == ask(name, request, &Silent).unwrap(), "{name}");
+        assert!(
+            answer.bytes == ask(name, request, &Silent).unwrap(),
+            "{name}"
+        );
     }
     let request = r#"{"pressure_mpa": 0.2, "contraction": 0.1}"#;
-    let packed = client.send(posted("shape").header("accept", "application/octet-stream"), request).await;
+    let packed = client
+        .send(
+            posted("shape").header("accept", "application/octet-stream"),
+            request,
+        )
+        .await;
     assert!(packed.bytes == ask_packed("shape", request, &Silent).unwrap());
 }
 
@@ -83,9 +106,19 @@ async fn problems_have_their_status_and_their_words() {
     let client = Client::usual();
     let deep = "[".repeat(100_000);
     for (name, request, status, kind) in [
-        ("force", r#"{"outer_diameter_mm": -1, "pressure_mpa": 0.2}"#, 422, "muscle"),
+        (
+            "force",
+            r#"{"outer_diameter_mm": -1, "pressure_mpa": 0.2}"#,
+            422,
+            "muscle",
+        ),
         ("force", "[]", 422, "usage"),
-        ("pressure", r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#, 422, "no_answer"),
+        (
+            "pressure",
+            r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#,
+            422,
+            "no_answer",
+        ),
         ("parts-show", r#"{"name": "chewing-gum"}"#, 422, "usage"),
         ("force", r#"{"pressure_mpa": NaN}"#, 400, "usage"),
         ("force", r#"{"pressure_mpa": 1e999}"#, 400, "usage"),
@@ -93,13 +126,26 @@ async fn problems_have_their_status_and_their_words() {
         ("force", &deep, 400, "usage"),
         ("no-such-command", "{}", 404, "usage"),
         // What touches the disk.
-        ("campaign", r#"{"plan": {"name": "plan", "text": ""}, "output": "x.parquet"}"#, 403, "usage"),
-        ("fit", r#"{"campaign": null, "campaign": "/etc/passwd"}"#, 403, "usage"),
+        (
+            "campaign",
+            r#"{"plan": {"name": "plan", "text": ""}, "output": "x.parquet"}"#,
+            403,
+            "usage",
+        ),
+        (
+            "fit",
+            r#"{"campaign": null, "campaign": "/etc/passwd"}"#,
+            403,
+            "usage",
+        ),
     ] {
         let problem = client.post(name, request.to_owned()).await.problem(status);
         assert_eq!(problem["kind"], kind, "{problem}");
     }
-    let unknown = client.post("force", r#"{"presure_mpa": 0.2}"#).await.problem(422);
+    let unknown = client
+        .post("force", r#"{"presure_mpa": 0.2}"#)
+        .await
+        .problem(422);
     assert_eq!(unknown["hint"], "did you mean `pressure_mpa`?");
 }
 
@@ -110,7 +156,10 @@ async fn status(headers: &[(&str, &str)]) -> u16 {
     }
     let answer = Client::usual().send(request, "{}").await;
     let policy = answer.header("content-security-policy");
-    assert!(policy.contains("default-src 'self'") && policy.contains("frame-ancestors 'none'"), "{policy}");
+    assert!(
+        policy.contains("default-src 'self'") && policy.contains("frame-ancestors 'none'"),
+        "{policy}"
+    );
     assert!(answer.headers.get("access-control-allow-origin").is_none());
     answer.status.as_u16()
 }
@@ -118,7 +167,13 @@ async fn status(headers: &[(&str, &str)]) -> u16 {
 #[tokio::test]
 async fn only_names_of_this_computer_its_page_and_json_are_answered() {
     let json = ("content-type", "application/json");
-    for host in ["localhost", "LOCALHOST:1", "127.0.0.1:8080", "[::1]", "[::1]:8080"] {
+    for host in [
+        "localhost",
+        "LOCALHOST:1",
+        "127.0.0.1:8080",
+        "[::1]",
+        "[::1]:8080",
+    ] {
         assert_eq!(status(&[("host", host), json]).await, 200, "{host}");
     }
     for host in [
@@ -134,11 +189,29 @@ async fn only_names_of_this_computer_its_page_and_json_are_answered() {
     }
     assert_eq!(status(&[json]).await, 403);
     let host = ("host", "localhost:8080");
-    assert_eq!(status(&[host, json, ("origin", "http://localhost:8080")]).await, 200);
-    for origin in ["http://localhost:8081", "http://127.0.0.1:8080", "http://evil.example", "null", ""] {
-        assert_eq!(status(&[host, json, ("origin", origin)]).await, 403, "{origin}");
+    assert_eq!(
+        status(&[host, json, ("origin", "http://localhost:8080")]).await,
+        200
+    );
+    for origin in [
+        "http://localhost:8081",
+        "http://127.0.0.1:8080",
+        "http://evil.example",
+        "null",
+        "",
+    ] {
+        assert_eq!(
+            status(&[host, json, ("origin", origin)]).await,
+            403,
+            "{origin}"
+        );
     }
-    for kind in ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""] {
+    for kind in [
+        "text/plain",
+        "application/x-www-form-urlencoded",
+        "multipart/form-data",
+        "",
+    ] {
         assert_eq!(status(&[host, ("content-type", kind)]).await, 415, "{kind}");
     }
     assert_eq!(status(&[host]).await, 415);

@@ -15,9 +15,13 @@ const LATE: Duration = Duration::from_millis(1500);
 
 /// Requests that take minutes.
 fn dear() -> [(&'static str, String); 3] {
-    let steps = |to: f64, n: i32| -> Vec<f64> { (1..=n).map(|i| to * f64::from(i) / f64::from(n)).collect() };
-    let points: Vec<_> =
-        steps(0.1, 19_000).iter().map(|e| json!({ "force_n": 300.0 - e, "contraction": e })).collect();
+    let steps = |to: f64, n: i32| -> Vec<f64> {
+        (1..=n).map(|i| to * f64::from(i) / f64::from(n)).collect()
+    };
+    let points: Vec<_> = steps(0.1, 19_000)
+        .iter()
+        .map(|e| json!({ "force_n": 300.0 - e, "contraction": e }))
+        .collect();
     [
         (
             "simulate",
@@ -34,11 +38,23 @@ fn dear() -> [(&'static str, String); 3] {
 
 #[tokio::test]
 async fn time_and_length_are_limited() {
-    let client = Client::new(Config { time: Duration::from_millis(300), ..Config::default() });
+    let client = Client::new(Config {
+        time: Duration::from_millis(300),
+        ..Config::default()
+    });
     let [(command, request), ..] = dear();
-    assert_eq!(client.post(command, request).await.problem(504)["kind"], "cancelled");
-    let client = Client::new(Config { body_bytes: 1000, ..Config::default() });
-    assert_eq!(client.post("force", " ".repeat(1001)).await.problem(413)["kind"], "usage");
+    assert_eq!(
+        client.post(command, request).await.problem(504)["kind"],
+        "cancelled"
+    );
+    let client = Client::new(Config {
+        body_bytes: 1000,
+        ..Config::default()
+    });
+    assert_eq!(
+        client.post("force", " ".repeat(1001)).await.problem(413)["kind"],
+        "usage"
+    );
 }
 
 /// A server on a socket.
@@ -55,7 +71,11 @@ impl Server {
         let stop = Arc::new(AtomicBool::new(false));
         let wish = Arc::clone(&stop);
         let stopped = move || wish.load(Ordering::Relaxed);
-        Self { address, stop, thread: std::thread::spawn(move || run(listener, config, stopped)) }
+        Self {
+            address,
+            stop,
+            thread: std::thread::spawn(move || run(listener, config, stopped)),
+        }
     }
 
     /// A connection with a request on it.
@@ -64,7 +84,8 @@ impl Server {
         let (host, length) = (self.address, body.len());
         write!(
             stream,
-            "POST /api/{command} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+            "POST /api/{command} HTTP/1.1\r\nHost: {host}\r\nContent-Type: \
+             application/json\r\nContent-Length: {length}\r\n\
              Connection: close\r\n\r\n{body}"
         )
         .unwrap();
@@ -88,7 +109,10 @@ impl Server {
 
 #[test]
 fn a_full_server_answers_503_and_the_work_of_a_caller_that_leaves_ends() {
-    let server = Server::new(Config { at_once: 1, ..Config::default() });
+    let server = Server::new(Config {
+        at_once: 1,
+        ..Config::default()
+    });
     for (command, request) in dear() {
         let leaving = server.sent(command, &request);
         // Whichever comes first has the only place.
@@ -108,6 +132,13 @@ fn the_server_ends_within_two_seconds_whatever_it_does() {
     let from = Instant::now();
     server.stop.store(true, Ordering::Relaxed);
     server.thread.join().unwrap().unwrap();
-    assert!(from.elapsed() < Duration::from_secs(2), "{:?}", from.elapsed());
-    assert!(TcpStream::connect(server.address).is_err(), "nobody listens any more");
+    assert!(
+        from.elapsed() < Duration::from_secs(2),
+        "{:?}",
+        from.elapsed()
+    );
+    assert!(
+        TcpStream::connect(server.address).is_err(),
+        "nobody listens any more"
+    );
 }

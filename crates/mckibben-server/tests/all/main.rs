@@ -28,7 +28,8 @@ impl Answer {
 
     fn problem(&self, status: u16) -> Value {
         assert_eq!(self.status, status, "{self:?}");
-        let mut said: Value = serde_json::from_slice(&self.bytes).unwrap_or_else(|e| panic!("{e}: {self:?}"));
+        let mut said: Value =
+            serde_json::from_slice(&self.bytes).unwrap_or_else(|e| panic!("{e}: {self:?}"));
         assert!(said["error"]["message"].is_string(), "{said}");
         said["error"].take()
     }
@@ -46,14 +47,27 @@ impl Client {
     }
 
     async fn send(&self, request: request::Builder, body: impl Into<Body>) -> Answer {
-        let response = self.0.clone().oneshot(request.body(body.into()).unwrap()).await.unwrap();
+        let response = self
+            .0
+            .clone()
+            .oneshot(request.body(body.into()).unwrap())
+            .await
+            .unwrap();
         let (parts, body) = response.into_parts();
         let bytes = to_bytes(body, usize::MAX).await.unwrap();
-        Answer { status: parts.status, headers: parts.headers, bytes }
+        Answer {
+            status: parts.status,
+            headers: parts.headers,
+            bytes,
+        }
     }
 
     async fn get(&self, path: &str) -> Answer {
-        self.send(Request::get(path).header(HOST, "localhost:8080"), Body::empty()).await
+        self.send(
+            Request::get(path).header(HOST, "localhost:8080"),
+            Body::empty(),
+        )
+        .await
     }
 
     async fn post(&self, command: &str, body: impl Into<Body>) -> Answer {

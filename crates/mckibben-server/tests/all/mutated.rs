@@ -1,5 +1,5 @@
-//! Files and requests as nobody means them: an answer or a reason, in good time, and never a fault of the program. `MCKIBBEN_TIMES`
-//! takes more.
+//! Files and requests as nobody means them: an answer or a reason, in good time, and never a fault
+//! of the program. `MCKIBBEN_TIMES` takes more.
 
 use crate::Client;
 use mckibben::random::Random;
@@ -31,27 +31,41 @@ fn below(random: &mut Random, n: usize) -> usize {
     (random.bits() % n.max(1) as u64) as usize
 }
 
-/// A text with one to four changes; every other one is in a digit, as numbers are what files are made of.
+/// A text with one to four changes; every other one is in a digit, as numbers are what files are
+/// made of.
 fn mutated(random: &mut Random, text: &str) -> String {
     let mut chars: Vec<char> = text.chars().collect();
     for _ in 0..=below(random, 4) {
         let at = below(random, chars.len());
-        let digit = (at..chars.len()).find(|i| chars[*i].is_ascii_digit()).filter(|_| below(random, 2) == 0);
+        let digit = (at..chars.len())
+            .find(|i| chars[*i].is_ascii_digit())
+            .filter(|_| below(random, 2) == 0);
         let (from, to) = digit.map_or((at, at + below(random, 12)), |digit| (digit, digit + 1));
-        let new = if below(random, 4) == 0 { "" } else { TOKENS[below(random, TOKENS.len())] };
-        chars.splice(from..to.min(chars.len()), new.chars()).for_each(drop);
+        let new = if below(random, 4) == 0 {
+            ""
+        } else {
+            TOKENS[below(random, TOKENS.len())]
+        };
+        chars
+            .splice(from..to.min(chars.len()), new.chars())
+            .for_each(drop);
     }
     chars.into_iter().collect()
 }
 
 fn example(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples")
+        .join(name);
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
 #[tokio::test]
 async fn mutated_requests_give_an_answer_or_a_reason() {
-    let client = Client::new(Config { time: Duration::from_secs(2), ..Config::default() });
+    let client = Client::new(Config {
+        time: Duration::from_secs(2),
+        ..Config::default()
+    });
     let file = |name: &str, text: String| json!({ "name": name, "text": text });
     type Kind<'a> = (&'a str, String, &'a dyn Fn(Value) -> Value);
     let kinds: [Kind<'_>; 5] = [
@@ -69,7 +83,11 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
             example("drive.toml"),
             &|f| json!({ "drive": f, "muscle": file("prototype.toml", example("prototype.toml")), "model": "ideal" }),
         ),
-        ("compare", example("bench.csv"), &|f| json!({ "models": ["ideal", "thick-wall"], "data": [f] })),
+        (
+            "compare",
+            example("bench.csv"),
+            &|f| json!({ "models": ["ideal", "thick-wall"], "data": [f] }),
+        ),
         (
             "identify",
             example("bench.csv"),
@@ -81,11 +99,17 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
     for i in 0..rounds {
         let (command, text, request) = &kinds[i % kinds.len()];
         let request = if i % 3 == 0 {
-            mutated(&mut random, &request(file("file", text.clone())).to_string())
+            mutated(
+                &mut random,
+                &request(file("file", text.clone())).to_string(),
+            )
         } else {
             request(file("file", mutated(&mut random, text))).to_string()
         };
         let answer = client.post(command, request.clone()).await;
-        assert!([200, 400, 422, 504].contains(&answer.status.as_u16()), "{command} {request}: {answer:?}");
+        assert!(
+            [200, 400, 422, 504].contains(&answer.status.as_u16()),
+            "{command} {request}: {answer:?}"
+        );
     }
 }

@@ -21,8 +21,9 @@ pub fn normal_litres(volume_mm3: f64) -> f64 {
 pub struct Air {
     /// Cavity at the working point in mm³.
     pub volume_mm3: f64,
-    /// Air to be supplied from the muscle at rest (cavity V0 at atmospheric pressure) to the working point, in normal
-    /// litres: ((P + Pa) V − Pa V0)/Pa · 273.15/293.15, isothermal, air as an ideal gas at 20 °C.
+    /// Air to be supplied from the muscle at rest (cavity V0 at atmospheric pressure) to the
+    /// working point, in normal litres: ((P + Pa) V − Pa V0)/Pa · 273.15/293.15, isothermal, air as
+    /// an ideal gas at 20 °C.
     pub normal_litres: f64,
 }
 
@@ -32,10 +33,16 @@ impl Evaluation<'_> {
     /// # Errors
     /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
     pub fn air_per_stroke(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Air> {
-        let (volume_mm3, rest) = (self.cavity_mm3(pressure_mpa, contraction)?, self.cavity_mm3(0.0, 0.0)?);
+        let (volume_mm3, rest) = (
+            self.cavity_mm3(pressure_mpa, contraction)?,
+            self.cavity_mm3(0.0, 0.0)?,
+        );
         let free_mm3 =
             ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
-        Ok(Air { volume_mm3, normal_litres: normal_litres(free_mm3) })
+        Ok(Air {
+            volume_mm3,
+            normal_litres: normal_litres(free_mm3),
+        })
     }
 
     /// The cavity at a pressure and contraction, in mm³.
@@ -44,8 +51,13 @@ impl Evaluation<'_> {
     /// As [`Evaluation::air_per_stroke`].
     pub fn cavity_mm3(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let model = self.model;
-        let unknown =
-            || AnalysisError::Unknown { model: model.info().name.to_string(), quantity: "the volume" };
-        model.response(self.workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)
+        let unknown = || AnalysisError::Unknown {
+            model: model.info().name.to_string(),
+            quantity: "the volume",
+        };
+        model
+            .response(self.workspace, pressure_mpa, contraction)?
+            .volume_mm3
+            .ok_or_else(unknown)
     }
 }

@@ -7,7 +7,8 @@ impl Evaluation<'_> {
     /// Free contraction: the ε at which a muscle at this pressure no longer pulls.
     ///
     /// # Errors
-    /// As [`Evaluation::contraction_at`]; a model whose range ends while it still pulls has no free contraction.
+    /// As [`Evaluation::contraction_at`]; a model whose range ends while it still pulls has no free
+    /// contraction.
     pub fn free_contraction(&mut self, pressure_mpa: f64) -> Result<f64> {
         let known = self.options.extrapolate || self.model.info().range.pressure_mpa.0 <= 0.0;
         if pressure_mpa == 0.0 && known && self.model.muscle().tube().prestretch == 1.0 {
@@ -16,14 +17,17 @@ impl Evaluation<'_> {
         self.contraction_at(0.0, pressure_mpa)
     }
 
-    /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where it pulls from the start.
+    /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where
+    /// it pulls from the start.
     ///
     /// # Errors
-    /// As [`Evaluation::pressure_at`]: no pressure in the model's range makes it pull at this contraction; also where it pulls already at the
-    /// lowest pressure of a range that does not begin at zero, since P′ lies below.
+    /// As [`Evaluation::pressure_at`]: no pressure in the model's range makes it pull at this
+    /// contraction; also where it pulls already at the lowest pressure of a range that does not
+    /// begin at zero, since P′ lies below.
     pub fn start_pressure_mpa(&mut self, contraction: f64) -> Result<f64> {
         let lowest = self.model.info().range.pressure_mpa.0;
-        // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
+        // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull
+        // either.
         let extends = self.model.muscle().is_extensile();
         let acts = |force: f64| if extends { force <= 0.0 } else { force >= 0.0 };
         if lowest <= 0.0 && self.force_n(lowest, contraction).is_ok_and(acts) {

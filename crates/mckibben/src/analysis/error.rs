@@ -28,7 +28,8 @@ pub enum AnalysisError {
         nearest_force_n: f64,
         /// The pressure it needs, in MPa.
         nearest_pressure_mpa: f64,
-        /// The contraction at which the braid stops (its angle reaches 54.7°), where that is why the muscle does not pull.
+        /// The contraction at which the braid stops (its angle reaches 54.7°), where that is why
+        /// the muscle does not pull.
         braid_stops_at: Option<f64>,
     },
     /// No contraction gives this pull at this pressure.
@@ -70,12 +71,16 @@ impl AnalysisError {
     /// Where the pull is nearest to the one that is sought, and that pull in N.
     pub(crate) fn nearest(&self) -> Option<(f64, f64)> {
         match *self {
-            Self::NoPressure { nearest_pressure_mpa, nearest_force_n, .. } => {
-                Some((nearest_pressure_mpa, nearest_force_n))
-            }
-            Self::NoContraction { nearest_contraction, nearest_force_n, .. } => {
-                Some((nearest_contraction, nearest_force_n))
-            }
+            Self::NoPressure {
+                nearest_pressure_mpa,
+                nearest_force_n,
+                ..
+            } => Some((nearest_pressure_mpa, nearest_force_n)),
+            Self::NoContraction {
+                nearest_contraction,
+                nearest_force_n,
+                ..
+            } => Some((nearest_contraction, nearest_force_n)),
             _ => None,
         }
     }
@@ -96,11 +101,13 @@ fn no_pressure(
     let problem = format!("no pressure gives {force}\u{a0}N at a contraction of {at}");
     match braid_stops_at {
         Some(end) => format!(
-            "{problem}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the pull is zero); reduce the contraction, or take a braid with a smaller angle",
+            "{problem}: this braid contracts by {:.1} % at most (its angle is 54.7° there, and the \
+             pull is zero); reduce the contraction, or take a braid with a smaller angle",
             100.0 * end
         ),
         None if nearest_n <= 0.0 && force_n > 0.0 => format!(
-            "{problem}: at that contraction the muscle is slack at every pressure that the {model} model accepts; reduce the contraction"
+            "{problem}: at that contraction the muscle is slack at every pressure that the {model} \
+             model accepts; reduce the contraction"
         ),
         None => format!(
             "{problem}: the nearest the {model} model reaches is {}\u{a0}N at {}\u{a0}MPa",
@@ -120,7 +127,10 @@ fn no_contraction(
     let (force, at) = (short(force_n, 4), short(pressure_mpa, 6));
     let problem = format!("no contraction gives {force}\u{a0}N at {at}\u{a0}MPa");
     let rest = match at_rest_n {
-        Some(f) if nearest < 0.0 => format!("at its length at rest it pulls {}\u{a0}N, and ", short(f, 1)),
+        Some(f) if nearest < 0.0 => format!(
+            "at its length at rest it pulls {}\u{a0}N, and ",
+            short(f, 1)
+        ),
         _ => String::new(),
     };
     format!(

@@ -1,7 +1,9 @@
 //! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
 use crate::cancel;
-use crate::model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm};
+use crate::model::{
+    ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm,
+};
 use crate::muscle::{Direction, Muscle};
 use serde::{Deserialize, Serialize};
 
@@ -22,23 +24,33 @@ pub struct Options {
 impl Options {
     /// The same for a muscle: one that extends pushes, and is not slack where it does.
     pub fn for_muscle(self, muscle: &Muscle) -> Self {
-        Self { two_sided: self.two_sided || muscle.is_extensile(), ..self }
+        Self {
+            two_sided: self.two_sided || muscle.is_extensile(),
+            ..self
+        }
     }
 
     /// Also outside of the model's range.
     pub fn extrapolating() -> Self {
-        Self { extrapolate: true, ..Self::default() }
+        Self {
+            extrapolate: true,
+            ..Self::default()
+        }
     }
 }
 
 impl From<Direction> for Options {
     fn from(direction: Direction) -> Self {
-        Self { direction, ..Self::default() }
+        Self {
+            direction,
+            ..Self::default()
+        }
     }
 }
 
-/// A model that is evaluated, with the memory in which it works, and how questions are answered. On a branch of the hysteresis loop the friction of
-/// the muscle's braid is part of each answer: F = F_model ± (C P^β + μw G).
+/// A model that is evaluated, with the memory in which it works, and how questions are answered. On
+/// a branch of the hysteresis loop the friction of the muscle's braid is part of each answer: F =
+/// F_model ± (C P^β + μw G).
 pub struct Evaluation<'a> {
     /// The model.
     pub model: &'a dyn ForceModel,
@@ -50,8 +62,16 @@ pub struct Evaluation<'a> {
 
 impl<'a> Evaluation<'a> {
     /// A model with its memory, and options or a branch of the hysteresis loop.
-    pub fn new(model: &'a dyn ForceModel, workspace: &'a mut Workspace, options: impl Into<Options>) -> Self {
-        Self { model, workspace, options: options.into().for_muscle(model.muscle()) }
+    pub fn new(
+        model: &'a dyn ForceModel,
+        workspace: &'a mut Workspace,
+        options: impl Into<Options>,
+    ) -> Self {
+        Self {
+            model,
+            workspace,
+            options: options.into().for_muscle(model.muscle()),
+        }
     }
 
     /// The same with other options.
@@ -59,13 +79,15 @@ impl<'a> Evaluation<'a> {
         Evaluation::new(self.model, self.workspace, options)
     }
 
-    /// Whether friction is part of the pull: on a branch, where the muscle states it or it is estimated.
+    /// Whether friction is part of the pull: on a branch, where the muscle states it or it is
+    /// estimated.
     pub(crate) fn has_friction(&self) -> bool {
         let known = self.options.friction_share > 0.0 || self.model.muscle().friction().is_some();
         known && !self.options.direction.is_mean()
     }
 
-    /// Half the width of the hysteresis loop in N ([`Friction`](crate::muscle::Friction)): C P^β + μw G, or where the muscle does not state it c_f T cosθ.
+    /// Half the width of the hysteresis loop in N ([`Friction`](crate::muscle::Friction)): C P^β +
+    /// μw G, or where the muscle does not state it c_f T cosθ.
     pub fn half_width_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         if pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
             return Ok(0.0);
@@ -73,7 +95,8 @@ impl<'a> Evaluation<'a> {
         let (muscle, share) = (self.model.muscle(), self.options.friction_share);
         match muscle.friction() {
             Some(friction) if friction.lever_mm > 0.0 => {
-                let pivoting = pivoting_n_per_mm(self.model, self.workspace, pressure_mpa, contraction)?;
+                let pivoting =
+                    pivoting_n_per_mm(self.model, self.workspace, pressure_mpa, contraction)?;
                 Ok(friction.half_width_n(pressure_mpa, pivoting))
             }
             Some(friction) => Ok(friction.half_width_n(pressure_mpa, 0.0)),
@@ -87,17 +110,28 @@ impl<'a> Evaluation<'a> {
     /// What friction adds to the pull, in N.
     pub fn friction_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let sign = self.options.direction.sign();
-        if sign == 0.0 { Ok(0.0) } else { Ok(sign * self.half_width_n(pressure_mpa, contraction)?) }
+        if sign == 0.0 {
+            Ok(0.0)
+        } else {
+            Ok(sign * self.half_width_n(pressure_mpa, contraction)?)
+        }
     }
 
-    /// Everything that the model has at a pressure in MPa and a contraction, and its slopes in both with those of the friction.
+    /// Everything that the model has at a pressure in MPa and a contraction, and its slopes in both
+    /// with those of the friction.
     pub fn response(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         /// Of the pressure (relative) and the contraction, for differences of the friction.
         const STEP: f64 = 1e-4;
         cancel::check().map_err(ModelError::Cancelled)?;
-        let response = self.model.response(self.workspace, pressure_mpa, contraction)?;
+        let response = self
+            .model
+            .response(self.workspace, pressure_mpa, contraction)?;
         // The point is the given one, to the last bit: a model may compute with 1 − ε.
-        let mut response = Response { pressure_mpa, contraction, ..response };
+        let mut response = Response {
+            pressure_mpa,
+            contraction,
+            ..response
+        };
         if self.has_friction() && pressure_mpa > 0.0 {
             response.force_n += self.friction_n(pressure_mpa, contraction)?;
             let mut slope = |by_mpa: f64, by: f64| -> Result<f64> {
@@ -106,7 +140,8 @@ impl<'a> Evaluation<'a> {
                 Ok((above - below) / (2.0 * (by_mpa + by)))
             };
             let by_pressure = slope(STEP * pressure_mpa, 0.0)?;
-            response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + by_pressure);
+            response.force_per_pressure_mm2 =
+                response.force_per_pressure_mm2.map(|f| f + by_pressure);
             // K = −(1/L0) ∂F/∂ε.
             if let Some(k) = &mut response.stiffness_n_per_mm {
                 *k -= slope(0.0, STEP)? / self.model.muscle().length_mm();
@@ -118,18 +153,24 @@ impl<'a> Evaluation<'a> {
     /// The pull alone, in N.
     pub fn force_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         cancel::check().map_err(ModelError::Cancelled)?;
-        let force_n = self.model.force_n(self.workspace, pressure_mpa, contraction)?;
+        let force_n = self
+            .model
+            .force_n(self.workspace, pressure_mpa, contraction)?;
         Ok(force_n + self.friction_n(pressure_mpa, contraction)?)
     }
 
-    /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.
+    /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does
+    /// not state it.
     pub fn stiffness_n_per_mm(&mut self, response: &Response) -> Result<f64> {
         const STEP: f64 = 1e-5;
         if let Some(k) = response.stiffness_n_per_mm {
             return Ok(k);
         }
-        let (p, e, length_mm) =
-            (response.pressure_mpa, response.contraction, self.model.muscle().length_mm());
+        let (p, e, length_mm) = (
+            response.pressure_mpa,
+            response.contraction,
+            self.model.muscle().length_mm(),
+        );
         Ok((self.force_n(p, e - STEP)? - self.force_n(p, e + STEP)?) / (2.0 * STEP * length_mm))
     }
 
@@ -159,7 +200,10 @@ pub fn source_of(model: &dyn ForceModel, direction: Direction) -> String {
         Some(f) if f.lever_mm > 0.0 => "of the strands' contact",
         _ => "C·P^β (Tondu 2012)",
     };
-    format!("{source}; braid friction {friction}, branch of {}", direction.motion())
+    format!(
+        "{source}; braid friction {friction}, branch of {}",
+        direction.motion()
+    )
 }
 
 #[cfg(test)]
@@ -178,7 +222,9 @@ mod tests {
         let ideal = model.force_n(w, p, e).unwrap();
         let half = 40.0 * 0.2f64.powf(0.7);
         for direction in Direction::ALL {
-            let response = Evaluation::new(&model, w, direction).response(p, e).unwrap();
+            let response = Evaluation::new(&model, w, direction)
+                .response(p, e)
+                .unwrap();
             let mut force = |p: f64| Evaluation::new(&model, w, direction).force_n(p, e).unwrap();
             assert!((response.force_n - ideal - direction.sign() * half).abs() < 1e-10);
             assert_eq!(force(p), response.force_n);
@@ -195,29 +241,56 @@ mod tests {
         use crate::rubber::{Law, NeoHookean};
         let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
         let m = Muscle::prototype();
-        let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
-        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
-        let friction = Friction { coefficient: 0.0, exponent: 0.0, lever_mm: 0.7, presliding_mm: None };
-        let m = m.with_braid(braid).unwrap().with_friction(Some(friction)).unwrap();
+        let m = m
+            .with_tube(Tube {
+                rubber,
+                ..m.tube().clone()
+            })
+            .unwrap();
+        let braid = Braid {
+            stiffness: BraidStiffness::Inextensible,
+            ..m.braid().clone()
+        };
+        let friction = Friction {
+            coefficient: 0.0,
+            exponent: 0.0,
+            lever_mm: 0.7,
+            presliding_mm: None,
+        };
+        let m = m
+            .with_braid(braid)
+            .unwrap()
+            .with_friction(Some(friction))
+            .unwrap();
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
         for (p, e) in [(0.2, 0.0), (0.3, 0.2)] {
             let cos = (1.0 - e) * 28f64.to_radians().cos();
             let sin = (1.0 - cos * cos).sqrt();
             let r = 15.0 * sin / 28f64.to_radians().sin();
             let half = 0.7 * 4.0 * std::f64::consts::PI / 3.0 * p * r * cos / sin;
-            let mut at = |p: f64, d: Direction| Evaluation::new(&model, w, d).force_n(p, e).unwrap();
+            let mut at =
+                |p: f64, d: Direction| Evaluation::new(&model, w, d).force_n(p, e).unwrap();
             let loop_n = at(p, Direction::Elongation) - at(p, Direction::Contraction);
-            assert!((loop_n / (2.0 * half) - 1.0).abs() < 1e-6, "{loop_n} {half}");
+            assert!(
+                (loop_n / (2.0 * half) - 1.0).abs() < 1e-6,
+                "{loop_n} {half}"
+            );
             let h = 1e-6;
-            let slope = (at(p + h, Direction::Contraction) - at(p - h, Direction::Contraction)) / (2.0 * h);
-            let response = Evaluation::new(&model, w, Direction::Contraction).response(p, e).unwrap();
+            let slope =
+                (at(p + h, Direction::Contraction) - at(p - h, Direction::Contraction)) / (2.0 * h);
+            let response = Evaluation::new(&model, w, Direction::Contraction)
+                .response(p, e)
+                .unwrap();
             assert!((slope / response.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
             // K = −(1/L0) ∂F/∂ε on every branch; that of G is of the order of the muscle's own.
             for d in Direction::ALL {
                 let mut at = |e: f64| Evaluation::new(&model, w, d).force_n(p, e).unwrap();
                 let k = (at(e - h) - at(e + h)) / (2.0 * h * m.length_mm());
                 let response = Evaluation::new(&model, w, d).response(p, e).unwrap();
-                assert!((response.stiffness_n_per_mm.unwrap() / k - 1.0).abs() < 1e-6, "{d:?} {k}");
+                assert!(
+                    (response.stiffness_n_per_mm.unwrap() / k - 1.0).abs() < 1e-6,
+                    "{d:?} {k}"
+                );
             }
         }
         assert!(source_of(&model, Direction::Contraction).contains("strands' contact"));

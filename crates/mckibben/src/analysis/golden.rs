@@ -13,7 +13,11 @@ pub fn golden<S: Abscissa, M: PartialOrd>(
     let (mut a, mut best, mut c) = (left, start, right);
     for _ in 0..steps {
         let b = best.place();
-        let x = if c - b > b - a { b + SHARE * (c - b) } else { b - SHARE * (b - a) };
+        let x = if c - b > b - a {
+            b + SHARE * (c - b)
+        } else {
+            b - SHARE * (b - a)
+        };
         if x == b {
             break;
         }

@@ -1,4 +1,5 @@
-//! What any [`ForceModel`](crate::model::ForceModel) gives: inverses, blocked force, free contraction, dead pressure, work, air, burst and what wears.
+//! What any [`ForceModel`](crate::model::ForceModel) gives: inverses, blocked force, free
+//! contraction, dead pressure, work, air, burst and what wears.
 
 mod air;
 pub mod burst;

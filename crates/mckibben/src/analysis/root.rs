@@ -2,9 +2,9 @@
 
 /// Root of a continuous function between `low` and `high`, where it changes its sign.
 ///
-/// Chandrupatla's method (1997 \[chandrupatla1997\]): inverse quadratic interpolation where it is safe, else
-/// bisection; the bracket always shrinks. Ends when the bracket is narrower than `tolerance` or a few units in the last
-/// place.
+/// Chandrupatla's method (1997 \[chandrupatla1997\]): inverse quadratic interpolation where it is
+/// safe, else bisection; the bracket always shrinks. Ends when the bracket is narrower than
+/// `tolerance` or a few units in the last place.
 ///
 /// `None` without a change of sign; an error where the function fails.
 pub fn find_root<E>(
@@ -37,7 +37,11 @@ pub fn find_root<E>(
             (b, fb) = (a, fa);
         }
         (a, fa) = (x, fx);
-        let (best, fbest) = if fa.abs() < fb.abs() { (a, fa) } else { (b, fb) };
+        let (best, fbest) = if fa.abs() < fb.abs() {
+            (a, fa)
+        } else {
+            (b, fb)
+        };
         let limit = (0.5 * tolerance + 2.0 * f64::EPSILON * best.abs()) / (b - a).abs();
         if limit > 0.5 || fbest == 0.0 {
             return Ok(Some(best));
@@ -57,7 +61,8 @@ pub fn find_root<E>(
     Ok(Some(if fa.abs() < fb.abs() { a } else { b }))
 }
 
-/// An interval, halved so often, with its lower end where something holds and its upper end where it does not.
+/// An interval, halved so often, with its lower end where something holds and its upper end where
+/// it does not.
 pub fn bisect(
     mut low: f64,
     mut high: f64,
@@ -98,14 +103,23 @@ mod tests {
             )
             .unwrap()
             .unwrap();
-            assert!((solution - root).abs() < 1e-10 && calls < 60, "{solution} {root} {calls}");
+            assert!(
+                (solution - root).abs() < 1e-10 && calls < 60,
+                "{solution} {root} {calls}"
+            );
         }
     }
 
     #[test]
     fn without_a_change_of_sign_it_says_so() {
-        assert_eq!(find_root(|x| Ok::<_, ()>(x * x + 1.0), -1.0, 1.0, 1e-9), Ok(None));
-        assert_eq!(find_root(|_| Ok::<_, ()>(f64::NAN), -1.0, 1.0, 1e-9), Ok(None));
+        assert_eq!(
+            find_root(|x| Ok::<_, ()>(x * x + 1.0), -1.0, 1.0, 1e-9),
+            Ok(None)
+        );
+        assert_eq!(
+            find_root(|_| Ok::<_, ()>(f64::NAN), -1.0, 1.0, 1e-9),
+            Ok(None)
+        );
         assert_eq!(find_root(|_| Err("broken"), -1.0, 1.0, 1e-9), Err("broken"));
     }
 }

@@ -1,16 +1,18 @@
 //! A function over a whole interval: where it is zero, and where it comes nearest to zero.
 //!
-//! The search behind the inverses: pulls that rise and fall, pulls that fall where they rise as a rule, and places without an answer
-//! between them. Samples at given places come first; where they leave an end or an extremum between them that may reach zero, more are
-//! taken there.
+//! The search behind the inverses: pulls that rise and fall, pulls that fall where they rise as a
+//! rule, and places without an answer between them. Samples at given places come first; where they
+//! leave an end or an extremum between them that may reach zero, more are taken there.
 
 use super::golden::golden;
 use super::root::find_root;
 use crate::cancel::{self, Cancelled};
 
-/// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap and of one that is costly.
+/// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap
+/// and of one that is costly.
 const CLOSING: (usize, usize) = (40, 12);
-/// Between samples a function is looked at again where it is further from a straight line than this share of its distance from zero.
+/// Between samples a function is looked at again where it is further from a straight line than this
+/// share of its distance from zero.
 const CURVED: f64 = 0.03;
 /// How often.
 const PASSES: usize = 5;
@@ -20,7 +22,8 @@ const BESIDE: [f64; 3] = [0.01, 0.1, 0.3];
 const SAME: f64 = 1e-9;
 /// A zero is known to this.
 const TOLERANCE: f64 = 1e-13;
-/// What remains at a zero, as a share of the values around it; more remains where the function jumps.
+/// What remains at a zero, as a share of the values around it; more remains where the function
+/// jumps.
 const REMAINDER: f64 = 1e-6;
 
 /// A place and the value there; no value where the function has none.
@@ -53,7 +56,15 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
     /// No samples yet of a function whose errors are a share of `scale`.
     pub fn new(costly: bool, scale: f64, at: F) -> Self {
         let closing = if costly { CLOSING.1 } else { CLOSING.0 };
-        Self { at, samples: vec![], costly, closing, tiny: SAME * scale, refused: None, lost: None }
+        Self {
+            at,
+            samples: vec![],
+            costly,
+            closing,
+            tiny: SAME * scale,
+            refused: None,
+            lost: None,
+        }
     }
 
     /// Takes a sample.
@@ -80,8 +91,9 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
         places(ends, parts).try_for_each(|place| self.sample(place).map(|_| ()))
     }
 
-    /// The first zero of rising places, sampled one by one; with `falling` the first at which the function falls. Of a costly function the samples end behind
-    /// the last place with a value, and with a value below `least`.
+    /// The first zero of rising places, sampled one by one; with `falling` the first at which the
+    /// function falls. Of a costly function the samples end behind the last place with a value, and
+    /// with a value below `least`.
     pub fn first(
         &mut self,
         places: impl Iterator<Item = f64>,
@@ -108,36 +120,42 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
         Ok(None)
     }
 
-    /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema and, of a function that is cheap, beside the ends and
-    /// where it is curved.
+    /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema
+    /// and, of a function that is cheap, beside the ends and where it is curved.
     pub fn all(&mut self) -> Result<Vec<Zero>, E> {
         if let [first, second, .., last_but_one, last] = self.samples[..]
             && !self.costly
         {
-            for (share, (end, next)) in
-                BESIDE.iter().flat_map(|s| [(s, (first.0, second.0)), (s, (last.0, last_but_one.0))])
+            for (share, (end, next)) in BESIDE
+                .iter()
+                .flat_map(|s| [(s, (first.0, second.0)), (s, (last.0, last_but_one.0))])
             {
                 self.sample(end + share * (next - end))?;
             }
         }
         for _ in 0..if self.costly { 0 } else { PASSES } {
             let curved = |three: &[Sample]| {
-                let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { return false };
+                let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else {
+                    return false;
+                };
                 let straight = a + (c - a) * (middle - left) / (right - left);
                 (b - straight).abs() > CURVED * a.abs().min(b.abs()).min(c.abs())
             };
             let curved = self.samples.windows(3).filter(|three| curved(three));
             let between = |three: &[Sample]| [0, 1].map(|i| 0.5 * (three[i].0 + three[i + 1].0));
             let middles: Vec<f64> = curved.flat_map(between).collect();
-            middles.into_iter().try_for_each(|middle| self.sample(middle).map(|_| ()))?;
+            middles
+                .into_iter()
+                .try_for_each(|middle| self.sample(middle).map(|_| ()))?;
         }
         self.edges(0)?;
         self.extrema(0)?;
         self.zeros(0)
     }
 
-    /// Samples at both sides of the edge between a place that has a value and its neighbour that has none, from an index on; of a costly function only
-    /// where the values come nearer to zero towards the edge.
+    /// Samples at both sides of the edge between a place that has a value and its neighbour that
+    /// has none, from an index on; of a costly function only where the values come nearer to zero
+    /// towards the edge.
     fn edges(&mut self, from: usize) -> Result<(), E> {
         let samples = self.samples.clone();
         for i in from + 1..samples.len() {
@@ -152,16 +170,23 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
             }
             for _ in 0..self.closing {
                 let middle = 0.5 * (with + without);
-                *(if self.sample(middle)?.is_some() { &mut with } else { &mut without }) = middle;
+                *(if self.sample(middle)?.is_some() {
+                    &mut with
+                } else {
+                    &mut without
+                }) = middle;
             }
         }
         Ok(())
     }
 
-    /// Samples at the extrema that come nearest to zero, from an index on. Whether the function may reach zero there is seen only at the extremum.
+    /// Samples at the extrema that come nearest to zero, from an index on. Whether the function may
+    /// reach zero there is seen only at the extremum.
     fn extrema(&mut self, from: usize) -> Result<(), E> {
         for three in self.samples[from..].to_vec().windows(3) {
-            let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else { continue };
+            let [(left, Some(a)), (middle, Some(b)), (right, Some(c))] = *three else {
+                continue;
+            };
             let sign = b.signum();
             let towards = sign * a >= sign * b && sign * c >= sign * b && sign * b > 0.0;
             if !towards || a == b && b == c {
@@ -180,10 +205,15 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
     pub fn zeros(&mut self, from: usize) -> Result<Vec<Zero>, E> {
         let mut zeros: Vec<Zero> = vec![];
         for pair in self.samples[from..].windows(2) {
-            let [(a, Some(va)), (b, Some(vb))] = *pair else { continue };
+            let [(a, Some(va)), (b, Some(vb))] = *pair else {
+                continue;
+            };
             let falls = va >= vb;
             if va == 0.0 || vb == 0.0 {
-                zeros.push(Zero { at: if va == 0.0 { a } else { b }, falls });
+                zeros.push(Zero {
+                    at: if va == 0.0 { a } else { b },
+                    falls,
+                });
                 continue;
             }
             if (va > 0.0) == (vb > 0.0) {
@@ -213,13 +243,25 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
     /// The sample that is the least by a measure of its value, with the value.
     pub fn least(&self, measure: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
         let values = self.samples.iter().filter_map(|s| s.1.map(|v| (s.0, v)));
-        values.reduce(|best, s| if measure(s.1) < measure(best.1) { s } else { best })
+        values.reduce(|best, s| {
+            if measure(s.1) < measure(best.1) {
+                s
+            } else {
+                best
+            }
+        })
     }
 }
 
 /// Rising places that cut an interval into so many parts, with its ends.
 pub(super) fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
-    (0..=parts).map(move |i| if i == parts { to } else { from + (to - from) * i as f64 / parts as f64 })
+    (0..=parts).map(move |i| {
+        if i == parts {
+            to
+        } else {
+            from + (to - from) * i as f64 / parts as f64
+        }
+    })
 }
 
 #[cfg(test)]
@@ -227,7 +269,11 @@ mod tests {
     use super::*;
     use crate::model::ModelError;
 
-    const NONE: ModelError = ModelError::Geometry { contraction: 0.0, lowest: 0.0, highest: 0.0 };
+    const NONE: ModelError = ModelError::Geometry {
+        contraction: 0.0,
+        lowest: 0.0,
+        highest: 0.0,
+    };
 
     /// The zeros within 0 to 1, and the least |f|.
     fn swept(f: impl Fn(f64) -> Option<f64>, parts: usize) -> (Vec<Zero>, (f64, f64)) {
@@ -244,7 +290,11 @@ mod tests {
             let (zeros, _) = swept(|x| Some(x * (1.0 - x) - c), 7);
             let half = 0.5 * (1.0 - 4.0 * c).sqrt();
             let places: Vec<f64> = zeros.iter().map(|z| z.at).collect();
-            assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [false, true], "{c}");
+            assert_eq!(
+                zeros.iter().map(|z| z.falls).collect::<Vec<_>>(),
+                [false, true],
+                "{c}"
+            );
             assert!((places[0] - 0.5 + half).abs() < 1e-9 && (places[1] - 0.5 - half).abs() < 1e-9);
         }
     }
@@ -263,12 +313,16 @@ mod tests {
     /// A dip of width 0.02 below zero at 0.3275: samples 0.05 apart are all above zero.
     #[test]
     fn a_narrow_dip_between_samples_is_found_where_they_are_halved() {
-        let f = |x: f64| Some(0.03 + 0.01 * (x - 0.3) - 0.05 * (-((x - 0.3275) / 0.02).powi(2)).exp());
+        let f =
+            |x: f64| Some(0.03 + 0.01 * (x - 0.3) - 0.05 * (-((x - 0.3275) / 0.02).powi(2)).exp());
         let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), 20).unwrap();
         assert!(sweep.zeros(0).unwrap().is_empty());
         let zeros = sweep.all().unwrap();
-        assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [true, false]);
+        assert_eq!(
+            zeros.iter().map(|z| z.falls).collect::<Vec<_>>(),
+            [true, false]
+        );
     }
 
     /// (x − ¼)² + 1 comes nearest to zero at ¼.

@@ -15,7 +15,10 @@ pub struct FormulaError {
 
 impl FormulaError {
     pub(super) fn new(problem: impl Into<String>) -> Self {
-        Self { file: None, problem: problem.into() }
+        Self {
+            file: None,
+            problem: problem.into(),
+        }
     }
 
     /// It is no JSON.
@@ -43,9 +46,15 @@ impl FormulaError {
             return Self::json(error);
         }
         let mut message = error.to_string();
-        let missing = message.strip_prefix("missing field `").and_then(|rest| rest.split_once('`'));
+        let missing = message
+            .strip_prefix("missing field `")
+            .and_then(|rest| rest.split_once('`'));
         if let Some((key, _)) = missing {
-            let key = if path == "." { key.to_owned() } else { format!("{path}.{key}") };
+            let key = if path == "." {
+                key.to_owned()
+            } else {
+                format!("{path}.{key}")
+            };
             return Self::missing(&key);
         }
         // Words of the language this is written in, in those of its users.
@@ -57,7 +66,11 @@ impl FormulaError {
         ] {
             message = message.replace(&format!("expected {theirs}"), &format!("expected {ours}"));
         }
-        let key = if path == "." { "the file".into() } else { path.to_owned() };
+        let key = if path == "." {
+            "the file".into()
+        } else {
+            path.to_owned()
+        };
         Self::new(format!("`{key}`: {message}"))
     }
     /// The same error, in a file of this name.

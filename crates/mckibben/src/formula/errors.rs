@@ -1,4 +1,5 @@
-//! How wrong a formula is, as its file says it. Shares are of the muscle's blocked force at the highest pressure of the table.
+//! How wrong a formula is, as its file says it. Shares are of the muscle's blocked force at the
+//! highest pressure of the table.
 
 use super::file::check::share;
 use serde::{Deserialize, Serialize};
@@ -65,9 +66,11 @@ pub struct FormulaErrors {
 }
 
 impl FormulaErrors {
-    /// The half-width that 95 % of the points stay within, as a share of the blocked force at the highest pressure: the
-    /// larger of fit and held-out muscles.
+    /// The half-width that 95 % of the points stay within, as a share of the blocked force at the
+    /// highest pressure: the larger of fit and held-out muscles.
     pub fn half_width(&self) -> f64 {
-        self.held_out.as_ref().map_or(self.fit.p95, |h| self.fit.p95.max(h.errors.p95))
+        self.held_out
+            .as_ref()
+            .map_or(self.fit.p95, |h| self.fit.p95.max(h.errors.p95))
     }
 }

@@ -64,7 +64,10 @@ pub struct MadeRubber {
 /// Constants of a law with their unit in the name.
 fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
     let constants = muscle.rubber().law.constants();
-    constants.into_iter().map(|c| (c.column(), c.value)).collect()
+    constants
+        .into_iter()
+        .map(|c| (c.column(), c.value))
+        .collect()
 }
 
 impl Made {
@@ -74,7 +77,9 @@ impl Made {
         let braid = match (muscle.braid().stiffness, muscle.family_stiffness_n_per_mm()) {
             (BraidStiffness::Paper, _) => MadeBraid::Named(NamedBraid::Paper),
             (BraidStiffness::NewtonPerMm(k), _) => MadeBraid::Stiffness(k),
-            (BraidStiffness::OfStrands, Some(k)) => MadeBraid::TimesDiameter(k * muscle.outer_diameter_mm()),
+            (BraidStiffness::OfStrands, Some(k)) => {
+                MadeBraid::TimesDiameter(k * muscle.outer_diameter_mm())
+            }
             _ => MadeBraid::Named(NamedBraid::Inextensible),
         };
         Self {
@@ -97,7 +102,10 @@ impl Made {
     pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Option<f64> {
         match self.braid {
             MadeBraid::Named(NamedBraid::Paper) => {
-                Braid::paper().family_stiffness_n_per_mm(&Tube { outer_diameter_mm, ..Tube::prototype() })
+                Braid::paper().family_stiffness_n_per_mm(&Tube {
+                    outer_diameter_mm,
+                    ..Tube::prototype()
+                })
             }
             MadeBraid::Named(NamedBraid::Inextensible) => None,
             MadeBraid::Stiffness(k) => Some(k),
@@ -110,7 +118,8 @@ impl MadeRubber {
     /// Whether two are the same but for their names, their constants within a relative tolerance.
     pub fn is_like(&self, other: &Self, tolerance: f64) -> bool {
         let close = |a: f64, b: f64| (a - b).abs() <= tolerance * a.abs().max(b.abs());
-        let same = |(name, a): (&String, &f64)| other.constants.get(name).is_some_and(|b| close(*a, *b));
+        let same =
+            |(name, a): (&String, &f64)| other.constants.get(name).is_some_and(|b| close(*a, *b));
         self.law == other.law
             && self.constants.len() == other.constants.len()
             && self.constants.iter().all(same)
@@ -123,9 +132,17 @@ impl MadeRubber {
 
     /// In words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.
     pub fn text(&self) -> String {
-        let list: Vec<String> = self.constants.iter().map(|(name, v)| format!("{name} {v}")).collect();
-        let bulk = self.bulk_modulus_mpa.map_or_else(String::new, |k| format!(", bulk modulus {k} MPa"));
+        let list: Vec<String> = self
+            .constants
+            .iter()
+            .map(|(name, v)| format!("{name} {v}"))
+            .collect();
+        let bulk = self
+            .bulk_modulus_mpa
+            .map_or_else(String::new, |k| format!(", bulk modulus {k} MPa"));
         let law = format!("{}, {}{bulk}", self.law, list.join(", "));
-        self.name.as_ref().map_or_else(|| law.clone(), |name| format!("{name} ({law})"))
+        self.name
+            .as_ref()
+            .map_or_else(|| law.clone(), |name| format!("{name} ({law})"))
     }
 }

@@ -1,14 +1,15 @@
-//! Formulas as data: fitted force formulas that are files. [`crate::model::FormulaModel`] and [`crate::model::Universal`] answer
-//! with them like any other model.
+//! Formulas as data: fitted force formulas that are files. [`crate::model::FormulaModel`] and
+//! [`crate::model::Universal`] answer with them like any other model.
 //!
-//! A file says its terms, for which muscles they were made, over which range, how wrong they are, and where they come
-//! from. Two kinds:
+//! A file says its terms, for which muscles they were made, over which range, how wrong they are,
+//! and where they come from. Two kinds:
 //!
 //!   paper    F = a ε² + b ε + c with the 48 numbers of the paper's (11)
 //!   global   F = D0² Σ c · xᵃ pᵇ eᶜ dᵈ,   x = s/D0, p = P, e = ε, d = D0, each divided by its scale
 //!
-//! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it holds the terms of the end deficit
-//! of [`crate::model::Universal`], over a dimensionless range ([`UniversalFormula`]). [`Document`] is any of them.
+//! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it
+//! holds the terms of the end deficit of [`crate::model::Universal`], over a dimensionless range
+//! ([`UniversalFormula`]). [`Document`] is any of them.
 
 mod error;
 mod errors;
@@ -25,7 +26,8 @@ pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
 pub use paper::{Coefficients, Section};
 pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
 pub use universal::{
-    Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
+    Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
+    UniversalTerm,
 };
 
 use file::File;
@@ -129,16 +131,27 @@ pub enum Document {
 
 /// The text of a formula's file.
 pub fn read_text(path: &Path) -> Result<String, FormulaError> {
-    let bytes = mckibben_io::files::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
+    let bytes =
+        mckibben_io::files::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
     String::from_utf8(bytes).map_err(FormulaError::json)
 }
 
 impl Formula {
     /// F in N, two-sided; does not look at the range.
-    pub fn force_n(&self, outer_diameter_mm: f64, wall_mm: f64, pressure_mpa: f64, contraction: f64) -> f64 {
+    pub fn force_n(
+        &self,
+        outer_diameter_mm: f64,
+        wall_mm: f64,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> f64 {
         match &self.body {
-            Body::Paper(c) => c.section(outer_diameter_mm, wall_mm).force_n(pressure_mpa, contraction),
-            Body::Global(t) => t.section(outer_diameter_mm, wall_mm).at(pressure_mpa, contraction)[0],
+            Body::Paper(c) => c
+                .section(outer_diameter_mm, wall_mm)
+                .force_n(pressure_mpa, contraction),
+            Body::Global(t) => t
+                .section(outer_diameter_mm, wall_mm)
+                .at(pressure_mpa, contraction)[0],
         }
     }
 }

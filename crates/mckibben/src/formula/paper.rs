@@ -68,7 +68,11 @@ impl Coefficients {
             let [x1, x2, x3, x4, x5, x6] = x.map(|[d2, d1, d0]| (d2 * d + d1) * d + d0);
             ((x1 * s + x2) * s + x3, (x4 * s + x5) * s + x6)
         };
-        Section { a: line(&self.a), b: line(&self.b), c: line(&self.c) }
+        Section {
+            a: line(&self.a),
+            b: line(&self.b),
+            c: line(&self.c),
+        }
     }
 }
 
@@ -102,13 +106,19 @@ impl Section {
         (slope > 0.0).then(|| (force_n - self.force_n(0.0, contraction)) / slope)
     }
 
-    /// Contraction at which F has a value, on the branch where F falls with ε; `None` where there is none.
+    /// Contraction at which F has a value, on the branch where F falls with ε; `None` where there
+    /// is none.
     pub fn contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let (a, b, c) = self.at(pressure_mpa);
         let c = c - force_n;
         let root = (b * b - 4.0 * a * c).sqrt();
-        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form allows a = 0 and does not cancel.
-        let e = if b < 0.0 { 2.0 * c / (root - b) } else { (-b - root) / (2.0 * a) };
+        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form allows a = 0
+        // and does not cancel.
+        let e = if b < 0.0 {
+            2.0 * c / (root - b)
+        } else {
+            (-b - root) / (2.0 * a)
+        };
         e.is_finite().then_some(e)
     }
 }

@@ -17,12 +17,18 @@ impl Formula {
     /// The equation in one line.
     pub fn equation(&self) -> String {
         match &self.body {
-            Body::Paper(_) => "F = (m_a P + q_a) e^2 + (m_b P + q_b) e + (m_c P + q_c); m_a = A1 s^2 + A2 s + A3, q_a = A4 s^2 + A5 s + A6; \
-                A_k = A_k1 D0^2 + A_k2 D0 + A_k3, B_k likewise, C_k = C_k1 D0 + C_k2 (F in N, P in MPa, s and D0 in mm, e = contraction)"
+            Body::Paper(_) => "F = (m_a P + q_a) e^2 + (m_b P + q_b) e + (m_c P + q_c); m_a = A1 \
+                s^2 + A2 s + A3, q_a = A4 s^2 + A5 s + A6; \
+                A_k = A_k1 D0^2 + A_k2 D0 + A_k3, B_k likewise, C_k = C_k1 D0 + C_k2 (F in N, P in \
+                MPa, s and D0 in mm, e = contraction)"
                 .into(),
             Body::Global(t) => format!(
-                "F = D0^2 sum(value x^a p^b e^c d^d), x = (s/D0)/{}, p = P/{} MPa, e = contraction/{}, d = D0/{} mm (F in N, D0 in mm, values in MPa)",
-                t.scales.wall_ratio, t.scales.pressure_mpa, t.scales.contraction, t.scales.outer_diameter_mm
+                "F = D0^2 sum(value x^a p^b e^c d^d), x = (s/D0)/{}, p = P/{} MPa, e = \
+                 contraction/{}, d = D0/{} mm (F in N, D0 in mm, values in MPa)",
+                t.scales.wall_ratio,
+                t.scales.pressure_mpa,
+                t.scales.contraction,
+                t.scales.outer_diameter_mm
             ),
         }
     }
@@ -32,7 +38,8 @@ impl Formula {
         match &self.body {
             Body::Paper(c) => {
                 let mut out = String::from(
-                    "\\begin{aligned}\nF &= (m_a P + q_a)\\,\\varepsilon^2 + (m_b P + q_b)\\,\\varepsilon + (m_c P + q_c)\\\\\n",
+                    "\\begin{aligned}\nF &= (m_a P + q_a)\\,\\varepsilon^2 + (m_b P + \
+                     q_b)\\,\\varepsilon + (m_c P + q_c)\\\\\n",
                 );
                 for (letter, block) in [("a", &c.a), ("b", &c.b), ("c", &c.c)] {
                     for (symbol, rows) in [("m", &block[..3]), ("q", &block[3..])] {
@@ -41,7 +48,8 @@ impl Formula {
                             let inner = powers.filter(|(v, _)| **v != 0.0);
                             format!("({}){s}", sum(inner.map(|(v, d)| (*v, d.to_owned()))))
                         };
-                        let parts: Vec<String> = rows.iter().zip([" s^2", " s", ""]).map(part).collect();
+                        let parts: Vec<String> =
+                            rows.iter().zip([" s^2", " s", ""]).map(part).collect();
                         out.push_str(&format!("{symbol}_{letter} &= {}\\\\\n", parts.join(" + ")));
                     }
                 }
@@ -51,7 +59,10 @@ impl Formula {
             Body::Global(t) => {
                 let s = &t.scales;
                 let mut out = format!(
-                    "\\begin{{aligned}}\nx &= \\frac{{s/D_0}}{{{}}},\\quad p = \\frac{{P}}{{{}\\,\\mathrm{{MPa}}}},\\quad e = \\frac{{\\varepsilon}}{{{}}},\\quad d = \\frac{{D_0}}{{{}\\,\\mathrm{{mm}}}}\\\\\n",
+                    "\\begin{{aligned}}\nx &= \\frac{{s/D_0}}{{{}}},\\quad p \
+                     = \\frac{{P}}{{{}\\,\\mathrm{{MPa}}}},\\quad e \
+                     = \\frac{{\\varepsilon}}{{{}}},\\quad d \
+                     = \\frac{{D_0}}{{{}\\,\\mathrm{{mm}}}}\\\\\n",
                     s.wall_ratio, s.pressure_mpa, s.contraction, s.outer_diameter_mm
                 );
                 let power = |n: u8| format!("^{{{n}}}");

@@ -58,7 +58,11 @@ impl Scales {
 impl Term {
     /// xᵃ pᵇ eᶜ dᵈ, without c.
     pub fn product(powers: [u8; 4], variables: [f64; 4]) -> f64 {
-        powers.iter().zip(variables).map(|(&n, v)| v.powi(i32::from(n))).product()
+        powers
+            .iter()
+            .zip(variables)
+            .map(|(&n, v)| v.powi(i32::from(n)))
+            .product()
     }
 
     /// `x p² e`, or `1`.
@@ -79,7 +83,11 @@ pub(super) fn name<const N: usize>(
         n => Some(format!("{letter}{}", power(n))),
     };
     let factors: Vec<String> = letters.iter().zip(&powers).filter_map(factor).collect();
-    if factors.is_empty() { "1".into() } else { factors.join(" ") }
+    if factors.is_empty() {
+        "1".into()
+    } else {
+        factors.join(" ")
+    }
 }
 
 /// A `global` formula with diameter and wall put in: F = Σ c pᵇ eᶜ.
@@ -103,17 +111,34 @@ impl GlobalTerms {
                 None => terms.push((b, c, value)),
             }
         }
-        let Scales { pressure_mpa, contraction, .. } = self.scales;
-        GlobalSection { pressure_scale: pressure_mpa, contraction_scale: contraction, terms }
+        let Scales {
+            pressure_mpa,
+            contraction,
+            ..
+        } = self.scales;
+        GlobalSection {
+            pressure_scale: pressure_mpa,
+            contraction_scale: contraction,
+            terms,
+        }
     }
 }
 
 impl GlobalSection {
     /// F in N, ∂F/∂ε in N, ∂F/∂P in mm².
     pub fn at(&self, pressure_mpa: f64, contraction: f64) -> [f64; 3] {
-        let (p, e) = (pressure_mpa / self.pressure_scale, contraction / self.contraction_scale);
+        let (p, e) = (
+            pressure_mpa / self.pressure_scale,
+            contraction / self.contraction_scale,
+        );
         // d(vⁿ)/dv, which is 0 for n = 0 also where v = 0.
-        let slope = |v: f64, n: i32| if n == 0 { 0.0 } else { f64::from(n) * v.powi(n - 1) };
+        let slope = |v: f64, n: i32| {
+            if n == 0 {
+                0.0
+            } else {
+                f64::from(n) * v.powi(n - 1)
+            }
+        };
         let mut out = [0.0; 3];
         for &(b, c, value) in &self.terms {
             out[0] += value * p.powi(b) * e.powi(c);
@@ -134,8 +159,9 @@ pub const PAPER_UNITS: [[&str; 3]; 6] = [
     ["N mm^-2", "N mm^-1", "N"],
 ];
 
-/// The 48 terms of (11): name as in Table 2 (A11 … C62), unit, value. C_k has two, of D0 and of 1; a D0² part of C, which the paper does
-/// not have, is named C10 … C60 and left out where it is zero.
+/// The 48 terms of (11): name as in Table 2 (A11 … C62), unit, value. C_k has two, of D0 and of 1;
+/// a D0² part of C, which the paper does not have, is named C10 … C60 and left out where it is
+/// zero.
 pub fn paper_terms(c: &Coefficients) -> Vec<(String, &'static str, f64)> {
     let mut out = vec![];
     for (letter, block) in [("A", &c.a), ("B", &c.b), ("C", &c.c)] {
@@ -145,7 +171,11 @@ pub fn paper_terms(c: &Coefficients) -> Vec<(String, &'static str, f64)> {
                 if letter == "C" && j == 0 && value == 0.0 {
                     continue;
                 }
-                out.push((format!("{letter}{}{number}", k + 1), PAPER_UNITS[k][j], value));
+                out.push((
+                    format!("{letter}{}{number}", k + 1),
+                    PAPER_UNITS[k][j],
+                    value,
+                ));
             }
         }
     }

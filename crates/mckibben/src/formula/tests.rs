@@ -4,7 +4,14 @@ use crate::muscle::Muscle;
 use std::sync::Arc;
 
 fn summary() -> ErrorSummary {
-    ErrorSummary { points: 460, rms: 0.01, p95: 0.02, max: 0.03, max_n: 12.5, max_12: 0.1 }
+    ErrorSummary {
+        points: 460,
+        rms: 0.01,
+        p95: 0.02,
+        max: 0.03,
+        max_n: 12.5,
+        max_12: 0.1,
+    }
 }
 
 fn formula(body: Body) -> Formula {
@@ -21,10 +28,17 @@ fn formula(body: Body) -> Formula {
         errors: FormulaErrors {
             against: "axisymmetric finite elements".into(),
             fit: summary(),
-            regions: vec![RegionErrors { quantity: "wall_mm".into(), value: 1.0, errors: summary() }],
+            regions: vec![RegionErrors {
+                quantity: "wall_mm".into(),
+                value: 1.0,
+                errors: summary(),
+            }],
             held_out: Some(HeldOut {
                 outer_diameters_mm: vec![35.0],
-                errors: ErrorSummary { p95: 0.025, ..summary() },
+                errors: ErrorSummary {
+                    p95: 0.025,
+                    ..summary()
+                },
             }),
         },
         provenance: Provenance {
@@ -40,8 +54,16 @@ fn formula(body: Body) -> Formula {
 }
 
 fn global() -> Formula {
-    let scales = Scales { wall_ratio: 0.1, pressure_mpa: 0.25, contraction: 0.2, outer_diameter_mm: 40.0 };
-    let term = |a, b, c, d, value| Term { powers: [a, b, c, d], value };
+    let scales = Scales {
+        wall_ratio: 0.1,
+        pressure_mpa: 0.25,
+        contraction: 0.2,
+        outer_diameter_mm: 40.0,
+    };
+    let term = |a, b, c, d, value| Term {
+        powers: [a, b, c, d],
+        value,
+    };
     let terms = vec![
         term(0, 1, 0, 0, 1.1),
         term(0, 1, 1, 0, -0.1 - 0.2),
@@ -54,7 +76,10 @@ fn global() -> Formula {
 
 #[test]
 fn files_round_trip_to_the_bit() {
-    for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
+    for f in [
+        formula(Body::Paper(Box::new(*Coefficients::published()))),
+        global(),
+    ] {
         assert_eq!(Document::parse(&f.to_json()).unwrap(), Document::Section(f));
     }
 }
@@ -62,9 +87,17 @@ fn files_round_trip_to_the_bit() {
 #[test]
 fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
     let published = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
-    let Document::Section(f) = Document::parse(&published).unwrap() else { panic!("{published}") };
+    let Document::Section(f) = Document::parse(&published).unwrap() else {
+        panic!("{published}")
+    };
     let f = Arc::new(f);
-    assert_eq!(serde_json::to_value(&*f).unwrap()["terms"].as_array().unwrap().len(), 48);
+    assert_eq!(
+        serde_json::to_value(&*f).unwrap()["terms"]
+            .as_array()
+            .unwrap()
+            .len(),
+        48
+    );
     for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
         let m = Muscle::prototype().with_section(d, s).unwrap();
         let (ours, paper) = (FormulaModel::new(&f, &m), FormulaModel::paper(&m));
@@ -76,7 +109,10 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
         }
         let answers = |model: &dyn ForceModel| {
             let w = &mut Workspace::new();
-            (model.pressure_at_pull(w, 300.0, 0.1), model.contraction_at_pull(w, 100.0, 0.2))
+            (
+                model.pressure_at_pull(w, 300.0, 0.1),
+                model.contraction_at_pull(w, 100.0, 0.2),
+            )
         };
         assert_eq!(answers(&ours), answers(&paper));
     }
@@ -85,19 +121,31 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
 #[test]
 fn derivatives_are_those_of_finite_differences() {
     let m = Muscle::prototype().with_section(43.0, 2.5).unwrap();
-    for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
+    for f in [
+        formula(Body::Paper(Box::new(*Coefficients::published()))),
+        global(),
+    ] {
         let model = FormulaModel::new(&f, &m);
         for (p, e) in [(0.05, 0.0), (0.0, 0.0), (0.11, 0.07), (0.25, 0.2)] {
             let (h, r) = (1e-5, model.response(&mut Workspace::new(), p, e).unwrap());
             let difference = |dp: f64, de: f64| {
-                let at =
-                    |k: f64| model.force_n(&mut Workspace::new(), p + k * dp * h, e + k * de * h).unwrap();
+                let at = |k: f64| {
+                    model
+                        .force_n(&mut Workspace::new(), p + k * dp * h, e + k * de * h)
+                        .unwrap()
+                };
                 (at(1.0) - at(-1.0)) / (2.0 * h)
             };
             let slope = -r.stiffness_n_per_mm.unwrap() * m.length_mm();
-            assert!((slope - difference(0.0, 1.0)).abs() < 1e-4 * slope.abs().max(1.0), "{p} {e}");
+            assert!(
+                (slope - difference(0.0, 1.0)).abs() < 1e-4 * slope.abs().max(1.0),
+                "{p} {e}"
+            );
             let slope = r.force_per_pressure_mm2.unwrap();
-            assert!((slope - difference(1.0, 0.0)).abs() < 1e-4 * slope.abs().max(1.0), "{p} {e}");
+            assert!(
+                (slope - difference(1.0, 0.0)).abs() < 1e-4 * slope.abs().max(1.0),
+                "{p} {e}"
+            );
         }
     }
 }
@@ -110,51 +158,112 @@ fn what_it_was_not_made_for_is_refused() {
     assert!(check(&proto, 0.25, 0.2).is_ok());
     let wide = proto.with_section(60.0, 0.5).unwrap();
     let text = check(&wide, 0.3, 0.25).unwrap_err().to_string();
-    for part in ["outer_diameter 60", "wall_thickness 0.5", "pressure 0.3", "contraction 0.25", "mine"] {
+    for part in [
+        "outer_diameter 60",
+        "wall_thickness 0.5",
+        "pressure 0.3",
+        "contraction 0.25",
+        "mine",
+    ] {
         assert!(text.contains(part), "{text}");
     }
     let braid = |b: crate::muscle::Braid| proto.with_braid(b).unwrap();
     let stiff = crate::muscle::BraidStiffness::Inextensible;
-    let other = braid(crate::muscle::Braid { angle_deg: 25.0, stiffness: stiff, ..proto.braid().clone() });
+    let other = braid(crate::muscle::Braid {
+        angle_deg: 25.0,
+        stiffness: stiff,
+        ..proto.braid().clone()
+    });
     let text = check(&other, 0.2, 0.0).unwrap_err().to_string();
-    assert!(text.contains("braid_angle 25") && text.contains("inextensible"), "{text}");
+    assert!(
+        text.contains("braid_angle 25") && text.contains("inextensible"),
+        "{text}"
+    );
     // The same stiffness said in another way is the same braid.
     let k = proto.family_stiffness_n_per_mm().unwrap();
     let stiffness = crate::muscle::BraidStiffness::NewtonPerMm(k);
-    assert!(check(&braid(crate::muscle::Braid { stiffness, ..proto.braid().clone() }), 0.2, 0.0).is_ok());
+    assert!(
+        check(
+            &braid(crate::muscle::Braid {
+                stiffness,
+                ..proto.braid().clone()
+            }),
+            0.2,
+            0.0
+        )
+        .is_ok()
+    );
     let mut tube = proto.tube().clone();
     tube.rubber.law = crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa: 0.2 });
     tube.rubber.name = None;
-    let text = check(&proto.with_tube(tube).unwrap(), 0.2, 0.0).unwrap_err().to_string();
-    assert!(text.contains("neo-hookean") && text.contains("c10_mpa 0.112"), "{text}");
-    assert!(FormulaModel::new(&f, &proto).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err());
+    let text = check(&proto.with_tube(tube).unwrap(), 0.2, 0.0)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        text.contains("neo-hookean") && text.contains("c10_mpa 0.112"),
+        "{text}"
+    );
+    assert!(
+        FormulaModel::new(&f, &proto)
+            .force_n(&mut Workspace::new(), f64::NAN, 0.1)
+            .is_err()
+    );
     let accuracy = FormulaModel::new(&f, &proto).info().accuracy;
     assert_eq!(accuracy.share_of_blocked, Some(0.025));
-    assert_ne!(ModelKind::Paper.build(&proto).unwrap().info().accuracy, accuracy);
+    assert_ne!(
+        ModelKind::Paper.build(&proto).unwrap().info().accuracy,
+        accuracy
+    );
 }
 
 #[test]
 fn wrong_files_are_named_with_their_key() {
-    let (paper, global) =
-        (formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(), global().to_json());
+    let (paper, global) = (
+        formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(),
+        global().to_json(),
+    );
     let cases = [
-        ("truncated", global[..global.len() / 2].to_owned(), "is not valid JSON"),
+        (
+            "truncated",
+            global[..global.len() / 2].to_owned(),
+            "is not valid JSON",
+        ),
         ("NaN", global.replace("1.1", "NaN"), "is not valid JSON"),
-        ("infinite", global.replace("1.1", "1e999"), "is not valid JSON"),
+        (
+            "infinite",
+            global.replace("1.1", "1e999"),
+            "is not valid JSON",
+        ),
         (
             "null",
             global.replace("1.1", "null"),
             "`terms[0].value`: invalid type: null, expected a number at line",
         ),
-        ("a text", global.replace("1.1", "\"1.1\""), "`terms[0].value`"),
+        (
+            "a text",
+            global.replace("1.1", "\"1.1\""),
+            "`terms[0].value`",
+        ),
         (
             "kind",
             global.replace("\"global\",", "\"cubic\","),
             "`kind`: unknown variant `cubic`, expected one of `paper`",
         ),
-        ("format", global.replace("formula 1", "formula 9"), "`format`"),
-        ("no kind", global.replacen("\"kind\"", "\"kinds\"", 1), "the key `kind` is missing"),
-        ("no range", global.replace("\"wall_mm\": [", "\"wall\": ["), "`range.wall_mm` is missing"),
+        (
+            "format",
+            global.replace("formula 1", "formula 9"),
+            "`format`",
+        ),
+        (
+            "no kind",
+            global.replacen("\"kind\"", "\"kinds\"", 1),
+            "the key `kind` is missing",
+        ),
+        (
+            "no range",
+            global.replace("\"wall_mm\": [", "\"wall\": ["),
+            "`range.wall_mm` is missing",
+        ),
         (
             "a power",
             global.replacen("\"pressure\": 1", "\"presure\": 1", 1),
@@ -165,12 +274,36 @@ fn wrong_files_are_named_with_their_key() {
             global.replacen("\"pressure\": 1", "\"pressure\": 1.5", 1),
             "`terms[0].powers.pressure`",
         ),
-        ("scale", global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"), "`scales.wall_ratio`"),
-        ("errors", global.replace("\"max_n\"", "\"max\""), "max_n` is missing"),
-        ("a term", paper.replace("\"A11\"", "\"D11\""), "`terms[0].name` is `D11`; expected one of A11"),
-        ("a term too many", paper.replace("\"A11\"", "\"A12\""), "A12 is given twice"),
-        ("a term too few", paper.replace("\"A63\"", "\"C10\""), "`terms: A63` is missing"),
-        ("a list", "[1]".to_owned(), "`the file`: invalid type: sequence, expected an object"),
+        (
+            "scale",
+            global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"),
+            "`scales.wall_ratio`",
+        ),
+        (
+            "errors",
+            global.replace("\"max_n\"", "\"max\""),
+            "max_n` is missing",
+        ),
+        (
+            "a term",
+            paper.replace("\"A11\"", "\"D11\""),
+            "`terms[0].name` is `D11`; expected one of A11",
+        ),
+        (
+            "a term too many",
+            paper.replace("\"A11\"", "\"A12\""),
+            "A12 is given twice",
+        ),
+        (
+            "a term too few",
+            paper.replace("\"A63\"", "\"C10\""),
+            "`terms: A63` is missing",
+        ),
+        (
+            "a list",
+            "[1]".to_owned(),
+            "`the file`: invalid type: sequence, expected an object",
+        ),
     ];
     for (name, text, part) in cases {
         let error = Document::parse(&text).expect_err(name).to_string();
@@ -178,7 +311,10 @@ fn wrong_files_are_named_with_their_key() {
     }
     let path = Path::new("no/such/formula.json");
     let error = read_text(path).unwrap_err().in_file(path).to_string();
-    assert!(error.starts_with("no/such/formula.json: cannot be read"), "{error}");
+    assert!(
+        error.starts_with("no/such/formula.json: cannot be read"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -186,7 +322,10 @@ fn a_file_that_was_edited_answers_and_other_keys_are_passed_over() {
     let mut file: serde_json::Value = serde_json::to_value(global()).unwrap();
     file["terms"][0]["value"] = 1.2.into();
     file["note"] = "of mine".into();
-    let Ok(Document::Section(Formula { body: Body::Global(terms), .. })) = Document::parse(&file.to_string())
+    let Ok(Document::Section(Formula {
+        body: Body::Global(terms),
+        ..
+    })) = Document::parse(&file.to_string())
     else {
         panic!("{file}")
     };
@@ -195,10 +334,20 @@ fn a_file_that_was_edited_answers_and_other_keys_are_passed_over() {
 
 #[test]
 fn latex_is_balanced_and_has_every_term() {
-    for (f, count) in [(formula(Body::Paper(Box::new(*Coefficients::published()))), 48), (global(), 5)] {
+    for (f, count) in [
+        (
+            formula(Body::Paper(Box::new(*Coefficients::published()))),
+            48,
+        ),
+        (global(), 5),
+    ] {
         let text = f.to_latex();
         for (open, close) in [('{', '}'), ('(', ')')] {
-            assert_eq!(text.matches(open).count(), text.matches(close).count(), "{text}");
+            assert_eq!(
+                text.matches(open).count(),
+                text.matches(close).count(),
+                "{text}"
+            );
         }
         let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
         assert_eq!(numbers.filter(|n| n.len() == 7).count(), count, "{text}");

@@ -44,7 +44,8 @@ pub enum JointError {
     },
     /// One muscle sets a torque or a stiffness, not both.
     #[error(
-        "a joint with one muscle has one pressure: its stiffness follows from the torque and cannot be set"
+        "a joint with one muscle has one pressure: its stiffness follows from the torque and \
+         cannot be set"
     )]
     OneMuscle,
     /// A muscle's model has no answer.
@@ -62,10 +63,14 @@ pub enum JointError {
 
 impl JointError {
     pub(super) fn in_muscle<E: Into<AnalysisError>>(muscle: usize) -> impl Fn(E) -> Self {
-        move |error| Self::Muscle { muscle: muscle + 1, error: error.into() }
+        move |error| Self::Muscle {
+            muscle: muscle + 1,
+            error: error.into(),
+        }
     }
 
-    /// Whether a muscle has no state at the pressures and the angle of the question: others may have one.
+    /// Whether a muscle has no state at the pressures and the angle of the question: others may
+    /// have one.
     pub fn is_of_point(&self) -> bool {
         matches!(self, Self::Muscle { error: AnalysisError::Model(error), .. } if error.is_of_point())
     }

@@ -24,17 +24,22 @@ impl JointFile {
     /// The joint with its muscles, in the order of [`JointFile::files`].
     pub fn with(&self, muscles: Vec<Muscle>) -> Result<Joint, JointError> {
         let given = muscles.len();
-        let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| JointMuscle {
-            muscle,
-            path,
-            contraction_at_neutral,
+        let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| {
+            JointMuscle {
+                muscle,
+                path,
+                contraction_at_neutral,
+            }
         };
         let list: Vec<JointMuscle> = muscles.into_iter().zip(&self.muscles).map(at).collect();
         if given != self.muscles.len() {
             return Err(JointError::Muscles(given));
         }
         let joint = Joint::new(list, self.spring, self.link, self.range_deg)?;
-        Ok(Joint { pulleys: self.pulleys.clone(), ..joint })
+        Ok(Joint {
+            pulleys: self.pulleys.clone(),
+            ..joint
+        })
     }
 }
 
@@ -61,10 +66,16 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
     let (mut muscles, mut pulleys) = (vec![], vec![]);
     for (name, sign) in [("muscle_1", 1.0), ("muscle_2", -1.0)] {
         let section = root.at(name);
-        let Some(file) = section.get("file") else { continue };
+        let Some(file) = section.get("file") else {
+            continue;
+        };
         let path = path(&section, radius, sign)?;
         pulleys.push(pulley_friction(&section, &path)?);
-        muscles.push((file, path, section.get("contraction_at_neutral").unwrap_or(0.0)));
+        muscles.push((
+            file,
+            path,
+            section.get("contraction_at_neutral").unwrap_or(0.0),
+        ));
     }
     let link = root.at("link");
     let value = |key: &str| link.get(key).unwrap_or(0.0);
@@ -88,14 +99,23 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
 /// A pulley, of the section or of the joint, or two points.
 fn path(section: &Section<'_>, radius: Option<f64>, sign: f64) -> Result<Path, FileError> {
     match (section.get("origin"), section.get("insertion")) {
-        (Some(origin_mm), Some(insertion_mm)) => Ok(Path::Points { origin_mm, insertion_mm }),
-        (Some(_), None) => Err(section.missing("insertion", Some("origin"), "the point on the moving link")),
-        (None, Some(_)) => Err(section.missing("origin", Some("insertion"), "the point on the fixed link")),
+        (Some(origin_mm), Some(insertion_mm)) => Ok(Path::Points {
+            origin_mm,
+            insertion_mm,
+        }),
+        (Some(_), None) => {
+            Err(section.missing("insertion", Some("origin"), "the point on the moving link"))
+        }
+        (None, Some(_)) => {
+            Err(section.missing("origin", Some("insertion"), "the point on the fixed link"))
+        }
         (None, None) => {
             let needs = "the pulley's radius, here or in [joint], or origin and insertion";
             let radius = section.get("radius").or(radius);
             let radius: f64 = radius.ok_or_else(|| section.missing("radius", None, needs))?;
-            Ok(Path::Pulley { radius_mm: sign * radius })
+            Ok(Path::Pulley {
+                radius_mm: sign * radius,
+            })
         }
     }
 }
@@ -105,12 +125,20 @@ fn pulley_friction(section: &Section<'_>, path: &Path) -> Result<PulleyFriction,
     const KEYS: (&str, &str) = ("wrap_angle", "wrap_friction");
     match (section.get::<f64>(KEYS.0), section.get(KEYS.1)) {
         (None, None) => Ok(PulleyFriction::default()),
-        (Some(_), None) => Err(section.missing(KEYS.1, Some(KEYS.0), "the coefficient of friction")),
-        (None, Some(_)) => Err(section.missing(KEYS.0, Some(KEYS.1), "the angle of the rope on its pulley")),
-        (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => {
-            Err(section.error(KEYS.1, "needs a pulley: give radius, not origin and insertion"))
+        (Some(_), None) => {
+            Err(section.missing(KEYS.1, Some(KEYS.0), "the coefficient of friction"))
         }
-        (Some(deg), Some(coefficient)) => Ok(PulleyFriction { coefficient, wrap_rad: deg.to_radians() }),
+        (None, Some(_)) => {
+            Err(section.missing(KEYS.0, Some(KEYS.1), "the angle of the rope on its pulley"))
+        }
+        (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => Err(section.error(
+            KEYS.1,
+            "needs a pulley: give radius, not origin and insertion",
+        )),
+        (Some(deg), Some(coefficient)) => Ok(PulleyFriction {
+            coefficient,
+            wrap_rad: deg.to_radians(),
+        }),
     }
 }
 
@@ -121,18 +149,28 @@ fn spring(section: &Section<'_>, radius: Option<f64>) -> Result<Option<JointSpri
     match (section.get("rate"), section.get("angular_rate")) {
         (Some(rate_n_per_mm), None) => {
             let preload_n = section.get("preload").unwrap_or(0.0);
-            Ok(Some(JointSpring::Rope { path: path(section, radius, -1.0)?, rate_n_per_mm, preload_n }))
+            Ok(Some(JointSpring::Rope {
+                path: path(section, radius, -1.0)?,
+                rate_n_per_mm,
+                preload_n,
+            }))
         }
         (None, Some(rate_nm_per_rad)) => {
             let preload_nm = section.get("preload_torque").unwrap_or(0.0);
-            Ok(Some(JointSpring::Torsion { rate_nm_per_rad, preload_nm }))
+            Ok(Some(JointSpring::Torsion {
+                rate_nm_per_rad,
+                preload_nm,
+            }))
         }
         (Some(_), Some(_)) => {
-            let said = "conflicts with angular_rate: a spring acts by a rope, or it is a torsion spring";
+            let said =
+                "conflicts with angular_rate: a spring acts by a rope, or it is a torsion spring";
             Err(section.error("rate", said))
         }
-        (None, None) => {
-            Err(section.missing("rate", None, "of a spring on a rope, or angular_rate of a torsion spring"))
-        }
+        (None, None) => Err(section.missing(
+            "rate",
+            None,
+            "of a spring on a rope, or angular_rate of a torsion spring",
+        )),
     }
 }

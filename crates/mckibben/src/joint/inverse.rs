@@ -15,7 +15,8 @@ const TAUT: f64 = 1e-8;
 pub struct JointTarget {
     /// φ in degrees.
     pub angle_deg: f64,
-    /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0 where it shall rest there.
+    /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0
+    /// where it shall rest there.
     pub torque_nm: f64,
     /// −dτ/dφ in N m/rad; the lowest pressures where it is not given.
     pub stiffness_nm_per_rad: Option<f64>,
@@ -33,8 +34,8 @@ struct Here {
 impl JointModel<'_> {
     /// The pressures, up to `max_pressure_mpa`, and the joint at them.
     ///
-    /// Of two muscles the pull of the first decides that of the second, F2 = (τ − F1 Δ1′)/Δ2′; along that line the stiffness is sought.
-    /// Where several pressures give it, the lowest.
+    /// Of two muscles the pull of the first decides that of the second, F2 = (τ − F1 Δ1′)/Δ2′;
+    /// along that line the stiffness is sought. Where several pressures give it, the lowest.
     ///
     /// # Errors
     /// [`JointError::OutOfReach`] with what the joint reaches; [`JointError::OneMuscle`].
@@ -47,30 +48,52 @@ impl JointModel<'_> {
         self.check_angle(wanted.angle_deg)?;
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
-        for (i, workspace) in workspaces.iter_mut().enumerate().take(self.joint().muscles().len()) {
-            let Some((contraction, s)) = self.joint().contraction(i, angle) else { break };
-            let most = self.evaluation(i, workspace, Direction::Mean).force_n(max_pressure_mpa, contraction);
+        for (i, workspace) in workspaces
+            .iter_mut()
+            .enumerate()
+            .take(self.joint().muscles().len())
+        {
+            let Some((contraction, s)) = self.joint().contraction(i, angle) else {
+                break;
+            };
+            let most = self
+                .evaluation(i, workspace, Direction::Mean)
+                .force_n(max_pressure_mpa, contraction);
             // Beyond its free contraction there may be no answer, and there is no pull.
             let most_n = most.unwrap_or(0.0).max(0.0);
             let (arm_mm, arm_by_angle_mm) = (s.arm_mm, s.arm_by_angle_mm);
-            here.push(Here { contraction, arm_mm, arm_by_angle_mm, most_n });
+            here.push(Here {
+                contraction,
+                arm_mm,
+                arm_by_angle_mm,
+                most_n,
+            });
         }
         let (passive, passive_slope) = self.joint().passive_nm(angle);
         let needed = 1e3 * (wanted.torque_nm - passive);
-        let out_of_reach = |sought: String, [least, most]: [f64; 2], unit: &str| JointError::OutOfReach {
-            most,
-            message: format!(
-                "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the joint reaches {least:.4} to {most:.4} {unit} there",
-                wanted.angle_deg
-            ),
-        };
+        let out_of_reach =
+            |sought: String, [least, most]: [f64; 2], unit: &str| JointError::OutOfReach {
+                most,
+                message: format!(
+                    "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the \
+                     joint reaches {least:.4} to {most:.4} {unit} there",
+                    wanted.angle_deg
+                ),
+            };
         let no_torque = || {
-            let reach =
-                |sign: f64| here.iter().map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0)).sum::<f64>();
+            let reach = |sign: f64| {
+                here.iter()
+                    .map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0))
+                    .sum::<f64>()
+            };
             let reached = [-1.0, 1.0].map(|sign| passive + 1e-3 * reach(sign));
             out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m")
         };
-        let line = Line { model: self, here: &here, needed };
+        let line = Line {
+            model: self,
+            here: &here,
+            needed,
+        };
         let (low, high) = line.pulls().ok_or_else(no_torque)?;
         let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
             (None, _) => line.pressures(workspaces, low)?,
@@ -86,7 +109,11 @@ impl JointModel<'_> {
                 if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
                     return Err(error);
                 }
-                let end = |sign: f64| sweep.least(|k| sign * k).map_or(f64::NAN, |(_, k)| k + stiffness);
+                let end = |sign: f64| {
+                    sweep
+                        .least(|k| sign * k)
+                        .map_or(f64::NAN, |(_, k)| k + stiffness)
+                };
                 let zero = zero.ok_or_else(|| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
                     out_of_reach(sought, [end(1.0), end(-1.0)], "N m/rad")
@@ -121,16 +148,25 @@ impl Line<'_, '_> {
         let slack = |pull: f64| pull > -1e-9 && pull < first.most_n + 1e-9;
         let Some(second) = self.here.get(1) else {
             let pull = self.needed / first.arm_mm;
-            return slack(pull).then_some((pull.clamp(0.0, first.most_n), pull.clamp(0.0, first.most_n)));
+            return slack(pull)
+                .then_some((pull.clamp(0.0, first.most_n), pull.clamp(0.0, first.most_n)));
         };
         let ends = [0.0, second.most_n].map(|f| (self.needed - f * second.arm_mm) / first.arm_mm);
-        let (low, high) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(first.most_n));
+        let (low, high) = (
+            ends[0].min(ends[1]).max(0.0),
+            ends[0].max(ends[1]).min(first.most_n),
+        );
         (low <= high + 1e-9).then_some((low, high.max(low)))
     }
 
     fn pressures(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<Vec<f64>> {
         let pulls = [first_n, self.second(first_n)];
-        let each = self.here.iter().zip(workspaces.iter_mut()).zip(pulls).enumerate();
+        let each = self
+            .here
+            .iter()
+            .zip(workspaces.iter_mut())
+            .zip(pulls)
+            .enumerate();
         each.map(|(i, ((here, workspace), pull))| {
             // Rounding leaves no pull.
             if pull <= 1e-9 * here.most_n.max(1.0) {
@@ -138,7 +174,9 @@ impl Line<'_, '_> {
             }
             let pull = pull.min(here.most_n);
             let mut muscle = self.model.evaluation(i, workspace, Direction::Mean);
-            muscle.pressure_at(pull, here.contraction).map_err(JointError::in_muscle(i))
+            muscle
+                .pressure_at(pull, here.contraction)
+                .map_err(JointError::in_muscle(i))
         })
         .collect()
     }
@@ -148,10 +186,16 @@ impl Line<'_, '_> {
         let pressures = self.pressures(workspaces, first_n)?;
         let mut sum = 0.0;
         for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {
-            let mut muscle = self.model.evaluation(i, &mut workspaces[i], Direction::Mean);
-            let r = muscle.response(p, here.contraction).map_err(JointError::in_muscle(i))?;
+            let mut muscle = self
+                .model
+                .evaluation(i, &mut workspaces[i], Direction::Mean);
+            let r = muscle
+                .response(p, here.contraction)
+                .map_err(JointError::in_muscle(i))?;
             if r.force_n > 0.0 {
-                let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::in_muscle(i))?;
+                let k = muscle
+                    .stiffness_n_per_mm(&r)
+                    .map_err(JointError::in_muscle(i))?;
                 sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
             }
         }

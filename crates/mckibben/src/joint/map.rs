@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.
 const STEPS: usize = 8;
-/// Newton's step with which it ends, in rad: the error of the angle is of the order of its square, and of the stiffness, which
-/// the last two points give at the angle found, as well. A first step has no point before it and must be smaller.
+/// Newton's step with which it ends, in rad: the error of the angle is of the order of its square,
+/// and of the stiffness, which the last two points give at the angle found, as well. A first step
+/// has no point before it and must be smaller.
 const SMALL: f64 = 1e-6;
 const SMALL_FIRST: f64 = 1e-9;
 
@@ -47,15 +48,18 @@ pub struct MapGap {
 pub struct JointMap {
     /// Pressures of each muscle in MPa, from none to the supply's.
     pub grid_mpa: Vec<f64>,
-    /// The rests, P1 the slower; none where nothing acts and the joint is loose, and at `gaps`. Of a joint with one muscle, at its pressures.
+    /// The rests, P1 the slower; none where nothing acts and the joint is loose, and at `gaps`. Of
+    /// a joint with one muscle, at its pressures.
     pub points: Vec<Option<MapPoint>>,
     /// Pressures at which a muscle has no state where the joint would come to rest.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gaps: Vec<MapGap>,
-    /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1 down, P2 down.
+    /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1
+    /// down, P2 down.
     pub border: Vec<MapPoint>,
-    /// At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other
-    /// without. Angles at which a muscle has no state are omitted.
+    /// At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at
+    /// the supply's pressure and the other without. Angles at which a muscle has no state are
+    /// omitted.
     pub torques: Vec<(f64, f64, f64)>,
 }
 
@@ -63,17 +67,29 @@ impl JointModel<'_> {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
     /// # Errors
-    /// [`JointError`]; that of a model's range where the map leaves it, unless the joint extrapolates; that of the first gap where there are only gaps.
-    pub fn map(&self, max_pressure_mpa: f64, count: usize, progress: &dyn Progress) -> Result<JointMap> {
+    /// [`JointError`]; that of a model's range where the map leaves it, unless the joint
+    /// extrapolates; that of the first gap where there are only gaps.
+    pub fn map(
+        &self,
+        max_pressure_mpa: f64,
+        count: usize,
+        progress: &dyn Progress,
+    ) -> Result<JointMap> {
         self.outside(max_pressure_mpa)?;
         let count = count.max(2);
-        let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
+        let grid: Vec<f64> = (0..count)
+            .map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64)
+            .collect();
         let two = self.joint().muscles().len() == 2;
         // What a muscle's free contraction depends on is its pressure alone.
         let workspaces = &mut self.workspaces();
         let mut free = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate() {
-            free.push(grid.iter().map(|p| self.free(i, workspace, *p)).collect::<Result<Vec<_>, _>>()?);
+            free.push(
+                grid.iter()
+                    .map(|p| self.free(i, workspace, *p))
+                    .collect::<Result<Vec<_>, _>>()?,
+            );
         }
         type Rest = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
         let row = |&i: &usize| -> Result<Vec<Rest>> {
@@ -83,8 +99,11 @@ impl JointModel<'_> {
             let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
             (0..if two { count } else { 1 })
                 .map(|j| {
-                    let pressures_mpa: Vec<f64> = free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect();
-                    let start = near.zip(before).map_or(near, |(near, before)| Some(2.0 * near - before));
+                    let pressures_mpa: Vec<f64> =
+                        free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect();
+                    let start = near
+                        .zip(before)
+                        .map_or(near, |(near, before)| Some(2.0 * near - before));
                     let mut fixed = Fixed {
                         workspaces: &mut workspaces,
                         pressures_mpa: pressures_mpa.clone(),
@@ -102,7 +121,10 @@ impl JointModel<'_> {
                 .collect()
         };
         let places: Vec<usize> = (0..count).collect();
-        let rows = Threads::shared().map(&places, row).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let rows = Threads::shared()
+            .map(&places, row)
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()?;
         let all = || rows.iter().flatten();
         let missing = all().filter_map(|rest| rest.as_ref().err());
         if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {
@@ -113,9 +135,15 @@ impl JointModel<'_> {
             reason: error.to_string(),
         };
         let gaps = missing.map(gap).collect();
-        let rows: Vec<Vec<Option<MapPoint>>> =
-            rows.into_iter().map(|row| row.into_iter().map(|rest| rest.ok().flatten()).collect()).collect();
-        let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
+        let rows: Vec<Vec<Option<MapPoint>>> = rows
+            .into_iter()
+            .map(|row| row.into_iter().map(|rest| rest.ok().flatten()).collect())
+            .collect();
+        let border = if two {
+            around(&rows)
+        } else {
+            rows.iter().flatten().flatten().cloned().collect()
+        };
         Ok(JointMap {
             torques: self.torques(max_pressure_mpa)?,
             points: rows.into_iter().flatten().collect(),
@@ -125,8 +153,9 @@ impl JointModel<'_> {
         })
     }
 
-    /// What of a map lies outside of the models' ranges, a sentence for each muscle: its measures, the highest pressure, and its
-    /// contractions over the range of the angle, as far as it pulls there.
+    /// What of a map lies outside of the models' ranges, a sentence for each muscle: its measures,
+    /// the highest pressure, and its contractions over the range of the angle, as far as it pulls
+    /// there.
     ///
     /// # Errors
     /// [`JointError::Muscle`] with the range, unless the joint extrapolates.
@@ -134,17 +163,23 @@ impl JointModel<'_> {
         let (low, high) = self.joint().range_deg();
         let mut said = vec![];
         for (i, workspace) in self.workspaces().iter_mut().enumerate() {
-            let angle = |k: usize| (low + (high - low) * k as f64 / (ANGLES - 1) as f64).to_radians();
+            let angle =
+                |k: usize| (low + (high - low) * k as f64 / (ANGLES - 1) as f64).to_radians();
             let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
-            let (least, most) =
-                (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+            let (least, most) = (
+                all().fold(f64::INFINITY, f64::min),
+                all().fold(f64::NEG_INFINITY, f64::max),
+            );
             let range = &self.model(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
-            let beyond = Interval::new(Quantity::CONTRACTION, range.contraction).violation(most, 1e-12);
+            let beyond =
+                Interval::new(Quantity::CONTRACTION, range.contraction).violation(most, 1e-12);
             let beyond = beyond.filter(|v| !violations.contains(v));
             // Beyond its free contraction it hangs slack.
             if let Some(beyond) = beyond
-                && self.free(i, workspace, max_pressure_mpa)?.is_none_or(|free| free > range.contraction.1)
+                && self
+                    .free(i, workspace, max_pressure_mpa)?
+                    .is_none_or(|free| free > range.contraction.1)
             {
                 violations.push(beyond);
             }
@@ -152,7 +187,11 @@ impl JointModel<'_> {
                 continue;
             }
             let model = self.model(i).info().name.to_string();
-            let error = ModelError::OutOfRange { model, violations, make: range.make.clone() };
+            let error = ModelError::OutOfRange {
+                model,
+                violations,
+                make: range.make.clone(),
+            };
             if !self.extrapolate {
                 return Err(JointError::in_muscle(i)(error));
             }
@@ -163,7 +202,11 @@ impl JointModel<'_> {
 
     /// Workspaces for its muscles.
     pub fn workspaces(&self) -> Vec<Workspace> {
-        self.joint().muscles().iter().map(|_| Workspace::new()).collect()
+        self.joint()
+            .muscles()
+            .iter()
+            .map(|_| Workspace::new())
+            .collect()
     }
 
     /// The stable rest nearest to an angle.
@@ -194,7 +237,13 @@ impl JointModel<'_> {
                 return Ok(Some(point(angle, slope, shut, true)));
             }
             let curvature = before.map(|(at, was)| (slope - was) / (angle - at));
-            if (next - angle).abs() < if curvature.is_some() { SMALL } else { SMALL_FIRST } {
+            if (next - angle).abs()
+                < if curvature.is_some() {
+                    SMALL
+                } else {
+                    SMALL_FIRST
+                }
+            {
                 let slope = slope + curvature.unwrap_or(0.0) * (next - angle);
                 return Ok(Some(point(next, slope, shut, false)));
             }
@@ -204,7 +253,10 @@ impl JointModel<'_> {
         let rests = self.rests_beside_gaps(fixed)?;
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
-        let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by(|a, b| far(a).total_cmp(&far(b)))
+        let Some(rest) = rests
+            .iter()
+            .filter(|r| r.is_stable())
+            .min_by(|a, b| far(a).total_cmp(&far(b)))
         else {
             return Ok(None);
         };
@@ -213,14 +265,23 @@ impl JointModel<'_> {
         }
         let angle = rest.angle_deg().to_radians();
         let (_, slope, shut) = self.torque(fixed, angle)?;
-        Ok(Some(point(angle, slope, shut, matches!(rest, Rest::Limit { .. }))))
+        Ok(Some(point(
+            angle,
+            slope,
+            shut,
+            matches!(rest, Rest::Limit { .. }),
+        )))
     }
 
     fn torques(&self, max_mpa: f64) -> Result<Vec<(f64, f64, f64)>> {
         let mut workspaces = self.workspaces();
         let (low, high) = self.joint().range_deg();
         let two = self.joint().muscles().len() == 2;
-        let ends: &[&[f64]] = if two { &[&[max_mpa, 0.0], &[0.0, max_mpa]] } else { &[&[max_mpa], &[0.0]] };
+        let ends: &[&[f64]] = if two {
+            &[&[max_mpa, 0.0], &[0.0, max_mpa]]
+        } else {
+            &[&[max_mpa], &[0.0]]
+        };
         let mut all = vec![vec![]; ANGLES];
         for pressures in ends {
             let mut fixed = match self.fixed(&mut workspaces, pressures) {
@@ -235,15 +296,18 @@ impl JointModel<'_> {
                 }
             }
         }
-        let ends = all.into_iter().filter(|list| list.len() == ends.len()).filter_map(|list| {
-            let deg = list.first()?.0;
-            let torques = list.iter().map(|t| t.1);
-            Some((
-                deg,
-                torques.clone().fold(f64::INFINITY, f64::min),
-                torques.fold(f64::NEG_INFINITY, f64::max),
-            ))
-        });
+        let ends = all
+            .into_iter()
+            .filter(|list| list.len() == ends.len())
+            .filter_map(|list| {
+                let deg = list.first()?.0;
+                let torques = list.iter().map(|t| t.1);
+                Some((
+                    deg,
+                    torques.clone().fold(f64::INFINITY, f64::min),
+                    torques.fold(f64::NEG_INFINITY, f64::max),
+                ))
+            });
         Ok(ends.collect())
     }
 }

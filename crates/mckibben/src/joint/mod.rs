@@ -1,11 +1,12 @@
 //! A joint: one muscle against a spring, or two against each other, and the weight of a link.
 //!
-//! Angles φ are counterclockwise from the neutral angle, in degrees at the boundary. Muscle i has the contraction
-//! ε_i = ε_i0 + Δ_i(φ)/L_i ([`Path`]), and by virtual work the joint's torque is
+//! Angles φ are counterclockwise from the neutral angle, in degrees at the boundary. Muscle i has
+//! the contraction ε_i = ε_i0 + Δ_i(φ)/L_i ([`Path`]), and by virtual work the joint's torque is
 //!
 //!   τ = Σ F_i(P_i, ε_i) Δ_i′ + spring + weight,   stiffness −dτ/dφ = Σ (K_i Δ_i′² − F_i Δ_i″) + …
 //!
-//! with K = ∂F/∂L of a muscle at its pressure. A muscle beyond its free contraction is slack: its rope hangs, F = K = 0.
+//! with K = ∂F/∂L of a muscle at its pressure. A muscle beyond its free contraction is slack: its
+//! rope hangs, F = K = 0.
 
 mod error;
 mod file;
@@ -78,7 +79,8 @@ pub struct Link {
     pub payload_kg: f64,
     /// Its distance from the axis in mm.
     pub payload_at_mm: f64,
-    /// Moment of inertia of the link about the axis in kg m², without the payload; of a point mass at its centre where it is not stated.
+    /// Moment of inertia of the link about the axis in kg m², without the payload; of a point mass
+    /// at its centre where it is not stated.
     pub inertia_kg_m2: Option<f64>,
     /// Damping in N m s/rad.
     pub damping_nm_s_per_rad: f64,
@@ -87,8 +89,9 @@ pub struct Link {
 impl Link {
     /// Torque of the weight in N m, −g Σ m r cos(φ + β), and its slope in φ.
     pub fn weight_nm(&self, angle_rad: f64) -> (f64, f64) {
-        let moment =
-            1e-3 * GRAVITY_M_PER_S2 * (self.mass_kg * self.centre_mm + self.payload_kg * self.payload_at_mm);
+        let moment = 1e-3
+            * GRAVITY_M_PER_S2
+            * (self.mass_kg * self.centre_mm + self.payload_kg * self.payload_at_mm);
         let (sin, cos) = (angle_rad + self.inclination_deg.to_radians()).sin_cos();
         (-moment * cos, moment * sin)
     }
@@ -96,12 +99,14 @@ impl Link {
     /// Moment of inertia about the axis in kg m², with the payload.
     pub fn whole_inertia_kg_m2(&self) -> f64 {
         let point = |mass: f64, at_mm: f64| mass * (1e-3 * at_mm).powi(2);
-        self.inertia_kg_m2.unwrap_or(point(self.mass_kg, self.centre_mm))
+        self.inertia_kg_m2
+            .unwrap_or(point(self.mass_kg, self.centre_mm))
             + point(self.payload_kg, self.payload_at_mm)
     }
 }
 
-/// Friction of a muscle's rope on its pulley: a pull F arrives as F exp(∓μα) while the muscle shortens or lengthens (capstan), α the angle of wrap.
+/// Friction of a muscle's rope on its pulley: a pull F arrives as F exp(∓μα) while the muscle
+/// shortens or lengthens (capstan), α the angle of wrap.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct PulleyFriction {
     /// μ
@@ -131,7 +136,13 @@ impl Joint {
         link: Link,
         range_deg: (f64, f64),
     ) -> Result<Self, JointError> {
-        let joint = Self { muscles, pulleys: vec![], spring, link, range_deg };
+        let joint = Self {
+            muscles,
+            pulleys: vec![],
+            spring,
+            link,
+            range_deg,
+        };
         joint.check()?;
         Ok(joint)
     }
@@ -156,16 +167,23 @@ impl Joint {
             ("inertia", link.inertia_kg_m2.unwrap_or(0.0)),
             ("damping", link.damping_nm_s_per_rad),
         ];
-        if let Some((what, value)) = values.into_iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
-            return wrong(format!("{what} of the link is {value}; it must be zero or above"));
+        if let Some((what, value)) = values
+            .into_iter()
+            .find(|(_, v)| !(v.is_finite() && *v >= 0.0))
+        {
+            return wrong(format!(
+                "{what} of the link is {value}; it must be zero or above"
+            ));
         }
         for (i, m) in (1..).zip(&self.muscles) {
-            let of_muscle = |error| JointError::Refused(format!("muscle {i} of the joint: {error}"));
+            let of_muscle =
+                |error| JointError::Refused(format!("muscle {i} of the joint: {error}"));
             m.muscle.check_contracts().map_err(of_muscle)?;
             let e = m.contraction_at_neutral;
             if !(e.is_finite() && e.abs() < 1.0) {
                 return wrong(format!(
-                    "muscle {i}: {e} is not a valid contraction at the neutral angle; it lies below 1"
+                    "muscle {i}: {e} is not a valid contraction at the neutral angle; it lies \
+                     below 1"
                 ));
             }
             self.check_path(i, &m.path)?;
@@ -173,7 +191,9 @@ impl Joint {
             let long = m.muscle.length_mm() * (1.0 - e);
             if matches!(m.path, Path::Points { .. }) && apart < long {
                 return wrong(format!(
-                    "muscle {i}: its attachment points are {apart:.1} mm apart at the neutral angle, and the muscle is {long:.1} mm long there; move them apart, shorten the muscle or contract it further"
+                    "muscle {i}: its attachment points are {apart:.1} mm apart at the neutral \
+                     angle, and the muscle is {long:.1} mm long there; move them apart, shorten \
+                     the muscle or contract it further"
                 ));
             }
         }
@@ -194,10 +214,13 @@ impl Joint {
         let least = 1e-3 * path.length_mm(0.0);
         let past = (0..=180)
             .map(|k| low + (high - low) * f64::from(k) / 180.0)
-            .find(|deg| matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least);
+            .find(|deg| {
+                matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least
+            });
         past.map_or(Ok(()), |angle_deg| {
             Err(JointError::Refused(format!(
-                "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them"
+                "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the \
+                 joint's range or move them"
             )))
         })
     }
@@ -229,19 +252,35 @@ impl Joint {
         Some((m.contraction_at_neutral + s.mm / m.muscle.length_mm(), s))
     }
 
-    /// Whether the torque depends on which way it turns: by the friction in a muscle or on its pulley.
+    /// Whether the torque depends on which way it turns: by the friction in a muscle or on its
+    /// pulley.
     pub fn has_friction(&self) -> bool {
         self.muscles.iter().any(|m| m.muscle.friction().is_some())
             || self.pulleys.iter().any(|p| p.coefficient > 0.0)
     }
 
     /// Share of a muscle's pull that arrives from its pulley, and its slope in the angle.
-    fn arriving(&self, muscle: usize, angle_rad: f64, arm_mm: f64, direction: Direction) -> (f64, f64) {
-        let Some(p) = self.pulleys.get(muscle) else { return (1.0, 0.0) };
+    fn arriving(
+        &self,
+        muscle: usize,
+        angle_rad: f64,
+        arm_mm: f64,
+        direction: Direction,
+    ) -> (f64, f64) {
+        let Some(p) = self.pulleys.get(muscle) else {
+            return (1.0, 0.0);
+        };
         let wrap = p.wrap_rad - arm_mm.signum() * angle_rad;
         let rate = direction.sign() * p.coefficient;
         let share = (rate * wrap.max(0.0)).exp();
-        (share, if wrap > 0.0 { -share * rate * arm_mm.signum() } else { 0.0 })
+        (
+            share,
+            if wrap > 0.0 {
+                -share * rate * arm_mm.signum()
+            } else {
+                0.0
+            },
+        )
     }
 
     /// Torque of spring and weight in N m at an angle, and its slope in φ.
@@ -249,10 +288,18 @@ impl Joint {
         let (weight, by) = self.link.weight_nm(angle_rad);
         match self.spring {
             None => (weight, by),
-            Some(JointSpring::Torsion { rate_nm_per_rad, preload_nm }) => {
-                (weight - preload_nm - rate_nm_per_rad * angle_rad, by - rate_nm_per_rad)
-            }
-            Some(JointSpring::Rope { path, rate_n_per_mm, preload_n }) => {
+            Some(JointSpring::Torsion {
+                rate_nm_per_rad,
+                preload_nm,
+            }) => (
+                weight - preload_nm - rate_nm_per_rad * angle_rad,
+                by - rate_nm_per_rad,
+            ),
+            Some(JointSpring::Rope {
+                path,
+                rate_n_per_mm,
+                preload_n,
+            }) => {
                 let s = path.shortening(angle_rad);
                 let force = preload_n - rate_n_per_mm * s.mm;
                 if force <= 0.0 {

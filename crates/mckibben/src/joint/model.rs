@@ -9,7 +9,9 @@ use crate::uncertainty::UncertaintyParts;
 use serde::{Deserialize, Serialize};
 
 /// Which way the joint turns: on which branch of their friction the muscles are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turning {
     /// Between both branches.
@@ -59,9 +61,11 @@ pub struct JointPoint {
     /// −dτ/dφ with the valves shut.
     #[serde(flatten)]
     pub shut: ShutStiffness,
-    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
+    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make
+    /// it, N m.
     pub uncertainty_nm: Option<f64>,
-    /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both pulls at once.
+    /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds
+    /// fully; a rubber or braid that both share shifts both pulls at once.
     pub uncertainty_parts_nm: Option<UncertaintyParts>,
     /// 95 % half-width of the stiffness, N m/rad.
     pub stiffness_uncertainty_nm_per_rad: Option<f64>,
@@ -93,11 +97,22 @@ impl<'m> JointModel<'m> {
     ///
     /// # Errors
     /// [`JointError::Muscles`] where these are not as many.
-    pub fn new(joint: &'m Joint, models: Vec<&'m dyn ForceModel>, extrapolate: bool) -> Result<Self> {
+    pub fn new(
+        joint: &'m Joint,
+        models: Vec<&'m dyn ForceModel>,
+        extrapolate: bool,
+    ) -> Result<Self> {
         if models.len() == joint.muscles().len() {
             let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
-            let alike = digests.next().is_some_and(|first| digests.all(|other| other == first));
-            Ok(Self { joint, models, extrapolate, alike })
+            let alike = digests
+                .next()
+                .is_some_and(|first| digests.all(|other| other == first));
+            Ok(Self {
+                joint,
+                models,
+                extrapolate,
+                alike,
+            })
         } else {
             Err(JointError::Muscles(models.len()))
         }
@@ -119,7 +134,11 @@ impl<'m> JointModel<'m> {
         workspace: &'w mut Workspace,
         direction: Direction,
     ) -> Evaluation<'w> {
-        let options = Options { extrapolate: self.extrapolate, direction, ..Options::default() };
+        let options = Options {
+            extrapolate: self.extrapolate,
+            direction,
+            ..Options::default()
+        };
         Evaluation::new(self.models[muscle], workspace, options)
     }
 
@@ -128,7 +147,11 @@ impl<'m> JointModel<'m> {
         if (low_deg..=high_deg).contains(&angle_deg) {
             Ok(())
         } else {
-            Err(JointError::Angle { angle_deg, low_deg, high_deg })
+            Err(JointError::Angle {
+                angle_deg,
+                low_deg,
+                high_deg,
+            })
         }
     }
 
@@ -140,7 +163,13 @@ impl<'m> JointModel<'m> {
         angle_deg: f64,
         turning: Turning,
     ) -> Result<JointPoint> {
-        self.point(workspaces, pressures_mpa, angle_deg, turning, &mut vec![None; self.models.len()])
+        self.point(
+            workspaces,
+            pressures_mpa,
+            angle_deg,
+            turning,
+            &mut vec![None; self.models.len()],
+        )
     }
 
     /// The same at several angles, between both branches of friction.
@@ -152,7 +181,8 @@ impl<'m> JointModel<'m> {
     ) -> Vec<Result<JointPoint>> {
         // How a slack muscle hangs depends on its pressure alone.
         let hanging = &mut vec![None; self.models.len()];
-        let one = |&angle: &f64| self.point(workspaces, pressures_mpa, angle, Turning::Mean, hanging);
+        let one =
+            |&angle: &f64| self.point(workspaces, pressures_mpa, angle, Turning::Mean, hanging);
         angles_deg.iter().map(one).collect()
     }
 
@@ -164,7 +194,9 @@ impl<'m> JointModel<'m> {
         contraction: f64,
     ) -> Option<f64> {
         self.models.get(muscle)?;
-        self.evaluation(muscle, workspace, Direction::Mean).start_pressure_mpa(contraction).ok()
+        self.evaluation(muscle, workspace, Direction::Mean)
+            .start_pressure_mpa(contraction)
+            .ok()
     }
 
     fn point(
@@ -183,7 +215,9 @@ impl<'m> JointModel<'m> {
         let mut shut = ShutStiffness::NONE;
         let mut muscles = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate().take(self.models.len()) {
-            let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
+            let Some((contraction, s)) = self.joint.contraction(i, angle) else {
+                break;
+            };
             let direction = turning.branch(s.arm_mm);
             let mut muscle = self.evaluation(i, workspace, direction);
             let answer = muscle
@@ -193,14 +227,24 @@ impl<'m> JointModel<'m> {
             let k = if answer.slack {
                 0.0
             } else {
-                shut.add(&answer.response, muscle.model.muscle().length_mm(), s.arm_mm);
-                muscle.stiffness_n_per_mm(&answer.response).map_err(JointError::in_muscle(i))?
+                shut.add(
+                    &answer.response,
+                    muscle.model.muscle().length_mm(),
+                    s.arm_mm,
+                );
+                muscle
+                    .stiffness_n_per_mm(&answer.response)
+                    .map_err(JointError::in_muscle(i))?
             };
             let (share, by_angle) = self.joint.arriving(i, angle, s.arm_mm, direction);
             torque += share * (1e-3 * force * s.arm_mm);
             stiffness += share * (1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm));
             stiffness -= 1e-3 * force * s.arm_mm * by_angle;
-            muscles.push(MuscleState { answer, arm_mm: s.arm_mm, arm_by_angle_mm: s.arm_by_angle_mm });
+            muscles.push(MuscleState {
+                answer,
+                arm_mm: s.arm_mm,
+                arm_by_angle_mm: s.arm_by_angle_mm,
+            });
         }
         let parts = self.torque_uncertainty(workspaces, &muscles);
         Ok(JointPoint {
@@ -220,7 +264,10 @@ impl<'m> JointModel<'m> {
         if pressures_mpa.len() == self.models.len() {
             Ok(())
         } else {
-            Err(JointError::Pressures { muscles: self.models.len(), given: pressures_mpa.len() })
+            Err(JointError::Pressures {
+                muscles: self.models.len(),
+                given: pressures_mpa.len(),
+            })
         }
     }
 
@@ -232,19 +279,29 @@ impl<'m> JointModel<'m> {
     ) -> Result<Fixed<'w>> {
         self.check_pressures(pressures_mpa)?;
         let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
-        let free = each.map(|(i, (workspace, &p))| self.free(i, workspace, p)).collect::<Result<_, _>>()?;
-        Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free })
+        let free = each
+            .map(|(i, (workspace, &p))| self.free(i, workspace, p))
+            .collect::<Result<_, _>>()?;
+        Ok(Fixed {
+            workspaces,
+            pressures_mpa: pressures_mpa.to_vec(),
+            free,
+        })
     }
 
-    /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range, or has no state on the way to it: whether it
-    /// is slack is then computed at each angle.
+    /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its
+    /// model's range, or has no state on the way to it: whether it is slack is then computed at
+    /// each angle.
     pub(super) fn free(
         &self,
         muscle: usize,
         workspace: &mut Workspace,
         pressure_mpa: f64,
     ) -> Result<Option<f64>> {
-        match self.evaluation(muscle, workspace, Direction::Mean).free_contraction(pressure_mpa) {
+        match self
+            .evaluation(muscle, workspace, Direction::Mean)
+            .free_contraction(pressure_mpa)
+        {
             Ok(e) => Ok(Some(e)),
             Err(AnalysisError::NoContraction { .. }) => Ok(None),
             Err(AnalysisError::Model(error)) if error.is_of_point() => Ok(None),
@@ -253,20 +310,30 @@ impl<'m> JointModel<'m> {
     }
 
     /// (τ in N m, dτ/dφ, what shut valves add to −dτ/dφ) at fixed pressures.
-    pub(super) fn torque(&self, fixed: &mut Fixed<'_>, angle: f64) -> Result<(f64, f64, ShutStiffness)> {
+    pub(super) fn torque(
+        &self,
+        fixed: &mut Fixed<'_>,
+        angle: f64,
+    ) -> Result<(f64, f64, ShutStiffness)> {
         let (mut torque, mut slope) = self.joint.passive_nm(angle);
         let mut shut = ShutStiffness::NONE;
         for i in 0..self.models.len() {
-            let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
+            let Some((contraction, s)) = self.joint.contraction(i, angle) else {
+                break;
+            };
             if fixed.free[i].is_some_and(|free| contraction >= free) {
                 continue;
             }
             let mut muscle = self.evaluation(i, &mut fixed.workspaces[i], Direction::Mean);
-            let r = muscle.response(fixed.pressures_mpa[i], contraction).map_err(JointError::in_muscle(i))?;
+            let r = muscle
+                .response(fixed.pressures_mpa[i], contraction)
+                .map_err(JointError::in_muscle(i))?;
             if r.force_n <= 0.0 {
                 continue;
             }
-            let k = muscle.stiffness_n_per_mm(&r).map_err(JointError::in_muscle(i))?;
+            let k = muscle
+                .stiffness_n_per_mm(&r)
+                .map_err(JointError::in_muscle(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
             shut.add(&r, self.models[i].muscle().length_mm(), s.arm_mm);

@@ -2,8 +2,8 @@
 
 /// The way of a muscle (with its rope) or a spring about a joint in a plane.
 ///
-/// Δ(φ) is how far it is shortened against the neutral angle φ = 0, in mm; dΔ/dφ is its moment arm, positive where a pull turns
-/// the joint to +. By virtual work its torque is F dΔ/dφ.
+/// Δ(φ) is how far it is shortened against the neutral angle φ = 0, in mm; dΔ/dφ is its moment arm,
+/// positive where a pull turns the joint to +. By virtual work its torque is F dΔ/dφ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path {
     /// Over a pulley: Δ = r φ. A negative radius winds it on the other side.
@@ -11,8 +11,9 @@ pub enum Path {
         /// r in mm.
         radius_mm: f64,
     },
-    /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin, x and y in mm at
-    /// φ = 0, angles counterclockwise. l² = |a|² + |c|² − 2 a·R(φ)c, Δ = l(0) − l(φ).
+    /// Between a point a of the fixed link and a point c of the moving one; the axis is the origin,
+    /// x and y in mm at φ = 0, angles counterclockwise. l² = |a|² + |c|² − 2 a·R(φ)c, Δ = l(0) −
+    /// l(φ).
     Points {
         /// a
         origin_mm: [f64; 2],
@@ -36,10 +37,15 @@ impl Path {
     /// Δ at an angle; not finite where both points meet.
     pub fn shortening(&self, angle_rad: f64) -> Shortening {
         match *self {
-            Self::Pulley { radius_mm } => {
-                Shortening { mm: radius_mm * angle_rad, arm_mm: radius_mm, arm_by_angle_mm: 0.0 }
-            }
-            Self::Points { origin_mm: a, insertion_mm: c } => {
+            Self::Pulley { radius_mm } => Shortening {
+                mm: radius_mm * angle_rad,
+                arm_mm: radius_mm,
+                arm_by_angle_mm: 0.0,
+            },
+            Self::Points {
+                origin_mm: a,
+                insertion_mm: c,
+            } => {
                 let (sin, cos) = angle_rad.sin_cos();
                 let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];
                 let length = self.length_mm(angle_rad);
@@ -47,7 +53,11 @@ impl Path {
                 let slope = (a[0] * now[1] - a[1] * now[0]) / length;
                 let second = (a[0] * now[0] + a[1] * now[1] - slope * slope) / length;
                 let mm = self.length_mm(0.0) - length;
-                Shortening { mm, arm_mm: -slope, arm_by_angle_mm: -second }
+                Shortening {
+                    mm,
+                    arm_mm: -slope,
+                    arm_by_angle_mm: -second,
+                }
             }
         }
     }
@@ -56,7 +66,10 @@ impl Path {
     pub fn length_mm(&self, angle_rad: f64) -> f64 {
         match *self {
             Self::Pulley { .. } => 0.0,
-            Self::Points { origin_mm: a, insertion_mm: c } => {
+            Self::Points {
+                origin_mm: a,
+                insertion_mm: c,
+            } => {
                 let (sin, cos) = angle_rad.sin_cos();
                 let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];
                 (a[0] - now[0]).hypot(a[1] - now[1])
@@ -73,25 +86,44 @@ mod tests {
     fn arms_are_the_slopes_of_the_shortening() {
         let paths = [
             Path::Pulley { radius_mm: -25.0 },
-            Path::Points { origin_mm: [-20.0, 250.0], insertion_mm: [30.0, 12.0] },
-            Path::Points { origin_mm: [15.0, -180.0], insertion_mm: [-25.0, 5.0] },
+            Path::Points {
+                origin_mm: [-20.0, 250.0],
+                insertion_mm: [30.0, 12.0],
+            },
+            Path::Points {
+                origin_mm: [15.0, -180.0],
+                insertion_mm: [-25.0, 5.0],
+            },
         ];
         for path in paths {
             for angle in [-1.1, -0.3, 0.0, 0.4, 1.2] {
                 let h = 1e-5;
-                let (s, before, after) =
-                    (path.shortening(angle), path.shortening(angle - h), path.shortening(angle + h));
-                assert!((s.arm_mm - (after.mm - before.mm) / (2.0 * h)).abs() < 1e-7, "{path:?} {angle}");
+                let (s, before, after) = (
+                    path.shortening(angle),
+                    path.shortening(angle - h),
+                    path.shortening(angle + h),
+                );
+                assert!(
+                    (s.arm_mm - (after.mm - before.mm) / (2.0 * h)).abs() < 1e-7,
+                    "{path:?} {angle}"
+                );
                 let second = (after.arm_mm - before.arm_mm) / (2.0 * h);
-                assert!((s.arm_by_angle_mm - second).abs() < 1e-6, "{path:?} {angle}");
+                assert!(
+                    (s.arm_by_angle_mm - second).abs() < 1e-6,
+                    "{path:?} {angle}"
+                );
             }
         }
     }
 
-    /// A crank: with a = (0, h) and c = (r, 0) at φ = 0, l² = h² + r² − 2 h r sin φ; the arm at 0 is h r/√(h² + r²).
+    /// A crank: with a = (0, h) and c = (r, 0) at φ = 0, l² = h² + r² − 2 h r sin φ; the arm at 0
+    /// is h r/√(h² + r²).
     #[test]
     fn the_arm_of_a_crank_is_that_of_the_triangle() {
-        let path = Path::Points { origin_mm: [0.0, 240.0], insertion_mm: [70.0, 0.0] };
+        let path = Path::Points {
+            origin_mm: [0.0, 240.0],
+            insertion_mm: [70.0, 0.0],
+        };
         assert!((path.length_mm(0.0) - 250.0).abs() < 1e-12);
         assert!((path.shortening(0.0).arm_mm - 240.0 * 70.0 / 250.0).abs() < 1e-12);
     }

@@ -50,7 +50,8 @@ impl Rest {
 }
 
 impl JointModel<'_> {
-    /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +; at least one is stable.
+    /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +;
+    /// at least one is stable.
     pub fn rests(
         &self,
         workspaces: &mut [Workspace],
@@ -75,7 +76,11 @@ impl JointModel<'_> {
     }
 
     /// The rests between neighbouring angles, and the error of the first angle without a state.
-    fn scan(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<(Vec<Rest>, Option<JointError>)> {
+    fn scan(
+        &self,
+        fixed: &mut Fixed<'_>,
+        outside_nm: f64,
+    ) -> Result<(Vec<Rest>, Option<JointError>)> {
         let (low, high) = self.joint().range_deg();
         let (low, high) = (low.to_radians(), high.to_radians());
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
@@ -84,7 +89,11 @@ impl JointModel<'_> {
         // Start of a stretch in which nothing acts.
         let mut loose: Option<f64> = None;
         for i in 0..=SCAN {
-            let angle = if i == SCAN { high } else { low + (high - low) * i as f64 / SCAN as f64 };
+            let angle = if i == SCAN {
+                high
+            } else {
+                low + (high - low) * i as f64 / SCAN as f64
+            };
             let torque = match at(angle) {
                 Err(error) if error.is_of_point() => {
                     let ended = loose.take().zip(before.take());
@@ -95,11 +104,15 @@ impl JointModel<'_> {
                 torque => torque?,
             };
             if i == 0 && torque < 0.0 {
-                rests.push(Rest::Limit { angle_deg: low.to_degrees() });
+                rests.push(Rest::Limit {
+                    angle_deg: low.to_degrees(),
+                });
             }
             match (before, loose) {
                 (None, _) => loose = (torque == 0.0).then_some(angle),
-                (Some((last, _)), None) if torque == 0.0 => loose = Some(edge(&mut at, angle, last)?),
+                (Some((last, _)), None) if torque == 0.0 => {
+                    loose = Some(edge(&mut at, angle, last)?)
+                }
                 (Some((last, _)), Some(from)) if torque != 0.0 => {
                     rests.push(stretch(from, edge(&mut at, last, angle)?, torque));
                     loose = None;
@@ -108,15 +121,18 @@ impl JointModel<'_> {
             }
             if let Some((last, _)) = before.filter(|(_, was)| was * torque < 0.0) {
                 let root = find_root(&mut at, last, angle, TOLERANCE)?;
-                rests.extend(
-                    root.map(|at| Rest::Balance { angle_deg: at.to_degrees(), stable: torque < 0.0 }),
-                );
+                rests.extend(root.map(|at| Rest::Balance {
+                    angle_deg: at.to_degrees(),
+                    stable: torque < 0.0,
+                }));
             }
             before = Some((angle, torque));
         }
         rests.extend(loose.map(|from| stretch(from, high, 0.0)));
         if before.is_some_and(|(_, torque)| torque > 0.0) {
-            rests.push(Rest::Limit { angle_deg: high.to_degrees() });
+            rests.push(Rest::Limit {
+                angle_deg: high.to_degrees(),
+            });
         }
         Ok((rests, without))
     }
@@ -126,7 +142,11 @@ impl JointModel<'_> {
 fn edge(at: &mut impl FnMut(f64) -> Result<f64>, mut without: f64, mut with: f64) -> Result<f64> {
     while (with - without).abs() > TOLERANCE.max(4.0 * f64::EPSILON * with.abs()) {
         let middle = 0.5 * (without + with);
-        if at(middle)? == 0.0 { without = middle } else { with = middle }
+        if at(middle)? == 0.0 {
+            without = middle
+        } else {
+            with = middle
+        }
     }
     Ok(without)
 }
@@ -134,8 +154,14 @@ fn edge(at: &mut impl FnMut(f64) -> Result<f64>, mut without: f64, mut with: f64
 /// Angles without torque: one is a balance by chance, several are a loose joint.
 fn stretch(from: f64, to: f64, after: f64) -> Rest {
     if from < to {
-        Rest::Loose { from_deg: from.to_degrees(), to_deg: to.to_degrees() }
+        Rest::Loose {
+            from_deg: from.to_degrees(),
+            to_deg: to.to_degrees(),
+        }
     } else {
-        Rest::Balance { angle_deg: from.to_degrees(), stable: after <= 0.0 }
+        Rest::Balance {
+            angle_deg: from.to_degrees(),
+            stable: after <= 0.0,
+        }
     }
 }

@@ -4,27 +4,40 @@ use crate::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
 use crate::model::Response;
 use serde::{Deserialize, Serialize};
 
-/// −dτ/dφ with the valves shut, in N m/rad: at constant temperature for slow turns, without heat exchange for quick ones.
+/// −dτ/dφ with the valves shut, in N m/rad: at constant temperature for slow turns, without heat
+/// exchange for quick ones.
 ///
-/// The mass of air in a muscle stays, p Vⁿ = const with n = 1 (isothermal) or γ = 1.4 (adiabatic), p absolute. With the pull F and the
-/// volume V at a pressure P and a shortening Δ of the muscle, and a = dΔ/dφ,
+/// The mass of air in a muscle stays, p Vⁿ = const with n = 1 (isothermal) or γ = 1.4 (adiabatic),
+/// p absolute. With the pull F and the volume V at a pressure P and a shortening Δ of the muscle,
+/// and a = dΔ/dφ,
 ///
 ///   dP/dφ = −n p V_Δ a / (V + n p V_P),   −dτ/dφ = K + Σ a² n p V_Δ F_P / (V + n p V_P).
 ///
-/// V is the cavity of the muscle: hoses and fittings are not counted, and make the air softer. A slack muscle adds nothing.
+/// V is the cavity of the muscle: hoses and fittings are not counted, and make the air softer. A
+/// slack muscle adds nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShutStiffness {
-    /// −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the model has no volume.
-    #[serde(rename = "stiffness_shut_isothermal_nm_per_rad", skip_serializing_if = "Option::is_none")]
+    /// −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the
+    /// model has no volume.
+    #[serde(
+        rename = "stiffness_shut_isothermal_nm_per_rad",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub isothermal_nm_per_rad: Option<f64>,
     /// The same without heat exchange, N m/rad.
-    #[serde(rename = "stiffness_shut_adiabatic_nm_per_rad", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        rename = "stiffness_shut_adiabatic_nm_per_rad",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub adiabatic_nm_per_rad: Option<f64>,
 }
 
 impl ShutStiffness {
     /// Of no air: zero.
-    pub(super) const NONE: Self = Self { isothermal_nm_per_rad: Some(0.0), adiabatic_nm_per_rad: Some(0.0) };
+    pub(super) const NONE: Self = Self {
+        isothermal_nm_per_rad: Some(0.0),
+        adiabatic_nm_per_rad: Some(0.0),
+    };
 
     /// With −dτ/dφ at constant pressures.
     pub(super) fn over(self, stiffness_nm_per_rad: f64) -> Self {

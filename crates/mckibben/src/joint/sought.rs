@@ -1,19 +1,22 @@
-//! The ± of what was sought of a joint, from that of its torque: of a rest angle ±τ/|∂τ/∂φ|, of a pressure ±τ/|∂τ/∂P|.
+//! The ± of what was sought of a joint, from that of its torque: of a rest angle ±τ/|∂τ/∂φ|, of a
+//! pressure ±τ/|∂τ/∂P|.
 
 use super::{JointModel, JointPoint};
 use crate::answer::FLAT_MPA;
 use crate::model::Workspace;
 
 impl JointModel<'_> {
-    /// 95 % half-width in degrees of the angle at which a joint rests; `None` where it is wider than the range of the angle, or not known.
+    /// 95 % half-width in degrees of the angle at which a joint rests; `None` where it is wider
+    /// than the range of the angle, or not known.
     pub fn angle_uncertainty_deg(&self, point: &JointPoint) -> Option<f64> {
         let (low, high) = self.joint().range_deg();
         let half = (point.uncertainty_nm? / point.stiffness_nm_per_rad.abs()).to_degrees();
         (half <= high - low).then_some(half)
     }
 
-    /// 95 % half-width in MPa of the pressure of each muscle, where the pressures were sought: by so much the pressure of this muscle alone
-    /// makes up for the ± of the torque. `None` of a slack muscle, where it is wider than the pressure itself, or not known.
+    /// 95 % half-width in MPa of the pressure of each muscle, where the pressures were sought: by
+    /// so much the pressure of this muscle alone makes up for the ± of the torque. `None` of a
+    /// slack muscle, where it is wider than the pressure itself, or not known.
     pub fn pressure_uncertainties_mpa(
         &self,
         workspaces: &mut [Workspace],

@@ -7,13 +7,19 @@ use crate::progress::Silent;
 use crate::random::{Random, rounds};
 
 fn antagonists() -> Joint {
-    let muscles =
-        vec![muscle(Path::Pulley { radius_mm: 25.0 }, 0.1), muscle(Path::Pulley { radius_mm: -25.0 }, 0.1)];
+    let muscles = vec![
+        muscle(Path::Pulley { radius_mm: 25.0 }, 0.1),
+        muscle(Path::Pulley { radius_mm: -25.0 }, 0.1),
+    ];
     Joint::new(muscles, None, Link::default(), (-60.0, 60.0)).unwrap()
 }
 
 fn models(joint: &Joint, kind: ModelKind) -> Vec<Box<dyn ForceModel>> {
-    joint.muscles().iter().map(|m| kind.build(&m.muscle).unwrap()).collect()
+    joint
+        .muscles()
+        .iter()
+        .map(|m| kind.build(&m.muscle).unwrap())
+        .collect()
 }
 
 fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<'m> {
@@ -24,49 +30,82 @@ fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<
 fn more_pressure_in_the_first_muscle_and_a_torque_from_outside_turn_the_joint_to_plus() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
     let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
     assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
 }
 
-/// One muscle, one pull: what is summed in search of a rest is the torque of the table, also of muscles without pressure that pull because they were
-/// drawn, that push and that hang slack; and at a balance it vanishes.
+/// One muscle, one pull: what is summed in search of a rest is the torque of the table, also of
+/// muscles without pressure that pull because they were drawn, that push and that hang slack; and
+/// at a balance it vanishes.
 #[test]
 fn a_rest_and_a_table_have_one_torque() {
     let mut random = Random(28);
     for _ in 0..rounds(40) {
         let mut one = muscle(Path::Pulley { radius_mm: 25.0 }, random.between(0.0, 0.1));
         let (angle_deg, stiffness) = (random.between(18.0, 50.0), BraidStiffness::Inextensible);
-        let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
+        let braid = Braid {
+            angle_deg,
+            stiffness,
+            ..Braid::paper()
+        };
         let stretch = random.one_of(&[1.0, 1.08, 1.2]);
-        one.muscle = one.muscle.with_braid(braid).unwrap().with(&PRESTRETCH, stretch).unwrap();
-        let other = JointMuscle { path: Path::Pulley { radius_mm: -25.0 }, ..one.clone() };
+        one.muscle = one
+            .muscle
+            .with_braid(braid)
+            .unwrap()
+            .with(&PRESTRETCH, stretch)
+            .unwrap();
+        let other = JointMuscle {
+            path: Path::Pulley { radius_mm: -25.0 },
+            ..one.clone()
+        };
         let joint = Joint::new(vec![one, other], None, Link::default(), (-30.0, 30.0)).unwrap();
         let models = models(&joint, ModelKind::ThickWall);
-        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let (model, w) = (
+            bound(&joint, &models),
+            &mut [Workspace::new(), Workspace::new()][..],
+        );
         let pressures = [random.one_of(&[0.0, 0.01, 0.1]), 0.0];
         for angle_deg in [-25.0, -10.0, 0.0, 5.0, 20.0] {
-            let table = model.at(w, &pressures, angle_deg, Turning::Mean).unwrap().torque_nm;
+            let table = model
+                .at(w, &pressures, angle_deg, Turning::Mean)
+                .unwrap()
+                .torque_nm;
             let fixed = &mut model.fixed(w, &pressures).unwrap();
             let summed = model.torque(fixed, f64::to_radians(angle_deg)).unwrap().0;
             let near = (summed - table).abs() < 1e-9 * (1.0 + table.abs());
             assert!(near, "{angle_deg}: {summed} {table} {joint:?}");
         }
         for rest in model.rests(w, &pressures, 0.0).unwrap() {
-            let torque = model.at(w, &pressures, rest.angle_deg(), Turning::Mean).unwrap().torque_nm;
+            let torque = model
+                .at(w, &pressures, rest.angle_deg(), Turning::Mean)
+                .unwrap()
+                .torque_nm;
             let nothing = torque.abs() < 1e-6 || matches!(rest, Rest::Limit { .. });
             assert!(nothing, "{rest:?}: {torque} {joint:?}");
         }
     }
 }
 
-/// ±τ over the slopes of the torque, these by central differences: of pressures that were sought, and of the angle at rest.
+/// ±τ over the slopes of the torque, these by central differences: of pressures that were sought,
+/// and of the angle at rest.
 #[test]
 fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
-    let wanted = JointTarget { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
+    let wanted = JointTarget {
+        angle_deg: 10.0,
+        torque_nm: 2.0,
+        stiffness_nm_per_rad: Some(8.0),
+    };
     let point = model.pressures(w, wanted, 0.3).unwrap();
     let halves = model.pressure_uncertainties_mpa(w, &point);
     assert_eq!(halves.len(), 2);
@@ -74,74 +113,115 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
         let mut torque = |step: f64| {
             let mut pressures = point.pressures_mpa.clone();
             pressures[i] += step;
-            model.at(w, &pressures, 10.0, Turning::Mean).unwrap().torque_nm
+            model
+                .at(w, &pressures, 10.0, Turning::Mean)
+                .unwrap()
+                .torque_nm
         };
         let slope = (torque(1e-5) - torque(-1e-5)) / 2e-5;
         let half = point.uncertainty_nm.unwrap() / slope.abs();
-        assert!((sought.unwrap() / half - 1.0).abs() < 1e-6, "{sought:?}, by differences {half}");
+        assert!(
+            (sought.unwrap() / half - 1.0).abs() < 1e-6,
+            "{sought:?}, by differences {half}"
+        );
     }
     let pressures = [0.2, 0.15];
     let rest = model.rests(w, &pressures, 0.0).unwrap()[0].angle_deg();
     let point = model.at(w, &pressures, rest, Turning::Mean).unwrap();
     let half = model.angle_uncertainty_deg(&point).unwrap();
-    // The rest itself moves by it under a torque from outside as large as the ±, to the first order: of a thousandth of the ±.
+    // The rest itself moves by it under a torque from outside as large as the ±, to the first
+    // order: of a thousandth of the ±.
     let outside = 1e-3 * point.uncertainty_nm.unwrap();
     let mut turned = |by: f64| model.rests(w, &pressures, by).unwrap()[0].angle_deg();
     let moved = 500.0 * (turned(outside) - turned(-outside));
-    assert!((moved / half - 1.0).abs() < 1e-5, "{half}°, by differences {moved}°");
+    assert!(
+        (moved / half - 1.0).abs() < 1e-5,
+        "{half}°, by differences {moved}°"
+    );
 }
 
-/// Of one muscle on a pulley r ±F and, with ±K = √2 ±F without friction over 0.37 ε_max L0, r² ±K: by hand. Of two opposed ones with the same friction law
-/// r (±F₁ + ±F₂) of the parts for friction, and squares of those of the model.
+/// Of one muscle on a pulley r ±F and, with ±K = √2 ±F without friction over 0.37 ε_max L0, r² ±K:
+/// by hand. Of two opposed ones with the same friction law r (±F₁ + ±F₂) of the parts for friction,
+/// and squares of those of the model.
 #[test]
 fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
     let one = || muscle(Path::Pulley { radius_mm: 25.0 }, 0.1);
-    let spring = JointSpring::Torsion { rate_nm_per_rad: 3.0, preload_nm: 0.0 };
+    let spring = JointSpring::Torsion {
+        rate_nm_per_rad: 3.0,
+        preload_nm: 0.0,
+    };
     let single = Joint::new(vec![one()], Some(spring), Link::default(), (-60.0, 60.0)).unwrap();
     let both = antagonists();
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let m = one().muscle;
     let way_mm = 0.37 * m.max_ideal_contraction() * m.length_mm();
     let single_models = models(&single, ModelKind::ThickWall);
-    let of_one = bound(&single, &single_models).at(&mut w[..1], &[0.2], 10.0, Turning::Mean).unwrap();
+    let of_one = bound(&single, &single_models)
+        .at(&mut w[..1], &[0.2], 10.0, Turning::Mean)
+        .unwrap();
     let parts = of_one.muscles[0].answer.uncertainty_parts_n.unwrap();
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
     near(of_one.uncertainty_nm.unwrap(), 0.025 * parts.total());
     let without = parts.total().powi(2) - parts.friction.unwrap().powi(2);
-    near(of_one.stiffness_uncertainty_nm_per_rad.unwrap(), 1e-3 * 625.0 * (2.0 * without).sqrt() / way_mm);
+    near(
+        of_one.stiffness_uncertainty_nm_per_rad.unwrap(),
+        1e-3 * 625.0 * (2.0 * without).sqrt() / way_mm,
+    );
     let both_models = models(&both, ModelKind::ThickWall);
-    let of_both = bound(&both, &both_models).at(w, &[0.2, 0.1], 10.0, Turning::Mean).unwrap();
+    let of_both = bound(&both, &both_models)
+        .at(w, &[0.2, 0.1], 10.0, Turning::Mean)
+        .unwrap();
     let [a, b] = [0, 1].map(|i| of_both.muscles[i].answer.uncertainty_parts_n.unwrap());
     let torque = of_both.uncertainty_parts_nm.unwrap();
-    near(torque.friction.unwrap(), 0.025 * (a.friction.unwrap() + b.friction.unwrap()));
-    near(torque.measured.unwrap(), 0.025 * a.measured.unwrap().hypot(b.measured.unwrap()));
+    near(
+        torque.friction.unwrap(),
+        0.025 * (a.friction.unwrap() + b.friction.unwrap()),
+    );
+    near(
+        torque.measured.unwrap(),
+        0.025 * a.measured.unwrap().hypot(b.measured.unwrap()),
+    );
     near(of_both.uncertainty_nm.unwrap(), torque.total());
 }
 
-/// Strands known within a factor of 2: the torque of two runs with both muscles' strands twice and half as stiff, less that of the first.
+/// Strands known within a factor of 2: the torque of two runs with both muscles' strands twice and
+/// half as stiff, less that of the first.
 #[test]
 fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
     let joint_of = |k: f64, stiffness_factor: f64| {
         let muscles = [25.0, -25.0].map(|radius_mm| {
             let joint_muscle = muscle(Path::Pulley { radius_mm }, 0.1);
             let stiffness = BraidStiffness::NewtonPerMm(k);
-            let braid = Braid { stiffness, stiffness_factor, ..joint_muscle.muscle.braid().clone() };
-            JointMuscle { muscle: joint_muscle.muscle.with_braid(braid).unwrap(), ..joint_muscle }
+            let braid = Braid {
+                stiffness,
+                stiffness_factor,
+                ..joint_muscle.muscle.braid().clone()
+            };
+            JointMuscle {
+                muscle: joint_muscle.muscle.with_braid(braid).unwrap(),
+                ..joint_muscle
+            }
         });
         Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap()
     };
     let point = |joint: &Joint| {
         let models = models(joint, ModelKind::ThickWall);
         let w = &mut [Workspace::new(), Workspace::new()][..];
-        bound(joint, &models).at(w, &[0.25, 0.15], 15.0, Turning::Mean).unwrap()
+        bound(joint, &models)
+            .at(w, &[0.25, 0.15], 15.0, Turning::Mean)
+            .unwrap()
     };
-    let [known, stiffer, softer] = [1000.0, 2000.0, 500.0].map(|k| point(&joint_of(k, 1.0)).torque_nm);
+    let [known, stiffer, softer] =
+        [1000.0, 2000.0, 500.0].map(|k| point(&joint_of(k, 1.0)).torque_nm);
     let pair = point(&joint_of(1000.0, 2.0));
     let braid = pair.uncertainty_parts_nm.unwrap().braid.unwrap();
     let expected = (stiffer - known).abs().max((softer - known).abs());
     assert!((braid / expected - 1.0).abs() < 1e-9, "{braid} {expected}");
     // Less than the muscles' own, of which it is the difference.
-    let single = pair.muscles.iter().map(|m| 0.025 * m.answer.uncertainty_parts_n.unwrap().braid.unwrap());
+    let single = pair
+        .muscles
+        .iter()
+        .map(|m| 0.025 * m.answer.uncertainty_parts_n.unwrap().braid.unwrap());
     assert!(braid < single.fold(0.0, f64::max));
 }
 
@@ -149,13 +229,24 @@ fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
 fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
     let point = model.at(w, &[0.02, 0.2], 60.0, Turning::Mean).unwrap();
-    assert!(point.muscles[0].answer.slack && !point.muscles[1].answer.slack, "{point:?}");
-    assert_eq!(point.torque_nm, 1e-3 * point.muscles[1].answer.response.force_n * -25.0);
+    assert!(
+        point.muscles[0].answer.slack && !point.muscles[1].answer.slack,
+        "{point:?}"
+    );
+    assert_eq!(
+        point.torque_nm,
+        1e-3 * point.muscles[1].answer.response.force_n * -25.0
+    );
     // Without pressure nothing acts over most of the range.
     let rests = model.rests(w, &[0.0, 0.0], 0.0).unwrap();
-    let [Rest::Loose { from_deg, to_deg }] = rests[..] else { panic!("{rests:?}") };
+    let [Rest::Loose { from_deg, to_deg }] = rests[..] else {
+        panic!("{rests:?}")
+    };
     assert!(from_deg < -30.0 && to_deg > 30.0, "{rests:?}");
 }
 
@@ -169,62 +260,116 @@ fn friction_lies_on_both_sides_of_the_mean() {
     });
     let joint = Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap();
     let models = models(&joint, ModelKind::Ideal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
     let mut torque = |turning| model.at(w, &[0.2, 0.1], 10.0, turning).unwrap().torque_nm;
-    let (mean, plus, minus) = (torque(Turning::Mean), torque(Turning::Plus), torque(Turning::Minus));
+    let (mean, plus, minus) = (
+        torque(Turning::Mean),
+        torque(Turning::Plus),
+        torque(Turning::Minus),
+    );
     let half = 1e-3 * 25.0 * 40.0 * (0.2f64.powf(0.7) + 0.1f64.powf(0.7));
     assert!((plus - (mean - half)).abs() < 1e-9 && (minus - (mean + half)).abs() < 1e-9);
 }
 
-/// −dτ/dφ against differences of the torque, while the joint turns either way: the contact of the strands has its part, ∂G/∂ε.
+/// −dτ/dφ against differences of the torque, while the joint turns either way: the contact of the
+/// strands has its part, ∂G/∂ε.
 #[test]
 fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
-    let friction =
-        crate::muscle::Friction { coefficient: 20.0, exponent: 0.7, lever_mm: 0.5, presliding_mm: None };
-    let path = |x: f64| Path::Points { origin_mm: [0.0, 320.0], insertion_mm: [x, 0.0] };
+    let friction = crate::muscle::Friction {
+        coefficient: 20.0,
+        exponent: 0.7,
+        lever_mm: 0.5,
+        presliding_mm: None,
+    };
+    let path = |x: f64| Path::Points {
+        origin_mm: [0.0, 320.0],
+        insertion_mm: [x, 0.0],
+    };
     let muscles = [30.0, -30.0].map(|x| JointMuscle {
         muscle: Muscle::prototype().with_friction(Some(friction)).unwrap(),
         path: path(x),
         contraction_at_neutral: 0.12,
     });
-    let link = Link { mass_kg: 2.0, centre_mm: 150.0, ..Link::default() };
+    let link = Link {
+        mass_kg: 2.0,
+        centre_mm: 150.0,
+        ..Link::default()
+    };
     let joint = Joint::new(muscles.to_vec(), None, link, (-40.0, 40.0)).unwrap();
     let models = models(&joint, ModelKind::ThickWall);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
     for turning in [Turning::Mean, Turning::Plus, Turning::Minus] {
         for deg in [-15.0, 0.0, 10.0] {
             let mut torque = |deg: f64| model.at(w, &[0.2, 0.15], deg, turning).unwrap().torque_nm;
             let h = 0.01;
             let slope = (torque(deg - h) - torque(deg + h)) / (2.0 * f64::to_radians(h));
-            let there = model.at(w, &[0.2, 0.15], deg, turning).unwrap().stiffness_nm_per_rad;
-            assert!((there / slope - 1.0).abs() < 1e-5, "{turning:?} {deg} {there} {slope}");
+            let there = model
+                .at(w, &[0.2, 0.15], deg, turning)
+                .unwrap()
+                .stiffness_nm_per_rad;
+            assert!(
+                (there / slope - 1.0).abs() < 1e-5,
+                "{turning:?} {deg} {there} {slope}"
+            );
         }
     }
 }
 
-/// Euler–Eytelwein: exp(∓μα) of the pull at α = 70° ∓ 20° of both muscles; −dτ/dφ against differences.
+/// Euler–Eytelwein: exp(∓μα) of the pull at α = 70° ∓ 20° of both muscles; −dτ/dφ against
+/// differences.
 #[test]
 fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
     let text = |lines: &str| {
         let muscle = format!("file = 'm'\ncontraction_at_neutral = '10%'\n{lines}");
-        parse_joint(&format!("[joint]\nradius = '25 mm'\n[muscle_1]\n{muscle}[muscle_2]\n{muscle}"))
+        parse_joint(&format!(
+            "[joint]\nradius = '25 mm'\n[muscle_1]\n{muscle}[muscle_2]\n{muscle}"
+        ))
     };
-    let joint = |lines: &str| text(lines).unwrap().with(vec![Muscle::prototype(); 2]).unwrap();
-    let (without, with) = (joint(""), joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n"));
+    let joint = |lines: &str| {
+        text(lines)
+            .unwrap()
+            .with(vec![Muscle::prototype(); 2])
+            .unwrap()
+    };
+    let (without, with) = (
+        joint(""),
+        joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n"),
+    );
     let models = models(&with, ModelKind::Ideal);
     let w = &mut [Workspace::new(), Workspace::new()][..];
-    let mut at = |joint, deg, turning| bound(joint, &models).at(w, &[0.2, 0.1], deg, turning).unwrap();
+    let mut at = |joint, deg, turning| {
+        bound(joint, &models)
+            .at(w, &[0.2, 0.1], deg, turning)
+            .unwrap()
+    };
     let pulls = at(&without, 20.0, Turning::Plus).muscles;
     let [first, second] = [0, 1].map(|i| 1e-3 * 25.0 * pulls[i].answer.response.force_n);
-    for (turning, sign) in [(Turning::Mean, 0.0), (Turning::Plus, -0.2), (Turning::Minus, 0.2)] {
+    for (turning, sign) in [
+        (Turning::Mean, 0.0),
+        (Turning::Plus, -0.2),
+        (Turning::Minus, 0.2),
+    ] {
         let factor = |deg: f64, sign: f64| (sign * deg.to_radians()).exp();
         let expected = first * factor(50.0, sign) - second * factor(90.0, -sign);
         let here = at(&with, 20.0, turning);
-        assert!((here.torque_nm / expected - 1.0).abs() < 1e-12, "{turning:?} {} {expected}", here.torque_nm);
+        assert!(
+            (here.torque_nm / expected - 1.0).abs() < 1e-12,
+            "{turning:?} {} {expected}",
+            here.torque_nm
+        );
         let h: f64 = 0.01;
         let [before, after] = [20.0 - h, 20.0 + h].map(|deg| at(&with, deg, turning).torque_nm);
         let slope = (before - after) / (2.0 * h.to_radians());
-        assert!((here.stiffness_nm_per_rad / slope - 1.0).abs() < 1e-6, "{turning:?} {slope}");
+        assert!(
+            (here.stiffness_nm_per_rad / slope - 1.0).abs() < 1e-6,
+            "{turning:?} {slope}"
+        );
     }
     for (lines, said) in [
         ("wrap_friction = 0.2\n", "wrap_angle"),
@@ -238,27 +383,67 @@ fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
 fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
-    let wanted = JointTarget { angle_deg: 0.0, torque_nm: 500.0, stiffness_nm_per_rad: None };
+    let (model, w) = (
+        bound(&joint, &models),
+        &mut [Workspace::new(), Workspace::new()][..],
+    );
+    let wanted = JointTarget {
+        angle_deg: 0.0,
+        torque_nm: 500.0,
+        stiffness_nm_per_rad: None,
+    };
     let error = model.pressures(w, wanted, 0.25).unwrap_err();
-    let JointError::OutOfReach { most: most_nm, .. } = error else { panic!("{error}") };
-    let all = model.at(w, &[0.25, 0.0], 0.0, Turning::Mean).unwrap().torque_nm;
+    let JointError::OutOfReach { most: most_nm, .. } = error else {
+        panic!("{error}")
+    };
+    let all = model
+        .at(w, &[0.25, 0.0], 0.0, Turning::Mean)
+        .unwrap()
+        .torque_nm;
     assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
-    let stiff = JointTarget { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
+    let stiff = JointTarget {
+        torque_nm: 1.0,
+        stiffness_nm_per_rad: Some(1e4),
+        ..wanted
+    };
     let error = model.pressures(w, stiff, 0.25).unwrap_err();
-    assert!(matches!(error, JointError::OutOfReach { most, .. } if most > 1.0), "{error}");
+    assert!(
+        matches!(error, JointError::OutOfReach { most, .. } if most > 1.0),
+        "{error}"
+    );
     // The lowest pressures that hold a torque leave the other muscle alone.
-    let low = model.pressures(w, JointTarget { torque_nm: 5.0, ..wanted }, 0.25).unwrap();
-    assert!((low.torque_nm - 5.0).abs() < 1e-9 && low.pressures_mpa[1] == 0.0, "{low:?}");
-    assert!(matches!(model.at(w, &[0.1, 0.1], 70.0, Turning::Mean), Err(JointError::Angle { .. })));
-    assert!(matches!(model.at(w, &[0.1], 0.0, Turning::Mean), Err(JointError::Pressures { .. })));
+    let low = model
+        .pressures(
+            w,
+            JointTarget {
+                torque_nm: 5.0,
+                ..wanted
+            },
+            0.25,
+        )
+        .unwrap();
+    assert!(
+        (low.torque_nm - 5.0).abs() < 1e-9 && low.pressures_mpa[1] == 0.0,
+        "{low:?}"
+    );
+    assert!(matches!(
+        model.at(w, &[0.1, 0.1], 70.0, Turning::Mean),
+        Err(JointError::Angle { .. })
+    ));
+    assert!(matches!(
+        model.at(w, &[0.1], 0.0, Turning::Mean),
+        Err(JointError::Pressures { .. })
+    ));
 }
 
 #[test]
 fn a_map_holds_the_rests_that_are_found_one_by_one() {
     for joint in [antagonists(), verification::elbow().unwrap()] {
         let models = models(&joint, ModelKind::Universal);
-        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let (model, w) = (
+            bound(&joint, &models),
+            &mut [Workspace::new(), Workspace::new()][..],
+        );
         let map = model.map(0.25, 7, &Silent).unwrap();
         assert_eq!((map.points.len(), map.grid_mpa.len()), (49, 7));
         let mut compared = 0;
@@ -271,9 +456,14 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
             };
             let near = rests.iter().filter(|r| r.is_stable()).flat_map(ends);
             let near = near.map(|deg| (deg - point.angle_deg).abs());
-            assert!(near.fold(f64::INFINITY, f64::min) < 1e-7, "{point:?} {rests:?}");
+            assert!(
+                near.fold(f64::INFINITY, f64::min) < 1e-7,
+                "{point:?} {rests:?}"
+            );
             if !point.at_limit {
-                let there = model.at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean).unwrap();
+                let there = model
+                    .at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
+                    .unwrap();
                 assert!((there.stiffness_nm_per_rad - point.stiffness_nm_per_rad).abs() < 1e-6);
                 compared += 1;
             }
@@ -284,27 +474,48 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
     }
 }
 
-/// Soft strands have no equilibrium at high pressures: the map has the rests at the others, in balance with the spring, and the reasons.
+/// Soft strands have no equilibrium at high pressures: the map has the rests at the others, in
+/// balance with the spring, and the reasons.
 #[test]
 fn a_map_goes_on_beside_pressures_without_a_state() {
-    let braid = Braid { stiffness: BraidStiffness::NewtonPerMm(10.0), ..Braid::paper() };
+    let braid = Braid {
+        stiffness: BraidStiffness::NewtonPerMm(10.0),
+        ..Braid::paper()
+    };
     let one = muscle(Path::Pulley { radius_mm: 25.0 }, 0.12);
-    let soft = JointMuscle { muscle: one.muscle.with_braid(braid).unwrap(), ..one };
-    let spring = JointSpring::Torsion { rate_nm_per_rad: 15.0, preload_nm: 0.0 };
+    let soft = JointMuscle {
+        muscle: one.muscle.with_braid(braid).unwrap(),
+        ..one
+    };
+    let spring = JointSpring::Torsion {
+        rate_nm_per_rad: 15.0,
+        preload_nm: 0.0,
+    };
     let joint = Joint::new(vec![soft], Some(spring), Link::default(), (-20.0, 20.0)).unwrap();
     let models = models(&joint, ModelKind::ThickWall);
     let model = bound(&joint, &models);
     let map = model.map(0.6, 4, &Silent).unwrap();
-    assert!(!map.gaps.is_empty() && map.gaps.len() + map.points.iter().flatten().count() == 4, "{map:?}");
-    assert!(map.gaps.iter().all(|gap| gap.reason.starts_with("muscle 1: no equilibrium")), "{map:?}");
+    assert!(
+        !map.gaps.is_empty() && map.gaps.len() + map.points.iter().flatten().count() == 4,
+        "{map:?}"
+    );
+    assert!(
+        map.gaps
+            .iter()
+            .all(|gap| gap.reason.starts_with("muscle 1: no equilibrium")),
+        "{map:?}"
+    );
     for point in map.points.iter().flatten() {
         let w = &mut [Workspace::new()][..];
-        let here = model.at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean).unwrap();
+        let here = model
+            .at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
+            .unwrap();
         assert!(here.torque_nm.abs() < 1e-5, "{point:?} {here:?}");
     }
 }
 
-/// The box of `universal` ends at a pressure, at no contraction and at walls that the prototype does not have.
+/// The box of `universal` ends at a pressure, at no contraction and at walls that the prototype
+/// does not have.
 #[test]
 fn a_map_outside_of_a_models_range_is_refused_or_said() {
     let within = antagonists();
@@ -323,9 +534,17 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
         let list = || models.iter().map(|m| &**m).collect();
         let strict = JointModel::new(joint, list(), false).unwrap();
         let error = strict.map(supply, 3, &Silent).unwrap_err().to_string();
-        assert!(error.contains("outside the range") && error.contains(said), "{error}");
+        assert!(
+            error.contains("outside the range") && error.contains(said),
+            "{error}"
+        );
         let open = JointModel::new(joint, list(), true).unwrap();
-        assert!(open.outside(supply).unwrap().iter().any(|s| s.contains(said)));
+        assert!(
+            open.outside(supply)
+                .unwrap()
+                .iter()
+                .any(|s| s.contains(said))
+        );
     }
     let models = models(&within, ModelKind::Universal);
     let strict = JointModel::new(&within, models.iter().map(|m| &**m).collect(), false).unwrap();
@@ -334,12 +553,32 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
 
 #[test]
 fn geometry_that_cannot_be_built_is_refused() {
-    let near = vec![muscle(Path::Points { origin_mm: [0.0, 200.0], insertion_mm: [30.0, 0.0] }, 0.1)];
+    let near = vec![muscle(
+        Path::Points {
+            origin_mm: [0.0, 200.0],
+            insertion_mm: [30.0, 0.0],
+        },
+        0.1,
+    )];
     let error = Joint::new(near, None, Link::default(), (-60.0, 60.0)).unwrap_err();
-    assert!(error.to_string().contains("muscle 1: its attachment points are"), "{error}");
-    let meeting = vec![muscle(Path::Points { origin_mm: [0.0, 300.0], insertion_mm: [300.0, 0.0] }, 0.1)];
+    assert!(
+        error
+            .to_string()
+            .contains("muscle 1: its attachment points are"),
+        "{error}"
+    );
+    let meeting = vec![muscle(
+        Path::Points {
+            origin_mm: [0.0, 300.0],
+            insertion_mm: [300.0, 0.0],
+        },
+        0.1,
+    )];
     let error = Joint::new(meeting, None, Link::default(), (-90.0, 90.0)).unwrap_err();
-    assert!(error.to_string().contains("attachment points meet"), "{error}");
+    assert!(
+        error.to_string().contains("attachment points meet"),
+        "{error}"
+    );
     assert!(Joint::new(vec![], None, Link::default(), (-60.0, 60.0)).is_err());
     let one = vec![muscle(Path::Pulley { radius_mm: 20.0 }, 0.1)];
     assert!(Joint::new(one, None, Link::default(), (60.0, -60.0)).is_err());
@@ -353,52 +592,94 @@ fn files_say_where_they_are_wrong() {
     assert_eq!(joint.range_deg(), (-60.0, 60.0));
     for (text, said) in [
         ("", "muscle_1"),
-        ("[joint]\nradius = '25 mm'\n[muscle_1]\ncontraction_at_neutral = '10%'\n", "file"),
+        (
+            "[joint]\nradius = '25 mm'\n[muscle_1]\ncontraction_at_neutral = '10%'\n",
+            "file",
+        ),
         ("[muscle_1]\nfile = 'a.toml'\n", "radius"),
-        ("[joint]\nradius = '-25 mm'\n[muscle_1]\nfile = 'a.toml'\n", "above zero"),
-        ("[joint]\nradius = '25 mm'\nrange = '10 deg'\n[muscle_1]\nfile = 'a.toml'\n", "range such as"),
-        ("[joint]\nradius = '25 bar'\n[muscle_1]\nfile = 'a.toml'\n", "a pressure"),
+        (
+            "[joint]\nradius = '-25 mm'\n[muscle_1]\nfile = 'a.toml'\n",
+            "above zero",
+        ),
+        (
+            "[joint]\nradius = '25 mm'\nrange = '10 deg'\n[muscle_1]\nfile = 'a.toml'\n",
+            "range such as",
+        ),
+        (
+            "[joint]\nradius = '25 bar'\n[muscle_1]\nfile = 'a.toml'\n",
+            "a pressure",
+        ),
         ("[joint]\nradus = '25 mm'\n", "radius"),
-        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm', '2 mm']\n", "insertion"),
-        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm']\ninsertion = ['1 mm', '2 mm']\n", "x and y"),
-        ("[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n[spring]\npreload = '3 N'\n", "rate"),
+        (
+            "[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm', '2 mm']\n",
+            "insertion",
+        ),
+        (
+            "[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm']\ninsertion = ['1 mm', '2 mm']\n",
+            "x and y",
+        ),
+        (
+            "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n[spring]\npreload = '3 N'\n",
+            "rate",
+        ),
     ] {
         let error = parse_joint(text).unwrap_err().to_string();
         assert!(error.contains(said), "{text}: {error}");
     }
 }
 
-/// By central differences of the torque along p Vⁿ = const, each pressure found from the model's own volume by bisection.
+/// By central differences of the torque along p Vⁿ = const, each pressure found from the model's
+/// own volume by bisection.
 #[test]
 fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
     let joint = antagonists();
     for kind in [ModelKind::ThickWall, ModelKind::Universal] {
         let models = models(&joint, kind);
-        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let (model, w) = (
+            bound(&joint, &models),
+            &mut [Workspace::new(), Workspace::new()][..],
+        );
         let (pressures, angle) = ([0.22, 0.13], 7.0);
         let point = model.at(w, &pressures, angle, Turning::Mean).unwrap();
-        for (n, said) in [(1.0, point.shut.isothermal_nm_per_rad), (1.4, point.shut.adiabatic_nm_per_rad)] {
+        for (n, said) in [
+            (1.0, point.shut.isothermal_nm_per_rad),
+            (1.4, point.shut.adiabatic_nm_per_rad),
+        ] {
             let mut torque = |step: f64| {
                 let mut shut = pressures;
                 for (i, p) in shut.iter_mut().enumerate() {
                     let e = |deg: f64| joint.contraction(i, deg.to_radians()).unwrap().0;
                     let mut content = |p: f64, deg: f64| {
-                        let v = models[i].response(&mut w[i], p, e(deg)).unwrap().volume_mm3.unwrap();
+                        let v = models[i]
+                            .response(&mut w[i], p, e(deg))
+                            .unwrap()
+                            .volume_mm3
+                            .unwrap();
                         (p + crate::analysis::ATMOSPHERE_MPA) * v.powf(n)
                     };
                     let (wanted, mut low, mut high) = (content(*p, angle), *p - 0.02, *p + 0.02);
                     for _ in 0..60 {
                         let middle = 0.5 * (low + high);
-                        if content(middle, angle + step) < wanted { low = middle } else { high = middle }
+                        if content(middle, angle + step) < wanted {
+                            low = middle
+                        } else {
+                            high = middle
+                        }
                     }
                     *p = low;
                 }
-                model.at(w, &shut, angle + step, Turning::Mean).unwrap().torque_nm
+                model
+                    .at(w, &shut, angle + step, Turning::Mean)
+                    .unwrap()
+                    .torque_nm
             };
             let slope = -(torque(0.01) - torque(-0.01)) / 0.02_f64.to_radians();
             let said = said.unwrap();
             // Halves of the step differ by less than 1e-8; the torques are found to 1e-10.
-            assert!((said / slope - 1.0).abs() < 1e-5, "{kind:?}, n = {n}: {said} for {slope}");
+            assert!(
+                (said / slope - 1.0).abs() < 1e-5,
+                "{kind:?}, n = {n}: {said} for {slope}"
+            );
             assert!(said > point.stiffness_nm_per_rad + 1.0);
         }
     }

@@ -18,12 +18,19 @@ const JOINTS: usize = 10_000;
 const STEP_DEG: f64 = 1e-3;
 
 pub(super) fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
-    JointMuscle { muscle: Muscle::prototype(), path, contraction_at_neutral }
+    JointMuscle {
+        muscle: Muscle::prototype(),
+        path,
+        contraction_at_neutral,
+    }
 }
 
 /// An elbow with attachment points, a torsion spring and weight.
 pub(super) fn elbow() -> Option<Joint> {
-    let points = |origin_mm, insertion_mm| Path::Points { origin_mm, insertion_mm };
+    let points = |origin_mm, insertion_mm| Path::Points {
+        origin_mm,
+        insertion_mm,
+    };
     let muscles = vec![
         muscle(points([-10.0, 330.0], [45.0, 5.0]), 0.08),
         muscle(points([-30.0, 310.0], [-40.0, -2.0]), 0.12),
@@ -36,7 +43,10 @@ pub(super) fn elbow() -> Option<Joint> {
         payload_at_mm: 300.0,
         ..Link::default()
     };
-    let spring = JointSpring::Torsion { rate_nm_per_rad: 1.5, preload_nm: 0.2 };
+    let spring = JointSpring::Torsion {
+        rate_nm_per_rad: 1.5,
+        preload_nm: 0.2,
+    };
     Joint::new(muscles, Some(spring), link, (-45.0, 60.0)).ok()
 }
 
@@ -51,8 +61,17 @@ pub fn cases() -> Vec<VerificationRow> {
 /// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
 fn virtual_work() -> Option<Vec<VerificationRow>> {
     let joint = elbow()?;
-    let models: Vec<Ideal> = joint.muscles().iter().map(|m| Ideal::new(&m.muscle)).collect();
-    let model = JointModel::new(&joint, models.iter().map(|m| m as &dyn ForceModel).collect(), true).ok()?;
+    let models: Vec<Ideal> = joint
+        .muscles()
+        .iter()
+        .map(|m| Ideal::new(&m.muscle))
+        .collect();
+    let model = JointModel::new(
+        &joint,
+        models.iter().map(|m| m as &dyn ForceModel).collect(),
+        true,
+    )
+    .ok()?;
     let pressures = [0.2, 0.12];
     let at = |deg: f64| {
         let workspaces = &mut [Workspace::new(), Workspace::new()][..];
@@ -76,10 +95,22 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
         let point = at(deg)?;
         let name = format!("elbow at {deg}°: torque (N m)");
-        rows.push(VerificationRow::new(name, WORK, slope(&work, deg)?, Some(point.torque_nm), 1e-6));
+        rows.push(VerificationRow::new(
+            name,
+            WORK,
+            slope(&work, deg)?,
+            Some(point.torque_nm),
+            1e-6,
+        ));
         let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
         let name = format!("elbow at {deg}°: stiffness (N m/rad)");
-        rows.push(VerificationRow::new(name, WORK, stiffness, Some(point.stiffness_nm_per_rad), 1e-5));
+        rows.push(VerificationRow::new(
+            name,
+            WORK,
+            stiffness,
+            Some(point.stiffness_nm_per_rad),
+            1e-5,
+        ));
     }
     Some(rows)
 }
@@ -88,19 +119,39 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
 fn symmetric() -> Option<Vec<VerificationRow>> {
     let radius = 25.0;
     let on = |radius_mm: f64| muscle(Path::Pulley { radius_mm }, 0.1);
-    let joint = Joint::new(vec![on(radius), on(-radius)], None, Link::default(), (-60.0, 60.0)).ok()?;
+    let joint = Joint::new(
+        vec![on(radius), on(-radius)],
+        None,
+        Link::default(),
+        (-60.0, 60.0),
+    )
+    .ok()?;
     let ideal = Ideal::new(&Muscle::prototype());
     let model = JointModel::new(&joint, vec![&ideal, &ideal], true).ok()?;
     let workspaces = &mut [Workspace::new(), Workspace::new()][..];
     let rest = match model.rests(workspaces, &[0.2, 0.2], 0.0).ok()?[..] {
-        [Rest::Balance { angle_deg, stable: true }] => Some(angle_deg),
+        [
+            Rest::Balance {
+                angle_deg,
+                stable: true,
+            },
+        ] => Some(angle_deg),
         _ => None,
     };
     let point = model.at(workspaces, &[0.2, 0.2], 0.0, Turning::Mean).ok()?;
-    let k = ideal.response(&mut Workspace::new(), 0.2, 0.1).ok()?.stiffness_n_per_mm?;
+    let k = ideal
+        .response(&mut Workspace::new(), 0.2, 0.1)
+        .ok()?
+        .stiffness_n_per_mm?;
     let stiffness = 2e-3 * radius * radius * k;
     Some(vec![
-        VerificationRow::new("two equal muscles: rest (°)".into(), SYMMETRY, 0.0, rest, 1e-9),
+        VerificationRow::new(
+            "two equal muscles: rest (°)".into(),
+            SYMMETRY,
+            0.0,
+            rest,
+            1e-9,
+        ),
         VerificationRow::new(
             "two equal muscles: r²(K1 + K2) (N m/rad)".into(),
             SYMMETRY,
@@ -111,7 +162,8 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
     ])
 }
 
-/// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness; the largest difference, relative.
+/// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness; the largest
+/// difference, relative.
 fn inverses() -> VerificationRow {
     let mut random = Random(20_261_121);
     let (mut done, mut largest) = (0, Some(0.0_f64));
@@ -130,7 +182,8 @@ fn inverses() -> VerificationRow {
     )
 }
 
-/// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it has no model.
+/// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it has
+/// no model.
 fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     let mut uniform = |low: f64, high: f64| random.between(low, high);
     let lengths = [uniform(150.0, 400.0), uniform(150.0, 400.0)];
@@ -138,28 +191,62 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     let points = uniform(0.0, 1.0) < 0.5;
     let mut muscles = vec![];
     for i in 0..2 {
-        let m = Muscle::prototype().with_section(uniform(15.0, 40.0), 1.0).ok()?;
-        let tube = Tube { length_mm: lengths[i], ..m.tube().clone() };
+        let m = Muscle::prototype()
+            .with_section(uniform(15.0, 40.0), 1.0)
+            .ok()?;
+        let tube = Tube {
+            length_mm: lengths[i],
+            ..m.tube().clone()
+        };
         let up = lengths[i] + uniform(20.0, 60.0);
         let path = if points {
-            Path::Points { origin_mm: [uniform(-20.0, 20.0), up], insertion_mm: [1.5 * radii[i], 0.0] }
+            Path::Points {
+                origin_mm: [uniform(-20.0, 20.0), up],
+                insertion_mm: [1.5 * radii[i], 0.0],
+            }
         } else {
-            Path::Pulley { radius_mm: radii[i] }
+            Path::Pulley {
+                radius_mm: radii[i],
+            }
         };
-        muscles.push(JointMuscle { muscle: m.with_tube(tube).ok()?, path, contraction_at_neutral: 0.12 });
+        muscles.push(JointMuscle {
+            muscle: m.with_tube(tube).ok()?,
+            path,
+            contraction_at_neutral: 0.12,
+        });
     }
-    let link = Link { mass_kg: uniform(0.0, 2.0), centre_mm: 150.0, ..Link::default() };
-    let (p, deg) = ([uniform(0.01, 0.6), uniform(0.01, 0.6)], uniform(-25.0, 25.0));
+    let link = Link {
+        mass_kg: uniform(0.0, 2.0),
+        centre_mm: 150.0,
+        ..Link::default()
+    };
+    let (p, deg) = (
+        [uniform(0.01, 0.6), uniform(0.01, 0.6)],
+        uniform(-25.0, 25.0),
+    );
     let joint = Joint::new(muscles, None, link, (-30.0, 30.0)).ok()?;
-    let ideal: Vec<Ideal> = joint.muscles().iter().map(|m| Ideal::new(&m.muscle)).collect();
-    let model = JointModel::new(&joint, ideal.iter().map(|m| m as &dyn ForceModel).collect(), true).ok()?;
+    let ideal: Vec<Ideal> = joint
+        .muscles()
+        .iter()
+        .map(|m| Ideal::new(&m.muscle))
+        .collect();
+    let model = JointModel::new(
+        &joint,
+        ideal.iter().map(|m| m as &dyn ForceModel).collect(),
+        true,
+    )
+    .ok()?;
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let there = model.at(w, &p, deg, Turning::Mean).ok()?;
     if there.muscles.iter().any(|m| m.answer.slack) {
         return None;
     }
     let stiffness_nm_per_rad = Some(there.stiffness_nm_per_rad);
-    let wanted = JointTarget { angle_deg: deg, torque_nm: there.torque_nm, stiffness_nm_per_rad };
+    let wanted = JointTarget {
+        angle_deg: deg,
+        torque_nm: there.torque_nm,
+        stiffness_nm_per_rad,
+    };
     let back = model.pressures(w, wanted, 0.6).ok();
     Some(back.map(|back| {
         let torque = (back.torque_nm - there.torque_nm).abs() / (1.0 + there.torque_nm.abs());

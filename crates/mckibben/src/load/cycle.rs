@@ -4,11 +4,12 @@ use super::{Balance, Load};
 use crate::analysis::ATMOSPHERE_MPA;
 use serde::{Deserialize, Serialize};
 
-/// From one equilibrium to another and back: filled from the lower pressure to the higher, vented again.
+/// From one equilibrium to another and back: filled from the lower pressure to the higher, vented
+/// again.
 ///
-/// Slow and at one temperature. With p = P + p_a absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure;
-/// its exergy at the higher pressure, p_a·(that volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it
-/// \[beater2007\].
+/// Slow and at one temperature. With p = P + p_a absolute and V the cavity, a filling takes
+/// Δ(pV)/p_a of air at atmospheric pressure; its exergy at the higher pressure, p_a·(that
+/// volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it \[beater2007\].
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Cycle {
@@ -28,8 +29,8 @@ pub struct Cycle {
     pub efficiency: Option<f64>,
 }
 
-/// The stroke between two equilibria of one muscle; `low` with its pressure, contraction and volume there (those at rest length where the
-/// load is not lifted).
+/// The stroke between two equilibria of one muscle; `low` with its pressure, contraction and volume
+/// there (those at rest length where the load is not lifted).
 pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &Balance) -> Cycle {
     let (from_pressure_mpa, from_contraction, volume) = low;
     let there = &high.answer.response;
@@ -39,7 +40,8 @@ pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &B
         ((there.pressure_mpa + ATMOSPHERE_MPA) * v - (from_pressure_mpa + ATMOSPHERE_MPA) * v0)
             / ATMOSPHERE_MPA
     });
-    let exergy = air.map(|v| 1e-3 * ATMOSPHERE_MPA * v * (1.0 + there.pressure_mpa / ATMOSPHERE_MPA).ln());
+    let exergy =
+        air.map(|v| 1e-3 * ATMOSPHERE_MPA * v * (1.0 + there.pressure_mpa / ATMOSPHERE_MPA).ln());
     Cycle {
         from_pressure_mpa,
         to_pressure_mpa: there.pressure_mpa,
@@ -59,13 +61,20 @@ mod tests {
     use crate::model::{ForceModel, Ideal, Workspace};
     use crate::muscle::Muscle;
 
-    /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P = F/A(ε) along the way.
+    /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P =
+    /// F/A(ε) along the way.
     #[test]
     fn the_work_of_an_ideal_muscle_is_below_the_exergy_of_its_air() {
         let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
-        let load = Load::Mass { mass_kg: 10.0, level: false };
+        let load = Load::Mass {
+            mass_kg: 10.0,
+            level: false,
+        };
         let at = |p: f64, w: &mut Workspace| {
-            Evaluation::new(&model, w, Options::default()).balances(&load, p).unwrap().remove(0)
+            Evaluation::new(&model, w, Options::default())
+                .balances(&load, p)
+                .unwrap()
+                .remove(0)
         };
         let (low, high) = (at(0.1, w), at(0.3, w));
         let r = low.answer.response;
@@ -75,8 +84,14 @@ mod tests {
         let n = 200;
         let (a, b) = (r.contraction, high.answer.response.contraction);
         let power = |e: f64, w: &mut Workspace| {
-            let p = model.pressure_at_pull(&mut Workspace::new(), 98.0665, e).unwrap();
-            p * model.response(w, p, e).unwrap().volume_per_contraction_mm3.unwrap()
+            let p = model
+                .pressure_at_pull(&mut Workspace::new(), 98.0665, e)
+                .unwrap();
+            p * model
+                .response(w, p, e)
+                .unwrap()
+                .volume_per_contraction_mm3
+                .unwrap()
         };
         let h = (b - a) / n as f64;
         let sum: f64 = (0..=n)

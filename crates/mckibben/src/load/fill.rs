@@ -1,4 +1,5 @@
-//! A muscle that a volume of liquid is pushed into: pressure, stroke, energies, and the stiffness with the liquid shut in.
+//! A muscle that a volume of liquid is pushed into: pressure, stroke, energies, and the stiffness
+//! with the liquid shut in.
 
 mod filling;
 mod stroke;
@@ -30,7 +31,8 @@ pub enum FillState {
 /// A muscle with a volume pushed in.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Fill {
-    /// The muscle there. Its ± are those of the pull at this pressure and contraction, and of the contraction at this volume.
+    /// The muscle there. Its ± are those of the pull at this pressure and contraction, and of the
+    /// contraction at this volume.
     #[serde(flatten)]
     pub answer: Answer,
     /// Where it is.
@@ -45,11 +47,13 @@ pub struct Fill {
     pub compressed_volume_mm3: f64,
     /// Bulk modulus of liquid and gas together at this pressure, MPa.
     pub effective_bulk_modulus_mpa: f64,
-    /// Stiffness of the muscle with the liquid shut in, N/mm: K + F_P V_ε/(L0 (V_P + C)), C = −(V0 + Vd + ΔV) dφ/dP.
+    /// Stiffness of the muscle with the liquid shut in, N/mm: K + F_P V_ε/(L0 (V_P + C)), C =
+    /// −(V0 + Vd + ΔV) dφ/dP.
     pub shut_stiffness_n_per_mm: f64,
     /// Work of the pump against the gauge pressure, J: ∫ P dV + `liquid_energy_j`.
     pub pump_work_j: f64,
-    /// Energy stored in rubber and strands, J: ∫ P dV less the work on the load and what friction took.
+    /// Energy stored in rubber and strands, J: ∫ P dV less the work on the load and what friction
+    /// took.
     pub muscle_energy_j: f64,
     /// Energy stored in the liquid and its gas, J.
     pub liquid_energy_j: f64,
@@ -65,7 +69,9 @@ pub struct Fill {
 pub enum FillError {
     /// More than the model answers for.
     #[error(
-        "the muscle takes {:.4} cm³ up to {pressure_mpa}\u{a0}MPa and a contraction of {contraction:.4}, where the range of the model or of the load ends, and {:.4} cm³ are too much: push in less",
+        "the muscle takes {:.4} cm³ up to {pressure_mpa}\u{a0}MPa and a contraction of \
+         {contraction:.4}, where the range of the model or of the load ends, and {:.4} cm³ are too \
+         much: push in less",
         1e-3 * .largest_mm3, 1e-3 * .volume_mm3
     )]
     TooLarge {
@@ -100,20 +106,43 @@ impl Evaluation<'_> {
         let length_mm = model.muscle().length_mm();
         let sign = if extends { -1.0 } else { 1.0 };
         if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
-            let side = if extends { "a contraction of zero or below" } else { "zero or above" };
+            let side = if extends {
+                "a contraction of zero or below"
+            } else {
+                "zero or above"
+            };
             let message = format!(
-                "the muscle is filled at its length at rest and does not come to a contraction of {contraction}: hold it at {side} or leave `contraction` out"
+                "the muscle is filled at its length at rest and does not come to a contraction of \
+                 {contraction}: hold it at {side} or leave `contraction` out"
             );
-            return Err(Refused { fields: vec!["contraction"], message }.into());
+            return Err(Refused {
+                fields: vec!["contraction"],
+                message,
+            }
+            .into());
         }
         let rest_mm3 = self.cavity_mm3(0.0, 0.0)?;
-        // The way begins without pressure, which may be outside of the range; where it ends is checked.
-        let along = Options { extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0, ..options };
-        let way = &mut Way { evaluation: self.with(along), filling: *filling, rest_mm3, length_mm };
+        // The way begins without pressure, which may be outside of the range; where it ends is
+        // checked.
+        let along = Options {
+            extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0,
+            ..options
+        };
+        let way = &mut Way {
+            evaluation: self.with(along),
+            filling: *filling,
+            rest_mm3,
+            length_mm,
+        };
         if extends && way.load_n(0.0) > 0.0 {
             let message =
-                "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into();
-            return Err(Refused { fields: vec!["load"], message }.into());
+                "a muscle that extends gives way to a load that pulls: fill it free, or hold it"
+                    .into();
+            return Err(Refused {
+                fields: vec!["load"],
+                message,
+            }
+            .into());
         }
         let highest_mpa = match options.extrapolate {
             true => HIGHEST_PRESSURE_MPA,
@@ -128,14 +157,28 @@ impl Evaluation<'_> {
             Err(AnalysisError::NoPressure { .. }) => None,
             Err(error) => return Err(error.into()),
         };
-        let reach = filling.load.map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
+        let reach = filling
+            .load
+            .map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
         let most = if extends {
-            let known = if options.extrapolate { f64::NEG_INFINITY } else { range.contraction.0 };
+            let known = if options.extrapolate {
+                f64::NEG_INFINITY
+            } else {
+                range.contraction.0
+            };
             known.max(reach.0 / length_mm).max(-1.5)
         } else {
-            let known = if options.extrapolate { f64::INFINITY } else { range.contraction.1 };
-            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a little.
-            known.min(reach.1 / length_mm).min(1.3 * model.muscle().max_ideal_contraction() + 0.05).min(0.95)
+            let known = if options.extrapolate {
+                f64::INFINITY
+            } else {
+                range.contraction.1
+            };
+            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch
+            // a little.
+            known
+                .min(reach.1 / length_mm)
+                .min(1.3 * model.muscle().max_ideal_contraction() + 0.05)
+                .min(0.95)
         };
         let stop = filling.held_at.filter(|e| sign * e <= sign * most);
         let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
@@ -151,7 +194,9 @@ impl Evaluation<'_> {
                 Err(at) => walked.push((leg, from, at)),
             }
         }
-        let mut last = walked.last().map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
+        let mut last = walked
+            .last()
+            .map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
         if reached.is_none()
             && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
         {
@@ -166,7 +211,12 @@ impl Evaluation<'_> {
         let (pressure_mpa, contraction) = way.place(leg, at)?;
         if reached.is_none() {
             let largest_mm3 = way.pushed_mm3(leg, at)?;
-            return Err(FillError::TooLarge { volume_mm3, largest_mm3, pressure_mpa, contraction });
+            return Err(FillError::TooLarge {
+                volume_mm3,
+                largest_mm3,
+                pressure_mpa,
+                contraction,
+            });
         }
         let state = match leg {
             Leg::Load => FillState::Balanced,
@@ -185,13 +235,16 @@ impl Evaluation<'_> {
         let whole_mm3 = rest_mm3 + filling.dead_volume_mm3 + volume_mm3;
         let liquid_energy_j = 1e-3 * whole_mm3 * liquid.energy_mpa(pressure_mpa);
         let slopes = Slopes::at(self, pressure_mpa, contraction)?;
-        let gives_way = slopes.volume_by_pressure + whole_mm3 * liquid.compliance_per_mpa(pressure_mpa);
+        let gives_way =
+            slopes.volume_by_pressure + whole_mm3 * liquid.compliance_per_mpa(pressure_mpa);
         let shut_stiffness_n_per_mm = slopes.stiffness
             + slopes.force_by_pressure * slopes.volume_by_contraction / (length_mm * gives_way);
         let mut answer = self.answer(pressure_mpa, contraction)?;
         if state == FillState::Balanced {
-            let held =
-                shut_stiffness_n_per_mm + filling.load.map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
+            let held = shut_stiffness_n_per_mm
+                + filling
+                    .load
+                    .map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
             answer = exactly(answer, load_n).with_contraction_sought(Some(held), length_mm);
         }
         Ok(Fill {

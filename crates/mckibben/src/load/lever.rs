@@ -3,12 +3,13 @@
 use super::GRAVITY_M_PER_S2;
 use std::f64::consts::PI;
 
-/// A mass M at a distance a from a pivot; the muscle pulls over a pulley of radius r about the pivot:
+/// A mass M at a distance a from a pivot; the muscle pulls over a pulley of radius r about the
+/// pivot:
 ///
 /// F(x) = M g (a/r) cos φ, φ = φ0 + x/r, φ from the horizontal.
 ///
-/// With a rising arm (φ above zero) the pull falls as the muscle shortens, and below it rises. Past ±90° the mass pulls the arm over,
-/// and F is negative.
+/// With a rising arm (φ above zero) the pull falls as the muscle shortens, and below it rises. Past
+/// ±90° the mass pulls the arm over, and F is negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lever {
     /// M in kg.
@@ -22,14 +23,25 @@ pub struct Lever {
 }
 
 impl Lever {
-    /// A lever; `None` where a mass or a length is not above zero, or the angle is none between −180° and 180°.
+    /// A lever; `None` where a mass or a length is not above zero, or the angle is none between
+    /// −180° and 180°.
     pub fn new(mass_kg: f64, arm_mm: f64, radius_mm: f64, from_deg: f64) -> Option<Self> {
-        let lengths = [mass_kg, arm_mm, radius_mm].iter().all(|v| v.is_finite() && *v > 0.0);
-        (lengths && from_deg.abs() <= 180.0).then_some(Self { mass_kg, arm_mm, radius_mm, from_deg })
+        let lengths = [mass_kg, arm_mm, radius_mm]
+            .iter()
+            .all(|v| v.is_finite() && *v > 0.0);
+        (lengths && from_deg.abs() <= 180.0).then_some(Self {
+            mass_kg,
+            arm_mm,
+            radius_mm,
+            from_deg,
+        })
     }
 
     pub(super) fn times(self, factor: f64) -> Self {
-        Self { mass_kg: factor * self.mass_kg, ..self }
+        Self {
+            mass_kg: factor * self.mass_kg,
+            ..self
+        }
     }
 
     fn weight(&self) -> f64 {

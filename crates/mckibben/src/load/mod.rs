@@ -1,8 +1,8 @@
 //! What a muscle works against: a pull over its shortening, and where both are in balance.
 //!
-//! A load is a line F(x), x = ε L0 the shortening of the muscle from its length at rest. An equilibrium at a pressure is a
-//! contraction with F_muscle(P, ε) = F(ε L0); it is stable where a small step takes the load up faster than the muscle,
-//! dF/dx + K > 0 with K = ∂F_muscle/∂L.
+//! A load is a line F(x), x = ε L0 the shortening of the muscle from its length at rest. An
+//! equilibrium at a pressure is a contraction with F_muscle(P, ε) = F(ε L0); it is stable where a
+//! small step takes the load up faster than the muscle, dF/dx + K > 0 with K = ∂F_muscle/∂L.
 
 mod cycle;
 mod equilibrium;
@@ -76,8 +76,14 @@ impl Load {
         match self {
             Self::Force { force_n } => *force_n,
             Self::Mass { level: true, .. } => 0.0,
-            Self::Mass { mass_kg, level: false } => mass_kg * GRAVITY_M_PER_S2,
-            Self::Spring { rate_n_per_mm, preload_n } => (preload_n + rate_n_per_mm * x).max(0.0),
+            Self::Mass {
+                mass_kg,
+                level: false,
+            } => mass_kg * GRAVITY_M_PER_S2,
+            Self::Spring {
+                rate_n_per_mm,
+                preload_n,
+            } => (preload_n + rate_n_per_mm * x).max(0.0),
             Self::Lever(lever) => lever.force_n(x),
             Self::Table(table) => table.force_n(x),
             Self::Sum(loads) => loads.iter().map(|l| l.force_n(x)).sum(),
@@ -87,11 +93,20 @@ impl Load {
     /// The same load, so many times as heavy.
     pub fn times(&self, factor: f64) -> Self {
         match self {
-            Self::Force { force_n } => Self::Force { force_n: factor * force_n },
-            Self::Mass { mass_kg, level } => Self::Mass { mass_kg: factor * mass_kg, level: *level },
-            Self::Spring { rate_n_per_mm, preload_n } => {
-                Self::Spring { rate_n_per_mm: factor * rate_n_per_mm, preload_n: factor * preload_n }
-            }
+            Self::Force { force_n } => Self::Force {
+                force_n: factor * force_n,
+            },
+            Self::Mass { mass_kg, level } => Self::Mass {
+                mass_kg: factor * mass_kg,
+                level: *level,
+            },
+            Self::Spring {
+                rate_n_per_mm,
+                preload_n,
+            } => Self::Spring {
+                rate_n_per_mm: factor * rate_n_per_mm,
+                preload_n: factor * preload_n,
+            },
             Self::Lever(lever) => Self::Lever(lever.times(factor)),
             Self::Table(table) => Self::Table(table.times(factor)),
             Self::Sum(loads) => Self::Sum(loads.iter().map(|load| load.times(factor)).collect()),
@@ -102,7 +117,10 @@ impl Load {
     pub fn slope_n_per_mm(&self, shortening_mm: f64) -> f64 {
         let x = shortening_mm;
         match self {
-            Self::Spring { rate_n_per_mm: c, preload_n: f } if f + c * x > 0.0 => *c,
+            Self::Spring {
+                rate_n_per_mm: c,
+                preload_n: f,
+            } if f + c * x > 0.0 => *c,
             Self::Force { .. } | Self::Mass { .. } | Self::Spring { .. } => 0.0,
             Self::Lever(lever) => lever.slope_n_per_mm(x),
             Self::Table(table) => table.slope_n_per_mm(x),
@@ -116,10 +134,17 @@ impl Load {
         let n_mm = match self {
             Self::Force { force_n } => force_n * x,
             Self::Mass { .. } => self.force_n(0.0) * x,
-            Self::Spring { rate_n_per_mm: c, preload_n: f } => {
+            Self::Spring {
+                rate_n_per_mm: c,
+                preload_n: f,
+            } => {
                 // Of the part in which it pulls.
                 let energy = |x: f64| 0.5 * (f + c * x).max(0.0).powi(2) / c;
-                if *c > 0.0 { energy(x) - energy(0.0) } else { f.max(0.0) * x }
+                if *c > 0.0 {
+                    energy(x) - energy(0.0)
+                } else {
+                    f.max(0.0) * x
+                }
             }
             Self::Lever(lever) => lever.energy_n_mm(x),
             Self::Table(table) => table.energy_n_mm(x),
@@ -128,7 +153,8 @@ impl Load {
         1e-3 * n_mm
     }
 
-    /// The mass in kg that moves with the muscle's end (a lever's as the muscle feels it, M (a/r)²); 0 where there is none.
+    /// The mass in kg that moves with the muscle's end (a lever's as the muscle feels it, M
+    /// (a/r)²); 0 where there is none.
     pub fn moving_mass_kg(&self) -> f64 {
         match self {
             Self::Mass { mass_kg, .. } => *mass_kg,
@@ -145,7 +171,9 @@ impl Load {
             Self::Sum(loads) => loads
                 .iter()
                 .map(Self::reach_mm)
-                .fold((f64::NEG_INFINITY, f64::INFINITY), |(low, high), (l, h)| (low.max(l), high.min(h))),
+                .fold((f64::NEG_INFINITY, f64::INFINITY), |(low, high), (l, h)| {
+                    (low.max(l), high.min(h))
+                }),
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
@@ -156,11 +184,18 @@ mod tests {
     use super::*;
 
     fn every_kind() -> Vec<Load> {
-        let table = LoadTable::new(vec![(-30.0, 5.0), (0.0, 40.0), (20.0, 30.0), (60.0, 90.0)]).unwrap();
+        let table =
+            LoadTable::new(vec![(-30.0, 5.0), (0.0, 40.0), (20.0, 30.0), (60.0, 90.0)]).unwrap();
         let all = vec![
             Load::Force { force_n: 300.0 },
-            Load::Mass { mass_kg: 20.0, level: false },
-            Load::Spring { rate_n_per_mm: 12.0, preload_n: 50.0 },
+            Load::Mass {
+                mass_kg: 20.0,
+                level: false,
+            },
+            Load::Spring {
+                rate_n_per_mm: 12.0,
+                preload_n: 50.0,
+            },
             Load::Lever(Lever::new(5.0, 300.0, 40.0, -30.0).unwrap()),
             Load::Table(table),
         ];
@@ -174,9 +209,15 @@ mod tests {
             for x in [-12.3, -1.0, 0.7, 13.0, 41.0] {
                 let h = 1e-4;
                 let slope = (load.force_n(x + h) - load.force_n(x - h)) / (2.0 * h);
-                assert!((slope - load.slope_n_per_mm(x)).abs() < 1e-6, "{load:?} {x}");
+                assert!(
+                    (slope - load.slope_n_per_mm(x)).abs() < 1e-6,
+                    "{load:?} {x}"
+                );
                 let pull = 1e3 * (load.energy_j(x + h) - load.energy_j(x - h)) / (2.0 * h);
-                assert!((pull - load.force_n(x)).abs() < 1e-5, "{load:?} {x}: {pull}");
+                assert!(
+                    (pull - load.force_n(x)).abs() < 1e-5,
+                    "{load:?} {x}: {pull}"
+                );
             }
             assert_eq!(load.energy_j(0.0), 0.0);
         }
@@ -187,14 +228,20 @@ mod tests {
         for load in every_kind() {
             for x in [-12.3, 0.0, 13.0, 41.0] {
                 let (once, more) = (load.force_n(x), load.times(1.3).force_n(x));
-                assert!((more - 1.3 * once).abs() < 1e-12 * more.abs().max(1.0), "{load:?} {x}");
+                assert!(
+                    (more - 1.3 * once).abs() < 1e-12 * more.abs().max(1.0),
+                    "{load:?} {x}"
+                );
             }
         }
     }
 
     #[test]
     fn a_spring_does_not_push() {
-        let spring = Load::Spring { rate_n_per_mm: 10.0, preload_n: 50.0 };
+        let spring = Load::Spring {
+            rate_n_per_mm: 10.0,
+            preload_n: 50.0,
+        };
         assert_eq!((spring.force_n(-4.0), spring.force_n(-6.0)), (10.0, 0.0));
         // ½·10·5² N mm between x = −5, where it ends, and 0.
         assert!((spring.energy_j(-8.0) + 0.125).abs() < 1e-12);

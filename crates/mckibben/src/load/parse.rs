@@ -14,7 +14,9 @@ impl Load {
     /// # Ok::<(), mckibben::refused::Refused>(())
     /// ```
     pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, Refused> {
-        let mut loads = parts(text).map(|part| one(part.trim(), table)).collect::<Result<Vec<_>, _>>()?;
+        let mut loads = parts(text)
+            .map(|part| one(part.trim(), table))
+            .collect::<Result<Vec<_>, _>>()?;
         match (loads.pop(), loads.is_empty()) {
             (Some(only), true) => Ok(only),
             (Some(last), false) => {
@@ -33,15 +35,26 @@ impl Load {
 
 /// Parts between plus signs; one that is followed by a digit is an exponent's.
 fn parts(text: &str) -> impl Iterator<Item = &str> {
-    let next = |at: usize| text[at + 1..].trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
-    let cuts: Vec<usize> = text.match_indices('+').map(|(at, _)| at).filter(|at| next(*at)).collect();
+    let next = |at: usize| {
+        text[at + 1..]
+            .trim_start()
+            .starts_with(|c: char| c.is_ascii_alphabetic())
+    };
+    let cuts: Vec<usize> = text
+        .match_indices('+')
+        .map(|(at, _)| at)
+        .filter(|at| next(*at))
+        .collect();
     let starts = std::iter::once(0).chain(cuts.clone().into_iter().map(|at| at + 1));
-    starts.zip(cuts.into_iter().chain([text.len()])).map(|(a, b)| &text[a..b])
+    starts
+        .zip(cuts.into_iter().chain([text.len()]))
+        .map(|(a, b)| &text[a..b])
 }
 
 fn not_a_load(text: &str) -> Refused {
     refused(format!(
-        "\"{text}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
+        "\"{text}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, \
+         lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
     ))
 }
 
@@ -51,7 +64,11 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
         parse_quantity(part, dimension).map_err(|error| refused(format!("load {text}: {error}")))
     };
     let above = |value: f64, what: &'static str| {
-        if value > 0.0 { Ok(value) } else { Err(refused(format!("load {text}: {what} must be above zero"))) }
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(refused(format!("load {text}: {what} must be above zero")))
+        }
     };
     let wrong = |expected| refused(format!("load {text}: expected {expected}"));
     let (main, behind) = match rest.split_once('@') {
@@ -69,18 +86,30 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
         ("mass", behind) => {
             let mass_kg = above(quantity(main, Dimension::Mass)?, "the mass")?;
             match behind.map(str::trim) {
-                None => Ok(Load::Mass { mass_kg, level: false }),
-                Some("level") => Ok(Load::Mass { mass_kg, level: true }),
-                Some(_) => Err(wrong("a hanging mass, such as mass:20kg, or mass:20kg@level")),
+                None => Ok(Load::Mass {
+                    mass_kg,
+                    level: false,
+                }),
+                Some("level") => Ok(Load::Mass {
+                    mass_kg,
+                    level: true,
+                }),
+                Some(_) => Err(wrong(
+                    "a hanging mass, such as mass:20kg, or mass:20kg@level",
+                )),
             }
         }
         ("spring", behind) => {
             let rate_n_per_mm = above(quantity(main, Dimension::Stiffness)?, "the rate")?;
             let preload_n = behind.map_or(Ok(0.0), |b| quantity(b, Dimension::Force))?;
-            Ok(Load::Spring { rate_n_per_mm, preload_n })
+            Ok(Load::Spring {
+                rate_n_per_mm,
+                preload_n,
+            })
         }
         ("lever", behind) => {
-            let expected = "a mass, its distance from the pivot, the pulley's radius and the angle from the horizontal, as in lever:5kg@300mm/40mm/-30deg";
+            let expected = "a mass, its distance from the pivot, the pulley's radius and the angle \
+                from the horizontal, as in lever:5kg@300mm/40mm/-30deg";
             let list: Vec<&str> = behind.map(|b| b.split('/').collect()).unwrap_or_default();
             let (arm, radius, from) = match list[..] {
                 [arm, radius] => (arm, radius, None),
@@ -91,7 +120,9 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
             let arm = above(quantity(arm, Dimension::Length)?, "the distance")?;
             let radius = above(quantity(radius, Dimension::Length)?, "the radius")?;
             let from = from.map_or(Ok(0.0), |f| quantity(f, Dimension::Angle))?;
-            Lever::new(mass, arm, radius, from).map(Load::Lever).ok_or_else(|| wrong(expected))
+            Lever::new(mass, arm, radius, from)
+                .map(Load::Lever)
+                .ok_or_else(|| wrong(expected))
         }
         ("force", Some(_)) => Err(wrong("a force alone, such as force:300N")),
         _ => Err(not_a_load(text)),
@@ -109,13 +140,30 @@ mod tests {
     #[test]
     fn every_kind_is_read() {
         assert_eq!(read("force:0.3kN"), Ok(Load::Force { force_n: 300.0 }));
-        assert_eq!(read(" mass:500 g @ level "), Ok(Load::Mass { mass_kg: 0.5, level: true }));
-        assert_eq!(read("spring:12N/mm"), Ok(Load::Spring { rate_n_per_mm: 12.0, preload_n: 0.0 }));
+        assert_eq!(
+            read(" mass:500 g @ level "),
+            Ok(Load::Mass {
+                mass_kg: 0.5,
+                level: true
+            })
+        );
+        assert_eq!(
+            read("spring:12N/mm"),
+            Ok(Load::Spring {
+                rate_n_per_mm: 12.0,
+                preload_n: 0.0
+            })
+        );
         let lever = Lever::new(5.0, 300.0, 40.0, -30.0).map(Load::Lever);
         assert_eq!(read("lever:5kg@300mm/4cm/-30deg").ok(), lever);
-        let Ok(Load::Sum(both)) = read("mass:5kg + force:1e+2N") else { panic!() };
+        let Ok(Load::Sum(both)) = read("mass:5kg + force:1e+2N") else {
+            panic!()
+        };
         assert_eq!(both.len(), 2);
-        assert_eq!(Load::tables("mass:1kg+table:a b.csv").collect::<Vec<_>>(), ["a b.csv"]);
+        assert_eq!(
+            Load::tables("mass:1kg+table:a b.csv").collect::<Vec<_>>(),
+            ["a b.csv"]
+        );
     }
 
     #[test]

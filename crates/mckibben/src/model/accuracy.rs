@@ -14,12 +14,14 @@ pub enum BlockedAt {
     Pressure(f64),
 }
 
-/// Against what a model's error was measured, in a sentence; [`fmt::Display`] says it, and it is serialised as that.
+/// Against what a model's error was measured, in a sentence; [`fmt::Display`] says it, and it is
+/// serialised as that.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reference {
     /// Against nothing.
     Unknown,
-    /// The equations that all others are held against: nothing but the mesh is between them and their solution.
+    /// The equations that all others are held against: nothing but the mesh is between them and
+    /// their solution.
     Equations,
     /// Finite elements of the same muscles.
     Elements(&'static str),
@@ -28,9 +30,11 @@ pub enum Reference {
 }
 
 impl Reference {
-    /// 5491 points on 1000 random muscles by axisymmetric finite elements, of a model that errs most with soft strands.
+    /// 5491 points on 1000 random muscles by axisymmetric finite elements, of a model that errs
+    /// most with soft strands.
     pub(super) const SOFT_STRANDS: Self = Self::Elements(
-        "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; largest for soft strands",
+        "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against \
+         axisymmetric finite elements; largest for soft strands",
     );
 }
 
@@ -39,7 +43,8 @@ impl fmt::Display for Reference {
         f.write_str(match self {
             Self::Unknown => "no systematic comparison of this model is known to us",
             Self::Equations => {
-                "the reference for all other models; mesh: the difference from a fine mesh at the same point"
+                "the reference for all other models; mesh: the difference from a fine mesh at the \
+                 same point"
             }
             Self::Elements(sentence) | Self::ForceMap(sentence) => sentence,
         })
@@ -74,6 +79,10 @@ impl Accuracy {
 
     /// A share of the blocked force at the pressure of the question.
     pub const fn share(share: f64, reference: Reference) -> Self {
-        Self { share_of_blocked: Some(share), blocked_at: BlockedAt::SamePressure, reference }
+        Self {
+            share_of_blocked: Some(share),
+            blocked_at: BlockedAt::SamePressure,
+            reference,
+        }
     }
 }

@@ -2,8 +2,9 @@
 //!
 //!   (3)   F = P (3L² − b²)/(4π n²),   V = (b² − L²) L/(4π n²),   D = √(b² − L²)/(π n),   L = (1 − ε) L0
 //!
-//! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
-//! squares (its dimension is force/length) and holds for one turn; this is F = −P dV/dL.
+//! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed
+//! form has lost its squares (its dimension is force/length) and holds for one turn; this is F = −P
+//! dV/dL.
 
 use super::proportional::{Inverse, PerPressure, Proportional};
 use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
@@ -13,31 +14,42 @@ use std::f64::consts::PI;
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "belforte",
     description: "ideal muscle with strand length and turns as measured",
-    source: "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored",
+    source: "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its \
+        squares restored",
 };
 
 /// Belforte's formula (3), F in N for P in MPa, of a muscle whose strands have been measured.
 ///
-/// b is measured on the muscle and so includes the rounded ends; with b = L0/cosθ0 and n = L0 tanθ0/(π D0) it is the
-/// ideal formula.
+/// b is measured on the muscle and so includes the rounded ends; with b = L0/cosθ0 and n = L0
+/// tanθ0/(π D0) it is the ideal formula.
 ///
 /// # Errors
-/// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
+/// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused
+/// with the muscle.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let measured = muscle.braid().measured.ok_or(ModelError::Missing {
         model: ENTRY.name,
-        missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
+        missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in \
+            the muscle file",
         key: "braid.strand_length",
     })?;
-    let (b, n2) = (measured.strand_length_mm, 4.0 * PI * measured.turns * measured.turns);
+    let (b, n2) = (
+        measured.strand_length_mm,
+        4.0 * PI * measured.turns * measured.turns,
+    );
     let length = muscle.length_mm();
     let per_pressure = move |contraction: f64| {
         let l = (1.0 - contraction) * length;
         if !(l > 0.0 && l < b) {
-            return Err(ModelError::Geometry { contraction, lowest: 1.0 - b / length, highest: 1.0 });
+            return Err(ModelError::Geometry {
+                contraction,
+                lowest: 1.0 - b / length,
+                highest: 1.0,
+            });
         }
         let f = (3.0 * l * l - b * b) / n2;
-        // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
+        // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) ·
+        // L/b.
         let area = (b * b - l * l) / n2;
         Ok(PerPressure {
             f,
@@ -52,7 +64,11 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
         (pressure_mpa > 0.0 && l2 > 0.0 && l2 < b * b).then(|| 1.0 - l2.sqrt() / length)
     };
     let contraction_at_pull: Option<Inverse> = Some(Box::new(contraction_at_pull));
-    Ok(Box::new(Proportional { info: ModelInfo::new(&ENTRY, muscle), per_pressure, contraction_at_pull }))
+    Ok(Box::new(Proportional {
+        info: ModelInfo::new(&ENTRY, muscle),
+        per_pressure,
+        contraction_at_pull,
+    }))
 }
 
 #[cfg(test)]
@@ -62,8 +78,16 @@ mod tests {
     use crate::muscle::{Braid, MeasuredStrand};
 
     fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {
-        let measured = Some(MeasuredStrand { strand_length_mm, turns });
-        Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() }).unwrap()
+        let measured = Some(MeasuredStrand {
+            strand_length_mm,
+            turns,
+        });
+        Muscle::prototype()
+            .with_braid(Braid {
+                measured,
+                ..Braid::paper()
+            })
+            .unwrap()
     }
 
     #[test]
@@ -90,12 +114,29 @@ mod tests {
 
     #[test]
     fn what_was_not_measured_is_required_and_short_strands_are_refused() {
-        assert!(matches!(build(&Muscle::prototype()), Err(ModelError::Missing { .. })));
-        let measured = Some(MeasuredStrand { strand_length_mm: 284.0, turns: 1.6 });
-        let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });
-        assert!(refused.unwrap_err().to_string().contains("not above the muscle's length"));
+        assert!(matches!(
+            build(&Muscle::prototype()),
+            Err(ModelError::Missing { .. })
+        ));
+        let measured = Some(MeasuredStrand {
+            strand_length_mm: 284.0,
+            turns: 1.6,
+        });
+        let refused = Muscle::prototype().with_braid(Braid {
+            measured,
+            ..Braid::paper()
+        });
+        assert!(
+            refused
+                .unwrap_err()
+                .to_string()
+                .contains("not above the muscle's length")
+        );
         let model = build(&with_strand(330.0, 1.6)).unwrap();
-        assert!(matches!(model.response(&mut Workspace::new(), 0.1, -0.2), Err(ModelError::Geometry { .. })));
+        assert!(matches!(
+            model.response(&mut Workspace::new(), 0.1, -0.2),
+            Err(ModelError::Geometry { .. })
+        ));
         assert!(matches!(
             model.response(&mut Workspace::new(), 0.1, f64::NAN),
             Err(ModelError::Geometry { .. })

@@ -3,8 +3,8 @@
 //!   F = (π D90²/4) P (3cos²θ − 1) + π P [s D90 (2 sinθ − 1/sinθ) − s²],   D90 = D0/sinθ0,  cosθ = (1−ε) cosθ0
 //!     = −P dV/dL,   V = π (r − s)² L
 //!
-//! Source: Chou & Hannaford (1996) \[chou1996\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\] and
-//! agrees with the volume above.
+//! Source: Chou & Hannaford (1996) \[chou1996\], whose text was not at hand: the formula is taken
+//! from Tondu's review (2012) \[tondu2012\] and agrees with the volume above.
 
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
@@ -20,11 +20,15 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 
 /// The ideal muscle whose pressure acts inside of a wall of constant thickness s.
 ///
-/// The rubber carries nothing, though it would: at ε = 0 and strands that do not stretch a real muscle pulls as if the
-/// pressure acted on the outer diameter. So this formula pulls too little at small contractions.
+/// The rubber carries nothing, though it would: at ε = 0 and strands that do not stretch a real
+/// muscle pulls as if the pressure acted on the outer diameter. So this formula pulls too little at
+/// small contractions.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let accuracy = Accuracy::share(0.75, Reference::SOFT_STRANDS);
-    let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+    let info = ModelInfo {
+        accuracy,
+        ..ModelInfo::new(&ENTRY, muscle)
+    };
     let (braid, wall_mm) = (Pantograph::from_muscle(muscle), muscle.wall_mm());
     let per_pressure = move |contraction: f64| {
         let g = braid.at(contraction)?;
@@ -40,7 +44,11 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             tension: None,
         })
     };
-    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
+    Ok(Box::new(Proportional {
+        info,
+        per_pressure,
+        contraction_at_pull: None,
+    }))
 }
 
 #[cfg(test)]
@@ -52,14 +60,21 @@ mod tests {
     fn it_is_the_published_formula() {
         let m = Muscle::prototype();
         let model = build(&m).unwrap();
-        let (p, s, d90) = (0.2, m.wall_mm(), m.outer_diameter_mm() / m.braid().angle_rad().sin());
+        let (p, s, d90) = (
+            0.2,
+            m.wall_mm(),
+            m.outer_diameter_mm() / m.braid().angle_rad().sin(),
+        );
         for e in [-0.02, 0.0, 0.1, 0.3] {
             let cos = (1.0 - e) * m.braid().angle_rad().cos();
             let sin = (1.0 - cos * cos).sqrt();
             let published = PI * d90 * d90 / 4.0 * p * (3.0 * cos * cos - 1.0)
                 + PI * p * (s * d90 * (2.0 * sin - 1.0 / sin) - s * s);
             let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            assert!((force - published).abs() < 1e-10 * published.abs().max(1.0), "{force} {published}");
+            assert!(
+                (force - published).abs() < 1e-10 * published.abs().max(1.0),
+                "{force} {published}"
+            );
         }
     }
 

@@ -6,7 +6,12 @@ use crate::status::Status;
 use thiserror::Error;
 
 fn list(violations: &[RangeViolation], make: &[String]) -> String {
-    violations.iter().map(ToString::to_string).chain(make.iter().cloned()).collect::<Vec<_>>().join("; ")
+    violations
+        .iter()
+        .map(ToString::to_string)
+        .chain(make.iter().cloned())
+        .collect::<Vec<_>>()
+        .join("; ")
 }
 
 /// What a model answers, or why it has no answer.
@@ -40,7 +45,8 @@ pub enum ModelError {
     TooShort(String),
     /// No geometry exists at this contraction.
     #[error(
-        "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} (strands straight) and below {highest:.6}"
+        "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} \
+         (strands straight) and below {highest:.6}"
     )]
     Geometry {
         /// The requested contraction.
@@ -52,7 +58,9 @@ pub enum ModelError {
     },
     /// Strands so soft, or a pressure so high, that no equilibrium exists.
     #[error(
-        "no equilibrium at {pressure_mpa}\u{a0}MPa and contraction {contraction}: the strands would stretch past {strand_stretch:.2} times their length; lower the pressure or take a stiffer braid"
+        "no equilibrium at {pressure_mpa}\u{a0}MPa and contraction {contraction}: the strands \
+         would stretch past {strand_stretch:.2} times their length; lower the pressure or take a \
+         stiffer braid"
     )]
     Overstretched {
         /// Pressure in MPa.
@@ -64,7 +72,8 @@ pub enum ModelError {
     },
     /// The rubber law has no finite stress at this stretch.
     #[error(
-        "the rubber locks at contraction {contraction}: its {law} law has no finite stress at a hoop stretch of {hoop_stretch:.3}"
+        "the rubber locks at contraction {contraction}: its {law} law has no finite stress at a \
+         hoop stretch of {hoop_stretch:.3}"
     )]
     Locked {
         /// Contraction ratio.
@@ -79,7 +88,8 @@ pub enum ModelError {
     NoEquilibrium(String),
     /// An iteration did not converge.
     #[error(
-        "no equilibrium found at {pressure_mpa}\u{a0}MPa and contraction {contraction}; try a nearby point, or another model"
+        "no equilibrium found at {pressure_mpa}\u{a0}MPa and contraction {contraction}; try a \
+         nearby point, or another model"
     )]
     NotConverged {
         /// Pressure in MPa.
@@ -102,10 +112,14 @@ pub enum ModelError {
     #[error("the muscle cannot be divided into elements: {0}")]
     Elements(String),
     /// A model, by its name, without a volume.
-    #[error("the model {0} has no volume of the cavity: take fe or thick-wall for measured volumes")]
+    #[error(
+        "the model {0} has no volume of the cavity: take fe or thick-wall for measured volumes"
+    )]
     NoVolume(String),
     /// A formula that is not finite here.
-    #[error("the {model} formula has no value at {pressure_mpa}\u{a0}MPa and contraction {contraction}")]
+    #[error(
+        "the {model} formula has no value at {pressure_mpa}\u{a0}MPa and contraction {contraction}"
+    )]
     NotFinite {
         /// The model's name.
         model: String,
@@ -119,13 +133,26 @@ pub enum ModelError {
 impl ModelError {
     /// That the formula of a model is not finite at a pressure and contraction.
     pub fn not_finite(model: &str, pressure_mpa: f64, contraction: f64) -> Self {
-        Self::NotFinite { model: model.into(), pressure_mpa, contraction }
+        Self::NotFinite {
+            model: model.into(),
+            pressure_mpa,
+            contraction,
+        }
     }
 
     /// A pull that a model computed, where it is a number.
-    pub(crate) fn finite(force_n: f64, model: &str, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+    pub(crate) fn finite(
+        force_n: f64,
+        model: &str,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64> {
         let error = || Self::not_finite(model, pressure_mpa, contraction);
-        if force_n.is_finite() { Ok(force_n) } else { Err(error()) }
+        if force_n.is_finite() {
+            Ok(force_n)
+        } else {
+            Err(error())
+        }
     }
 
     /// Whether it is about this pressure and contraction: other points may have an answer.

@@ -2,8 +2,9 @@
 //!
 //!   F = P [2π r ri cot²θ − π ri²],   ri² = r² − (Ro² − Ri²)/λ,   r = r0 sinθ/sinθ0,  cosθ = λ cosθ0
 //!
-//! Hoop balance: the strands hold P·2 ri per unit of length; axial balance of a cut: F + P π ri² = (tensions)·cosθ.
-//! Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009) \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
+//! Hoop balance: the strands hold P·2 ri per unit of length; axial balance of a cut: F + P π ri² =
+//! (tensions)·cosθ. Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009)
+//! \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
 use super::proportional::{PerPressure, Proportional};
@@ -14,7 +15,8 @@ use std::f64::consts::PI;
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "force-balance",
     description: "incompressible wall without the rubber's own stress",
-    source: "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu 2012 [tondu2012] eq. (18)",
+    source: "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu \
+        2012 [tondu2012] eq. (18)",
 };
 
 pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
@@ -36,15 +38,22 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressur
 
 /// The force balance of an incompressible wall whose rubber carries nothing.
 ///
-/// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force at small
-/// contractions (a rubber wall hands the pressure on to the braid). Being no energy model it breaks ∂F/∂P = −∂V/∂L; the
-/// volume given is that of the bore.
+/// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force
+/// at small contractions (a rubber wall hands the pressure on to the braid). Being no energy model
+/// it breaks ∂F/∂P = −∂V/∂L; the volume given is that of the bore.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
-    let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
+    let info = ModelInfo {
+        accuracy,
+        ..ModelInfo::new(&ENTRY, muscle)
+    };
     let braid = Pantograph::from_muscle(muscle);
     let per_pressure = move |contraction| balance(&braid, contraction);
-    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
+    Ok(Box::new(Proportional {
+        info,
+        per_pressure,
+        contraction_at_pull: None,
+    }))
 }
 
 #[cfg(test)]
@@ -59,7 +68,13 @@ mod tests {
         let cot2 = m.braid().angle_rad().tan().powi(-2);
         let expected = PI / 4.0 * 0.2 * (2.0 * d * di * cot2 - di * di);
         assert!(
-            (build(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.0).unwrap() - expected).abs() < 1e-9
+            (build(&m)
+                .unwrap()
+                .force_n(&mut Workspace::new(), 0.2, 0.0)
+                .unwrap()
+                - expected)
+                .abs()
+                < 1e-9
         );
     }
 
@@ -81,7 +96,9 @@ mod tests {
     fn a_closed_bore_is_an_error() {
         let thick = Muscle::prototype().with_section(30.0, 14.9).unwrap();
         assert!(matches!(
-            build(&thick).unwrap().force_n(&mut Workspace::new(), 0.2, -0.1),
+            build(&thick)
+                .unwrap()
+                .force_n(&mut Workspace::new(), 0.2, -0.1),
             Err(ModelError::Geometry { .. })
         ));
     }

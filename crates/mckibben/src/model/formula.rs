@@ -1,8 +1,8 @@
 //! A formula as a force model.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity, Reference,
-    Response, Result, Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
+    Reference, Response, Result, Workspace, notes,
 };
 use crate::formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -41,7 +41,8 @@ impl FormulaModel {
                 share_of_blocked: Some(formula.errors.half_width()),
                 blocked_at: BlockedAt::Pressure(formula.range.pressure_mpa.1),
                 reference: Reference::Elements(
-                    "covers 95 % of the points of its own table, and of the muscles held out of it, as stated in the formula's file",
+                    "covers 95 % of the points of its own table, and of the muscles held out of \
+                     it, as stated in the formula's file",
                 ),
             },
             costly: false,
@@ -52,7 +53,11 @@ impl FormulaModel {
 
     /// The section of a formula like the paper's.
     fn section(&self) -> Option<&Section> {
-        if let Bound::Paper(section) = &self.bound { Some(section) } else { None }
+        if let Bound::Paper(section) = &self.bound {
+            Some(section)
+        } else {
+            None
+        }
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
@@ -65,7 +70,11 @@ impl FormulaModel {
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
         } else {
-            Err(ModelError::not_finite(&self.info.name, pressure_mpa, contraction))
+            Err(ModelError::not_finite(
+                &self.info.name,
+                pressure_mpa,
+                contraction,
+            ))
         }
     }
 }
@@ -95,7 +104,12 @@ impl ForceModel for FormulaModel {
         self.section()?.pressure_mpa(force_n, contraction)
     }
 
-    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<f64> {
         self.section()?.contraction(force_n, pressure_mpa)
     }
 }
@@ -103,7 +117,12 @@ impl ForceModel for FormulaModel {
 /// The box of a formula for a muscle.
 fn range(formula: &Formula, m: &Muscle) -> ModelRange {
     let made = &formula.made_for;
-    of_sections(&formula.range, (made.length_mm, made.angle_deg), differences(made, m), m)
+    of_sections(
+        &formula.range,
+        (made.length_mm, made.angle_deg),
+        differences(made, m),
+        m,
+    )
 }
 
 /// The range of a formula for muscles of one length and braid angle.
@@ -114,11 +133,26 @@ pub(super) fn of_sections(
     m: &Muscle,
 ) -> ModelRange {
     let (pressure_mpa, contraction) = (r.pressure_mpa, r.contraction);
-    ModelRange { pressure_mpa, contraction, make, ..ModelRange::open() }.with_measures(&[
-        (Interval::new(Quantity::OUTER_DIAMETER, r.outer_diameter_mm), m.outer_diameter_mm()),
-        (Interval::new(Quantity::WALL_THICKNESS, r.wall_mm), m.wall_mm()),
+    ModelRange {
+        pressure_mpa,
+        contraction,
+        make,
+        ..ModelRange::open()
+    }
+    .with_measures(&[
+        (
+            Interval::new(Quantity::OUTER_DIAMETER, r.outer_diameter_mm),
+            m.outer_diameter_mm(),
+        ),
+        (
+            Interval::new(Quantity::WALL_THICKNESS, r.wall_mm),
+            m.wall_mm(),
+        ),
         (Interval::only(Quantity::LENGTH, length_mm), m.length_mm()),
-        (Interval::only(Quantity::BRAID_ANGLE, angle_deg), m.braid().angle_deg),
+        (
+            Interval::only(Quantity::BRAID_ANGLE, angle_deg),
+            m.braid().angle_deg,
+        ),
     ])
 }
 
@@ -130,17 +164,22 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
         let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());
         parts.push(format!("the rubber is {theirs}, the formula is for {ours}"));
     }
-    let (ours, theirs) =
-        (made.stiffness_n_per_mm(muscle.outer_diameter_mm()), muscle.family_stiffness_n_per_mm());
+    let (ours, theirs) = (
+        made.stiffness_n_per_mm(muscle.outer_diameter_mm()),
+        muscle.family_stiffness_n_per_mm(),
+    );
     let same = match (ours, theirs) {
         (None, None) => true,
         (Some(a), Some(b)) => (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()),
         _ => false,
     };
     if !same {
-        let text = |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
+        let text =
+            |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
         let (ours, theirs) = (text(ours), text(theirs));
-        parts.push(format!("the braid's stiffness is {theirs}, the formula is for {ours}"));
+        parts.push(format!(
+            "the braid's stiffness is {theirs}, the formula is for {ours}"
+        ));
     }
     parts
 }

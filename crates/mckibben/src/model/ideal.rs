@@ -5,8 +5,9 @@
 //!          F = −P dV/dL,  V = (B² − L²) L/(4π N²),  B = L0/cosθ0,  N = L0 tanθ0/(π D0)
 //!   (4)    ε = 1 − √{ (1 + 4 sin²θ0 F/(π D0² P)) / (3 cos²θ0) }
 //!
-//! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996) \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those
-//! of the paper; its (1.2) is printed without 1/sin²θ0.
+//! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996)
+//! \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those of the paper; its
+//! (1.2) is printed without 1/sin²θ0.
 
 use super::{
     Accuracy, ForceModel, ModelEntry, ModelError, ModelInfo, Reference, Response, Result, Workspace,
@@ -20,12 +21,14 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     source: "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)",
 };
 
-const COMPARED: &str = "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft strands and thick walls";
+const COMPARED: &str = "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up \
+    to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft \
+    strands and thick walls";
 
 /// The ideal formula (1). F in N for P in MPa and D0 in mm.
 ///
-/// No rubber, no wall, no ends: pulls more than a real muscle, the more so the thicker the wall and the lower the
-/// pressure. Free contraction 1 − 1/(√3 cosθ0) at any pressure.
+/// No rubber, no wall, no ends: pulls more than a real muscle, the more so the thicker the wall and
+/// the lower the pressure. Free contraction 1 − 1/(√3 cosθ0) at any pressure.
 #[derive(Debug, Clone)]
 pub struct Ideal {
     info: ModelInfo,
@@ -41,8 +44,15 @@ impl Ideal {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
         let accuracy = Accuracy::share(0.93, Reference::Elements(COMPARED));
-        let info = ModelInfo { accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Self { area: PI * d0 * d0 / (4.0 * sin * sin), cos2: cos * cos, info }
+        let info = ModelInfo {
+            accuracy,
+            ..ModelInfo::new(&ENTRY, muscle)
+        };
+        Self {
+            area: PI * d0 * d0 / (4.0 * sin * sin),
+            cos2: cos * cos,
+            info,
+        }
     }
 
     /// Formula (1).
@@ -68,7 +78,11 @@ impl ForceModel for Ideal {
         let cos = self.cos2.sqrt();
         let c = l * cos;
         if !(l > 0.0 && c < 1.0) {
-            return Err(ModelError::Geometry { contraction, lowest: 1.0 - 1.0 / cos, highest: 1.0 });
+            return Err(ModelError::Geometry {
+                contraction,
+                lowest: 1.0 - 1.0 / cos,
+                highest: 1.0,
+            });
         }
         let force_n = self.pull(pressure_mpa, contraction);
         let d = self.info.muscle.pantograph_diameter_mm(contraction);
@@ -80,7 +94,9 @@ impl ForceModel for Ideal {
             force_n,
             volume_mm3: Some(self.volume(contraction)),
             volume_per_pressure_mm3_per_mpa: Some(0.0),
-            volume_per_contraction_mm3: Some(self.info.muscle.length_mm() * self.pull(1.0, contraction)),
+            volume_per_contraction_mm3: Some(
+                self.info.muscle.length_mm() * self.pull(1.0, contraction),
+            ),
             stiffness_n_per_mm: Some(
                 6.0 * self.area * pressure_mpa * l * self.cos2 / self.info.muscle.length_mm(),
             ),
@@ -98,7 +114,12 @@ impl ForceModel for Ideal {
     }
 
     /// Formula (4).
-    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<f64> {
         let inside = (1.0 + force_n / (self.area * pressure_mpa)) / (3.0 * self.cos2);
         (pressure_mpa > 0.0 && inside > 0.0).then(|| 1.0 - inside.sqrt())
     }

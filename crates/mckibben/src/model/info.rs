@@ -27,7 +27,8 @@ pub struct ModelInfo {
     pub source: Cow<'static, str>,
     /// The muscle it answers for.
     pub muscle: Arc<Muscle>,
-    /// The pressures and contractions for which it was made, and what of the muscle lies outside of its box.
+    /// The pressures and contractions for which it was made, and what of the muscle lies outside of
+    /// its box.
     pub range: ModelRange,
     /// What is known of its error.
     pub accuracy: Accuracy,
@@ -38,7 +39,8 @@ pub struct ModelInfo {
 }
 
 impl ModelInfo {
-    /// Of any muscle in an open range, with an unknown error, by straight strands on the surface of a tube on its first inflation.
+    /// Of any muscle in an open range, with an unknown error, by straight strands on the surface of
+    /// a tube on its first inflation.
     pub fn new(entry: &ModelEntry, muscle: &Muscle) -> Self {
         Self {
             notes: notes::of_a_simple_tube(entry.name, muscle),

@@ -16,23 +16,50 @@ pub struct Quantity {
 
 impl Quantity {
     /// Gauge pressure P.
-    pub const PRESSURE: Self = Self { name: "pressure", unit: "MPa" };
+    pub const PRESSURE: Self = Self {
+        name: "pressure",
+        unit: "MPa",
+    };
     /// Contraction ratio ε.
-    pub const CONTRACTION: Self = Self { name: "contraction", unit: "" };
+    pub const CONTRACTION: Self = Self {
+        name: "contraction",
+        unit: "",
+    };
     /// Outer diameter D0.
-    pub const OUTER_DIAMETER: Self = Self { name: "outer_diameter", unit: "mm" };
+    pub const OUTER_DIAMETER: Self = Self {
+        name: "outer_diameter",
+        unit: "mm",
+    };
     /// Wall s.
-    pub const WALL_THICKNESS: Self = Self { name: "wall_thickness", unit: "mm" };
+    pub const WALL_THICKNESS: Self = Self {
+        name: "wall_thickness",
+        unit: "mm",
+    };
     /// Length L0.
-    pub const LENGTH: Self = Self { name: "length", unit: "mm" };
+    pub const LENGTH: Self = Self {
+        name: "length",
+        unit: "mm",
+    };
     /// Braid angle θ0.
-    pub const BRAID_ANGLE: Self = Self { name: "braid_angle", unit: "deg" };
+    pub const BRAID_ANGLE: Self = Self {
+        name: "braid_angle",
+        unit: "deg",
+    };
     /// s/D0.
-    pub const WALL_RATIO: Self = Self { name: "wall_ratio", unit: "" };
+    pub const WALL_RATIO: Self = Self {
+        name: "wall_ratio",
+        unit: "",
+    };
     /// L0/D0.
-    pub const LENGTH_RATIO: Self = Self { name: "length_ratio", unit: "" };
+    pub const LENGTH_RATIO: Self = Self {
+        name: "length_ratio",
+        unit: "",
+    };
     /// C01/(C10 + C01) of the rubber.
-    pub const C01_SHARE: Self = Self { name: "c01_share", unit: "" };
+    pub const C01_SHARE: Self = Self {
+        name: "c01_share",
+        unit: "",
+    };
 }
 
 /// Bounds of a quantity, in its unit; equal where only one value will do.
@@ -57,18 +84,29 @@ fn is_infinite(v: &f64) -> bool {
 impl Interval {
     /// An interval.
     pub fn new(quantity: Quantity, (low, high): (f64, f64)) -> Self {
-        Self { quantity, low, high }
+        Self {
+            quantity,
+            low,
+            high,
+        }
     }
 
     /// One value alone.
     pub fn only(quantity: Quantity, value: f64) -> Self {
-        Self { quantity, low: value, high: value }
+        Self {
+            quantity,
+            low: value,
+            high: value,
+        }
     }
 
     /// The violation, where a value lies outside by more than `slack`.
     pub fn violation(&self, value: f64, slack: f64) -> Option<RangeViolation> {
         let inside = value >= self.low - slack && value <= self.high + slack;
-        (!inside).then_some(RangeViolation { interval: *self, value })
+        (!inside).then_some(RangeViolation {
+            interval: *self,
+            value,
+        })
     }
 }
 
@@ -84,19 +122,37 @@ pub struct RangeViolation {
 
 impl fmt::Display for RangeViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Interval { quantity: Quantity { name, unit }, low, high } = self.interval;
-        let unit = if unit.is_empty() { String::new() } else { format!("\u{a0}{unit}") };
+        let Interval {
+            quantity: Quantity { name, unit },
+            low,
+            high,
+        } = self.interval;
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!("\u{a0}{unit}")
+        };
         let round = |v: f64| (v * 1e6).round() / 1e6;
         let (rounded, low, high) = (round(self.value), round(low), round(high));
         // A hair beyond the bound is shown as it is.
         let hidden = rounded >= low && rounded <= high;
-        let value = if hidden { format!("{:.1e}", self.value) } else { rounded.to_string() };
+        let value = if hidden {
+            format!("{:.1e}", self.value)
+        } else {
+            rounded.to_string()
+        };
         if low == high {
             write!(f, "{name} {value}{unit}, which must be {low}{unit}")
         } else if high.is_infinite() {
-            write!(f, "{name} {value}{unit}, which must be at least {low}{unit}")
+            write!(
+                f,
+                "{name} {value}{unit}, which must be at least {low}{unit}"
+            )
         } else {
-            write!(f, "{name} {value}{unit}, outside {low}{unit} to {high}{unit}")
+            write!(
+                f,
+                "{name} {value}{unit}, outside {low}{unit} to {high}{unit}"
+            )
         }
     }
 }

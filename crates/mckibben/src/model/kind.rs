@@ -9,11 +9,16 @@ use std::str::FromStr;
 
 /// That no model has a name: the nearest, and all that there are.
 pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {
-    let (given, meant): (String, _) =
-        (name.chars().take(60).collect(), meant(nearest(name, names.iter().copied())));
+    let (given, meant): (String, _) = (
+        name.chars().take(60).collect(),
+        meant(nearest(name, names.iter().copied())),
+    );
     Refused::new(
         ["model"],
-        format!("there is no model `{given}`{meant}; the models are {}", names.join(", ")),
+        format!(
+            "there is no model `{given}`{meant}; the models are {}",
+            names.join(", ")
+        ),
     )
 }
 
@@ -26,7 +31,8 @@ macro_rules! models {
         }
 
         const ENTRIES: &[ModelEntry] = &[$($entry,)*];
-        /// How they are made of a muscle between its ends: beside the entries, so that a program may know the names without the models.
+        /// How they are made of a muscle between its ends: beside the entries, so that a program
+        /// may know the names without the models.
         const BUILDS: &[fn(&Muscle) -> Result<Box<dyn ForceModel>>] = &[$($build,)*];
 
         impl ModelKind {
@@ -73,7 +79,11 @@ fn universal(
     muscle: &Muscle,
 ) -> Result<Box<dyn ForceModel>> {
     let missing = "its built-in coefficients, which cannot be read; rebuild the program";
-    let formula = formula.ok_or(ModelError::Missing { model, missing, key: "" })?;
+    let formula = formula.ok_or(ModelError::Missing {
+        model,
+        missing,
+        key: "",
+    })?;
     Ok(Box::new(Universal::new(formula, muscle)))
 }
 

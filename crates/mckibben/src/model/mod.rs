@@ -1,8 +1,9 @@
 //! Force models: what answers F(P, ε) for a muscle. One model is one file.
 //!
-//! [`ForceModel`] is the hinge of the library: inverses, curves, comparison and design are written against it.
-//! A new model: one file with its equation and its [`ModelEntry`], one line in [`ModelKind`]'s list, one row in the test battery
-//! (`tests/all/models.rs`). What only some models can do has a default.
+//! [`ForceModel`] is the hinge of the library: inverses, curves, comparison and design are written
+//! against it. A new model: one file with its equation and its [`ModelEntry`], one line in
+//! [`ModelKind`]'s list, one row in the test battery (`tests/all/models.rs`). What only some models
+//! can do has a default.
 
 mod accuracy;
 mod belforte;
@@ -63,10 +64,11 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 
 /// Whatever answers F(P, ε) for one muscle.
 ///
-/// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
-/// force is negative; [`crate::answer`] turns that into slack. A model never answers NaN: it answers a finite force
-/// or a [`ModelError`]. It is immutable: what changes while it answers lies in the [`Workspace`] that the caller holds, and an
-/// answer does not depend on the questions before.
+/// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would
+/// have to push, the force is negative; [`crate::answer`] turns that into slack. A model never
+/// answers NaN: it answers a finite force or a [`ModelError`]. It is immutable: what changes while
+/// it answers lies in the [`Workspace`] that the caller holds, and an answer does not depend on the
+/// questions before.
 pub trait ForceModel: Send + Sync {
     /// What it is: name, source, range, error.
     fn info(&self) -> &ModelInfo;
@@ -77,22 +79,38 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Everything it has at a pressure in MPa and a contraction ratio; does not look at its range.
-    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response>;
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response>;
 
     /// The pull alone, in N; tension positive.
-    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64> {
         Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 
-    /// The pressure in MPa at which the pull is `force_n`, where its equation can be solved for it, in closed form or with the load held in place of
-    /// it; `None` where it has none or finds none. Nothing is checked against its range; whoever wants an inverse of any model takes
+    /// The pressure in MPa at which the pull is `force_n`, where its equation can be solved for it,
+    /// in closed form or with the load held in place of it; `None` where it has none or finds none.
+    /// Nothing is checked against its range; whoever wants an inverse of any model takes
     /// [`Evaluation::pressure_at`](crate::analysis::Evaluation::pressure_at).
     fn pressure_at_pull(&self, _: &mut Workspace, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 
     /// The contraction at which the pull is `force_n`, likewise.
-    fn contraction_at_pull(&self, _: &mut Workspace, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(
+        &self,
+        _: &mut Workspace,
+        _force_n: f64,
+        _pressure_mpa: f64,
+    ) -> Option<f64> {
         None
     }
 
@@ -101,20 +119,36 @@ pub trait ForceModel: Send + Sync {
         false
     }
 
-    /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
-    /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
-    /// know one of them; whoever needs it then takes differences.
-    fn force_by(&self, _: &mut Workspace, _p: f64, _e: f64, _names: &[String]) -> Result<Option<Vec<f64>>> {
+    /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in
+    /// the muscle file (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others
+    /// held. `None` where the model does not know one of them; whoever needs it then takes
+    /// differences.
+    fn force_by(
+        &self,
+        _: &mut Workspace,
+        _p: f64,
+        _e: f64,
+        _names: &[String],
+    ) -> Result<Option<Vec<f64>>> {
         Ok(None)
     }
 
-    /// The pull at rest length in N, of which errors of the model are a share: by a faster model where this one is slow.
+    /// The pull at rest length in N, of which errors of the model are a share: by a faster model
+    /// where this one is slow.
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
-    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the blocked force is `scale_n`; `None` without a mesh.
-    fn mesh_error_n(&self, _: &mut Workspace, _p: f64, _e: f64, _force_n: f64, _scale_n: f64) -> Option<f64> {
+    /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the
+    /// blocked force is `scale_n`; `None` without a mesh.
+    fn mesh_error_n(
+        &self,
+        _: &mut Workspace,
+        _p: f64,
+        _e: f64,
+        _force_n: f64,
+        _scale_n: f64,
+    ) -> Option<f64> {
         None
     }
 
@@ -128,19 +162,23 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
-    /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
+    /// A model with nearly the same answers at a fraction of the cost, by which a pull that no
+    /// pressure gives is refused at once.
     fn companion(&self) -> Option<&dyn ForceModel> {
         None
     }
 }
 
-/// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings
-/// makes of μw ([`Friction`](crate::muscle::Friction)). Of the infinitely long muscle, where the model has no contact of its own.
+/// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction
+/// ratio: what friction of their crossings makes of μw ([`Friction`](crate::muscle::Friction)). Of
+/// the infinitely long muscle, where the model has no contact of its own.
 pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
     model: &M,
     w: &mut Workspace,
     p: f64,
     e: f64,
 ) -> Result<f64> {
-    model.contact_n_per_mm(w, p, e).unwrap_or_else(|| ThickWall::new(model.muscle()).pivoting(p, e))
+    model
+        .contact_n_per_mm(w, p, e)
+        .unwrap_or_else(|| ThickWall::new(model.muscle()).pivoting(p, e))
 }

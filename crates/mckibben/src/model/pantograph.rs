@@ -1,4 +1,5 @@
-//! The outer surface under strands that do not stretch: shared by the models whose braid is a pantograph.
+//! The outer surface under strands that do not stretch: shared by the models whose braid is a
+//! pantograph.
 //!
 //!   cosθ = λ cosθ0,   r = r0 √(1 − λ² cos²θ0)/sinθ0,   r r' = −q λ,   r'² + r r'' = −q,   q = r0² cot²θ0
 //!
@@ -44,13 +45,26 @@ pub(super) struct Bore {
 impl Pantograph {
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
-        let (ro, ri) = (muscle.tube().outer_radius_mm(), muscle.tube().inner_radius_mm());
-        Self { r0: ro, length: muscle.length_mm(), section: ro * ro - ri * ri, cos, sin }
+        let (ro, ri) = (
+            muscle.tube().outer_radius_mm(),
+            muscle.tube().inner_radius_mm(),
+        );
+        Self {
+            r0: ro,
+            length: muscle.length_mm(),
+            section: ro * ro - ri * ri,
+            cos,
+            sin,
+        }
     }
 
     /// The error of a contraction without a shape.
     pub fn no_shape(&self, contraction: f64) -> ModelError {
-        ModelError::Geometry { contraction, lowest: 1.0 - 1.0 / self.cos, highest: 1.0 }
+        ModelError::Geometry {
+            contraction,
+            lowest: 1.0 - 1.0 / self.cos,
+            highest: 1.0,
+        }
     }
 
     /// Shape at a contraction.
@@ -63,14 +77,23 @@ impl Pantograph {
         let r = self.r0 * (1.0 - cos * cos).sqrt() / self.sin;
         let q = (self.r0 * self.cos / self.sin).powi(2);
         let r1 = -q * l / r;
-        Ok(Shape { l, cos, r, r1, r2: -(q + r1 * r1) / r })
+        Ok(Shape {
+            l,
+            cos,
+            r,
+            r1,
+            r2: -(q + r1 * r1) / r,
+        })
     }
 
     /// ri² = r² − (Ro² − Ri²)/λ: the wall keeps its volume.
     pub fn bore(&self, s: &Shape, contraction: f64) -> Result<Bore> {
         let r = (s.r * s.r - self.section / s.l).sqrt();
         if r > 0.0 {
-            Ok(Bore { r, r1: (2.0 * s.r * s.r1 + self.section / (s.l * s.l)) / (2.0 * r) })
+            Ok(Bore {
+                r,
+                r1: (2.0 * s.r * s.r1 + self.section / (s.l * s.l)) / (2.0 * r),
+            })
         } else {
             Err(self.no_shape(contraction))
         }

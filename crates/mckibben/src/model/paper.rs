@@ -1,11 +1,11 @@
-//! The paper's formula: force as a polynomial of pressure, contraction, wall and diameter (Antonelli et al. 2018
-//! \[antonelli2018\]; [`crate::PAPER`]).
+//! The paper's formula: force as a polynomial of pressure, contraction, wall and diameter
+//! (Antonelli et al. 2018 \[antonelli2018\]; [`crate::PAPER`]).
 //!
 //!   (11)  F = a ε² + b ε + c,   a = m_a P + q_a,   m_a = A1 s² + A2 s + A3,   q_a = A4 s² + A5 s + A6
 //!         A_k = A_k1 D0² + A_k2 D0 + A_k3;  b likewise with B, c with C, where C_k is a straight line in D0
 //!
-//! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors to finite elements of
-//! one make: θ0 28°, L0 285 mm, one rubber, one braid.
+//! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors
+//! to finite elements of one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::formula::{Bound, of_sections};
 use super::{Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference};
@@ -14,8 +14,10 @@ use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "paper",
-    description: "formula (11) of Antonelli et al. 2018 [antonelli2018]: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa",
-    source: "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]",
+    description: "formula (11) of Antonelli et al. 2018 [antonelli2018]: D0 30-50, s 1-5, L0 285 \
+        mm, 28 deg, up to 0.25 MPa",
+    source: "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. \
+        Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]",
 };
 
 /// Pressures and contractions for which (11) was made.
@@ -33,8 +35,14 @@ fn range(m: &Muscle) -> ModelRange {
     let rubber = m.rubber();
     let mut make = vec![];
     if !rubber.is_paper() {
-        let name = rubber.name.as_deref().filter(|n| *n != "paper").unwrap_or("another");
-        make.push(format!("the rubber is {name}, the formula is for the rubber `paper`"));
+        let name = rubber
+            .name
+            .as_deref()
+            .filter(|n| *n != "paper")
+            .unwrap_or("another");
+        make.push(format!(
+            "the rubber is {name}, the formula is for the rubber `paper`"
+        ));
     }
     if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
         make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
@@ -50,16 +58,27 @@ impl FormulaModel {
 
     /// The paper's formula (11) with the published numbers, for one muscle.
     pub fn paper(muscle: &Muscle) -> Self {
-        let section = Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
+        let section =
+            Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
         let accuracy = Accuracy {
             share_of_blocked: Some(0.05),
             blocked_at: BlockedAt::Pressure(RANGE.pressure_mpa.1),
             reference: Reference::Elements(
-                "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
+                "its authors state about 2 % and at most 50 N against their own finite elements; \
+                 against this program's axisymmetric finite elements (rubber and braid `paper`) 95 \
+                 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 \
+                 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
             ),
         };
-        let info = ModelInfo { range: range(muscle), accuracy, ..ModelInfo::new(&ENTRY, muscle) };
-        Self { info, bound: Bound::Paper(section) }
+        let info = ModelInfo {
+            range: range(muscle),
+            accuracy,
+            ..ModelInfo::new(&ENTRY, muscle)
+        };
+        Self {
+            info,
+            bound: Bound::Paper(section),
+        }
     }
 }
 
@@ -72,7 +91,8 @@ mod tests {
     #[test]
     fn the_numbers_are_those_of_the_table_shipped() {
         let mut csv = csv::Reader::from_reader(include_str!("../../data/table2.csv").as_bytes());
-        let rows: Vec<(String, usize, f64, f64, f64)> = csv.deserialize().map(Result::unwrap).collect();
+        let rows: Vec<(String, usize, f64, f64, f64)> =
+            csv.deserialize().map(Result::unwrap).collect();
         assert_eq!(rows.len(), 18);
         for (family, row, d2, d1, d0) in rows {
             let block = match family.as_str() {
@@ -94,17 +114,23 @@ mod tests {
         for [p, a, b, c] in rows {
             let (fa, fb, fc) = section.at(p);
             for (formula, table) in [(fa, a), (fb, b), (fc, c)] {
-                assert!((formula / table - 1.0).abs() < 0.018, "P {p}: {formula} {table}");
+                assert!(
+                    (formula / table - 1.0).abs() < 0.018,
+                    "P {p}: {formula} {table}"
+                );
             }
         }
     }
 
-    /// What the formula says of the wall: at .25 MPa it costs at most about 205 N at D0 30, 275 N at D0 50.
+    /// What the formula says of the wall: at .25 MPa it costs at most about 205 N at D0 30, 275 N
+    /// at D0 50.
     #[test]
     fn the_drop_from_thin_to_thick_walls() {
         for (d0, drop) in [(30.0, 205.0), (50.0, 275.0)] {
-            let (thin, thick) =
-                (Coefficients::published().section(d0, 1.0), Coefficients::published().section(d0, 5.0));
+            let (thin, thick) = (
+                Coefficients::published().section(d0, 1.0),
+                Coefficients::published().section(d0, 5.0),
+            );
             let worst = (0..=200)
                 .map(|i| f64::from(i) / 1000.0)
                 .map(|e| thin.force_n(0.25, e) - thick.force_n(0.25, e))
@@ -122,22 +148,50 @@ mod tests {
                 let force = section.force_n(p, e);
                 assert!((section.pressure_mpa(force, e).unwrap() - p).abs() < 1e-13);
                 if section.by_contraction(p, e) < 0.0 {
-                    assert!((section.contraction(force, p).unwrap() - e).abs() < 1e-13, "a {a:?}");
+                    assert!(
+                        (section.contraction(force, p).unwrap() - e).abs() < 1e-13,
+                        "a {a:?}"
+                    );
                 }
             }
         }
-        assert_eq!(Coefficients::published().section(40.0, 2.0).contraction(-1e5, 0.2), None);
-        let flat = Section { a: (0.0, 0.0), b: (0.0, 0.0), c: (0.0, 1.0) };
+        assert_eq!(
+            Coefficients::published()
+                .section(40.0, 2.0)
+                .contraction(-1e5, 0.2),
+            None
+        );
+        let flat = Section {
+            a: (0.0, 0.0),
+            b: (0.0, 0.0),
+            c: (0.0, 1.0),
+        };
         assert_eq!(flat.contraction(1.0, 0.1), None);
         assert_eq!(flat.pressure_mpa(1.0, 0.1), None);
     }
 
     #[test]
     fn what_lies_outside_of_the_box_is_named() {
-        assert!(FormulaModel::paper(&Muscle::prototype()).info.range.check("paper", 0.25, 0.2).is_ok());
+        assert!(
+            FormulaModel::paper(&Muscle::prototype())
+                .info
+                .range
+                .check("paper", 0.25, 0.2)
+                .is_ok()
+        );
         let other = Muscle::prototype().with_section(60.0, 0.5).unwrap();
-        let text = FormulaModel::paper(&other).info.range.check("paper", 0.3, 0.25).unwrap_err().to_string();
-        for part in ["outer_diameter 60", "wall_thickness 0.5", "pressure 0.3", "contraction 0.25"] {
+        let text = FormulaModel::paper(&other)
+            .info
+            .range
+            .check("paper", 0.3, 0.25)
+            .unwrap_err()
+            .to_string();
+        for part in [
+            "outer_diameter 60",
+            "wall_thickness 0.5",
+            "pressure 0.3",
+            "contraction 0.25",
+        ] {
             assert!(text.contains(part), "{text}");
         }
         let stiff = crate::muscle::Braid {
@@ -145,10 +199,14 @@ mod tests {
             angle_deg: 25.0,
             ..crate::muscle::Braid::paper()
         };
-        let range = FormulaModel::paper(&Muscle::prototype().with_braid(stiff).unwrap()).info.range;
+        let range = FormulaModel::paper(&Muscle::prototype().with_braid(stiff).unwrap())
+            .info
+            .range;
         assert_eq!((range.make.len(), range.muscle.len()), (1, 1));
         assert!(
-            FormulaModel::paper(&Muscle::prototype()).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err()
+            FormulaModel::paper(&Muscle::prototype())
+                .force_n(&mut Workspace::new(), f64::NAN, 0.1)
+                .is_err()
         );
     }
 }

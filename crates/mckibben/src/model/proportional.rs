@@ -45,7 +45,9 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
             ..Response::default()
         };
         let tension = at.tension.map(|tension| pressure_mpa * tension);
-        tension.map_or(response, |n| response.with_braid_tension(n, muscle)).finite(&self.info.name)
+        tension
+            .map_or(response, |n| response.with_braid_tension(n, muscle))
+            .finite(&self.info.name)
     }
 
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
@@ -53,7 +55,12 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
         (f > 0.0).then(|| force_n / f)
     }
 
-    fn contraction_at_pull(&self, _: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<f64> {
         self.contraction_at_pull.as_ref()?(force_n, pressure_mpa)
     }
 }

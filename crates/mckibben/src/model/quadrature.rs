@@ -10,11 +10,15 @@ const ORDERS: [usize; 6] = [4, 6, 8, 12, 20, 40];
 
 /// The smallest stored rule with at least `points` points (40 at most).
 pub(crate) fn rule(points: usize) -> &'static Rule {
-    let i = ORDERS.iter().position(|&n| n >= points).unwrap_or(ORDERS.len() - 1);
+    let i = ORDERS
+        .iter()
+        .position(|&n| n >= points)
+        .unwrap_or(ORDERS.len() - 1);
     &RULES[i]
 }
 
-/// Roots of the Legendre polynomial P_n by Newton's method from Tricomi's estimate; weights 2/((1−x²)P_n'²).
+/// Roots of the Legendre polynomial P_n by Newton's method from Tricomi's estimate; weights
+/// 2/((1−x²)P_n'²).
 fn legendre(n: usize) -> Rule {
     (1..=n)
         .map(|i| {
@@ -46,7 +50,11 @@ mod tests {
             assert_eq!(rule.len(), n);
             for m in 0..n {
                 let sum: f64 = rule.iter().map(|(x, w)| w * x.powi(2 * m as i32)).sum();
-                assert!((sum - 2.0 / (2.0 * m as f64 + 1.0)).abs() < 1e-13, "n {n}, degree {}", 2 * m);
+                assert!(
+                    (sum - 2.0 / (2.0 * m as f64 + 1.0)).abs() < 1e-13,
+                    "n {n}, degree {}",
+                    2 * m
+                );
             }
         }
     }

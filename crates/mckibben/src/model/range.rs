@@ -5,8 +5,8 @@ use super::{ModelError, Result};
 use crate::muscle::Muscle;
 use serde::{Serialize, Serializer};
 
-/// The box of a model for one muscle: pressures and contractions, the measures it was made for, and what of the muscle
-/// lies outside.
+/// The box of a model for one muscle: pressures and contractions, the measures it was made for, and
+/// what of the muscle lies outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelRange {
     /// Lowest and highest pressure in MPa.
@@ -30,7 +30,12 @@ impl Serialize for ModelRange {
             violations: &'a [RangeViolation],
             make: &'a [String],
         }
-        Data { intervals: self.intervals(), violations: &self.muscle, make: &self.make }.serialize(out)
+        Data {
+            intervals: self.intervals(),
+            violations: &self.muscle,
+            make: &self.make,
+        }
+        .serialize(out)
     }
 }
 
@@ -49,16 +54,23 @@ impl ModelRange {
     /// The same, of a muscle that extends also below 0.
     pub fn for_muscle(muscle: &Muscle) -> Self {
         let open = Self::open();
-        if muscle.is_extensile() { open.stretched(muscle.braid().angle_deg) } else { open }
+        if muscle.is_extensile() {
+            open.stretched(muscle.braid().angle_deg)
+        } else {
+            open
+        }
     }
 
-    /// The same, also for muscles that a load stretches: until strands at this angle at rest, in degrees, are straight and as long as no
-    /// strand becomes.
+    /// The same, also for muscles that a load stretches: until strands at this angle at rest, in
+    /// degrees, are straight and as long as no strand becomes.
     pub fn stretched(self, angle_deg: f64) -> Self {
         /// Fibres of sleeves break at strains of 0.03 (aramid) to about 0.2 (polyamide).
         const LONGEST: f64 = 1.2;
         let lowest = 1.0 - LONGEST / angle_deg.to_radians().cos();
-        Self { contraction: ((1e4 * lowest).floor() / 1e4, self.contraction.1), ..self }
+        Self {
+            contraction: ((1e4 * lowest).floor() / 1e4, self.contraction.1),
+            ..self
+        }
     }
 
     /// The same with bounds on measures of the muscle, of which each is given with its value.
@@ -77,12 +89,18 @@ impl ModelRange {
 
     fn of_state(&self) -> [Interval; 2] {
         let pressure = Interval::new(Quantity::PRESSURE, self.pressure_mpa);
-        [pressure, Interval::new(Quantity::CONTRACTION, self.contraction)]
+        [
+            pressure,
+            Interval::new(Quantity::CONTRACTION, self.contraction),
+        ]
     }
 
     /// Every bound: of pressure, contraction and the muscle's measures.
     pub fn intervals(&self) -> Vec<Interval> {
-        self.of_state().into_iter().chain(self.measures.iter().copied()).collect()
+        self.of_state()
+            .into_iter()
+            .chain(self.measures.iter().copied())
+            .collect()
     }
 
     /// Everything that is outside at a pressure and contraction, the muscle's own violations first.
@@ -99,6 +117,10 @@ impl ModelRange {
         if violations.is_empty() && self.make.is_empty() {
             return Ok(());
         }
-        Err(ModelError::OutOfRange { model: model.into(), violations, make: self.make.clone() })
+        Err(ModelError::OutOfRange {
+            model: model.into(),
+            violations,
+            make: self.make.clone(),
+        })
     }
 }

@@ -23,7 +23,11 @@ pub struct Response {
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P at fixed ε, in mm² (N/MPa).
-    #[serde(rename = "force_per_pressure_n_per_mpa", default, skip_serializing_if = "Option::is_none")]
+    #[serde(
+        rename = "force_per_pressure_n_per_mpa",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
     pub force_per_pressure_mm2: Option<f64>,
     /// Tension of all strands together in N.
     pub braid_tension_n: Option<f64>,
@@ -33,18 +37,23 @@ pub struct Response {
     pub bulged_diameter_mm: Option<f64>,
     /// The largest principal stretch in the middle of the muscle, at the bore as a rule.
     pub middle_stretch: Option<f64>,
-    /// The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of
-    /// all is none: at the bonded corner it grows without bound as the mesh gets finer.)
+    /// The principal stretch below which 99 % of the rubber lies by volume; of models without ends
+    /// that of the middle. (The largest of all is none: at the bonded corner it grows without bound
+    /// as the mesh gets finer.)
     pub max_stretch: Option<f64>,
 }
 
 impl Response {
     /// The larger of the stretch in the middle and of that below which 99 % of the rubber lies.
     pub fn rubber_stretch(&self) -> Option<f64> {
-        self.middle_stretch.into_iter().chain(self.max_stretch).reduce(f64::max)
+        self.middle_stretch
+            .into_iter()
+            .chain(self.max_stretch)
+            .reduce(f64::max)
     }
 
-    /// That of a muscle that hangs at its free contraction: it does not pull, and slopes of a muscle that is held there do not apply.
+    /// That of a muscle that hangs at its free contraction: it does not pull, and slopes of a
+    /// muscle that is held there do not apply.
     #[must_use]
     pub fn hanging(self) -> Self {
         Self {
@@ -60,11 +69,15 @@ impl Response {
     /// Fills in the tension of one strand from that of all, where the number of strands is known.
     pub(crate) fn with_braid_tension(mut self, tension_n: f64, muscle: &Muscle) -> Self {
         self.braid_tension_n = Some(tension_n);
-        self.strand_tension_n = muscle.braid().strands.map(|s| tension_n / f64::from(s.count));
+        self.strand_tension_n = muscle
+            .braid()
+            .strands
+            .map(|s| tension_n / f64::from(s.count));
         self
     }
 
-    /// The response, or [`ModelError::NotFinite`] where its force is none (a pressure that is not a number).
+    /// The response, or [`ModelError::NotFinite`] where its force is none (a pressure that is not a
+    /// number).
     pub(crate) fn finite(self, model: &str) -> Result<Self> {
         ModelError::finite(self.force_n, model, self.pressure_mpa, self.contraction).map(|_| self)
     }

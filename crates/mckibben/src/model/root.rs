@@ -1,8 +1,9 @@
 //! One equation in one unknown, by Newton's method kept inside of a bracket.
 
-/// Root of a function that rises from below zero at `low` to above zero at `high`; `f` gives the value and the slope.
-/// `None` where it does not converge or a value is not a number. Steps that leave the bracket are halved intervals; it ends with a
-/// step below `tolerance`, or of a few units in the last place.
+/// Root of a function that rises from below zero at `low` to above zero at `high`; `f` gives the
+/// value and the slope. `None` where it does not converge or a value is not a number. Steps that
+/// leave the bracket are halved intervals; it ends with a step below `tolerance`, or of a few units
+/// in the last place.
 pub(crate) fn rising_root(
     mut low: f64,
     mut high: f64,
@@ -25,7 +26,11 @@ pub(crate) fn rising_root(
             low = x;
         }
         let newton = x - value / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
         let tiny = tolerance.max(2.0 * f64::EPSILON * low.abs().max(high.abs()));
         if (next - x).abs() <= tiny || high - low <= tiny {
             return Some(next);

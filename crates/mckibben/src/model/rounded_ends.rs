@@ -1,14 +1,16 @@
 //! Rounded ends: quarter circles from the terminals to the bulge shorten the cylinder between them.
 //!
-//! Kothera & Wereley (2009) \[kothera2009\] put the effective length L − 2(r − r0) in place of L in the force balance: each end rounds
-//! off with a quarter circle of radius r − r0 and so takes r − r0 of the muscle's length. The pull is the same in every
-//! cross-section, so it is that of the cylinder in the middle. What is measured is the whole length,
+//! Kothera & Wereley (2009) \[kothera2009\] put the effective length L − 2(r − r0) in place of L in
+//! the force balance: each end rounds off with a quarter circle of radius r − r0 and so takes r −
+//! r0 of the muscle's length. The pull is the same in every cross-section, so it is that of the
+//! cylinder in the middle. What is measured is the whole length,
 //!
 //!   L = λ L0 = λm L0 + 2 (r(λm) − r0),   F = F_force-balance(λm)
 //!
-//! so the stretch λm of the middle has to be found from the measured one: it is smaller (the middle has shortened and
-//! bulged more than the muscle as a whole), and the pull with it. The strand in the ends is taken as if it belonged to
-//! the middle. Kothera et al. was not at hand in full; this reading is derived from the sentence above.
+//! so the stretch λm of the middle has to be found from the measured one: it is smaller (the middle
+//! has shortened and bulged more than the muscle as a whole), and the pull with it. The strand in
+//! the ends is taken as if it belonged to the middle. Kothera et al. was not at hand in full; this
+//! reading is derived from the sentence above.
 
 use super::force_balance::balance;
 use super::pantograph::Pantograph;
@@ -25,40 +27,58 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 
 /// The force balance of the middle of a muscle whose ends are round; for short muscles.
 ///
-/// It needs 1 + (2/L0) dr/dλ > 0: below L0 = D0 cot²θ0 the ends of a muscle at rest would take up more than the middle
-/// gives, and the model refuses.
+/// It needs 1 + (2/L0) dr/dλ > 0: below L0 = D0 cot²θ0 the ends of a muscle at rest would take up
+/// more than the middle gives, and the model refuses.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let braid = Pantograph::from_muscle(muscle);
     let cot2 = (braid.cos / braid.sin).powi(2);
     let least_mm = 2.0 * braid.r0 * cot2;
     if braid.length <= least_mm {
         return Err(ModelError::TooShort(format!(
-            "the {} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter times cot² of its braid angle); this one is {}\u{a0}mm: its ends would take up more than the middle gives",
+            "the {} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter \
+             times cot² of its braid angle); this one is {}\u{a0}mm: its ends would take up more \
+             than the middle gives",
             ENTRY.name, braid.length
         )));
     }
-    // The λm at which the whole length no longer grows with that of the middle: dr/dλ = −r0 cotθ0 c/√(1−c²) with c = λ cosθ0 is −L0/2.
+    // The λm at which the whole length no longer grows with that of the middle: dr/dλ = −r0 cotθ0
+    // c/√(1−c²) with c = λ cosθ0 is −L0/2.
     let t = 0.5 * braid.length * braid.sin / (braid.r0 * braid.cos);
     let turn = t / (1.0 + t * t).sqrt() / braid.cos;
     let per_pressure = move |contraction| {
         let (lm, slope) = middle(&braid, turn, contraction)?;
         let middle = balance(&braid, 1.0 - lm)?;
-        Ok(PerPressure { f_l: middle.f_l * slope, volume_mm3: None, ..middle })
+        Ok(PerPressure {
+            f_l: middle.f_l * slope,
+            volume_mm3: None,
+            ..middle
+        })
     };
     let info = ModelInfo::new(&ENTRY, muscle);
-    Ok(Box::new(Proportional { info, per_pressure, contraction_at_pull: None }))
+    Ok(Box::new(Proportional {
+        info,
+        per_pressure,
+        contraction_at_pull: None,
+    }))
 }
 
 /// λm and dλm/dλ at a contraction of the whole muscle.
 fn middle(b: &Pantograph, turn: f64, contraction: f64) -> Result<(f64, f64)> {
     let l = 1.0 - contraction;
     let length = |lm: f64| match b.at(1.0 - lm) {
-        Ok(g) => (lm + 2.0 * (g.r - b.r0) / b.length - l, 1.0 + 2.0 * g.r1 / b.length),
+        Ok(g) => (
+            lm + 2.0 * (g.r - b.r0) / b.length - l,
+            1.0 + 2.0 * g.r1 / b.length,
+        ),
         Err(_) => (f64::NAN, f64::NAN),
     };
     // At λm → 0 the ends meet.
     let highest = 1.0 - 2.0 * b.r0 * (1.0 / b.sin - 1.0) / b.length;
-    let error = ModelError::Geometry { contraction, lowest: 1.0 - (length(turn).0 + l), highest };
+    let error = ModelError::Geometry {
+        contraction,
+        lowest: 1.0 - (length(turn).0 + l),
+        highest,
+    };
     if !(contraction < highest && length(turn).0 > 0.0) {
         return Err(error);
     }
@@ -73,13 +93,21 @@ mod tests {
     use crate::muscle::Tube;
 
     fn long(length_mm: f64) -> Muscle {
-        Muscle::prototype().with_tube(Tube { length_mm, ..Tube::prototype() }).unwrap()
+        Muscle::prototype()
+            .with_tube(Tube {
+                length_mm,
+                ..Tube::prototype()
+            })
+            .unwrap()
     }
 
     #[test]
     fn at_rest_and_for_long_muscles_it_is_the_force_balance() {
         let m = Muscle::prototype();
-        let (a, b) = (build(&m).unwrap(), ModelKind::ForceBalance.build(&m).unwrap());
+        let (a, b) = (
+            build(&m).unwrap(),
+            ModelKind::ForceBalance.build(&m).unwrap(),
+        );
         assert!(
             (a.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap()
                 - b.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap())
@@ -90,28 +118,52 @@ mod tests {
             let m = long(length);
             let exact = ModelKind::ForceBalance.build(&m).unwrap();
             let exact = exact.force_n(&mut Workspace::new(), 0.2, 0.15).unwrap();
-            build(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.15).unwrap() - exact
+            build(&m)
+                .unwrap()
+                .force_n(&mut Workspace::new(), 0.2, 0.15)
+                .unwrap()
+                - exact
         });
-        assert!(errors[0] < 0.0 && (errors[0] / errors[1] - 10.0).abs() < 0.1, "{errors:?}");
+        assert!(
+            errors[0] < 0.0 && (errors[0] / errors[1] - 10.0).abs() < 0.1,
+            "{errors:?}"
+        );
     }
 
     #[test]
     fn the_length_adds_up() {
-        let (m, b) = (Muscle::prototype(), Pantograph::from_muscle(&Muscle::prototype()));
+        let (m, b) = (
+            Muscle::prototype(),
+            Pantograph::from_muscle(&Muscle::prototype()),
+        );
         let model = build(&m).unwrap();
         for e in [0.0, 0.1, 0.25] {
-            let r = 0.5 * model.response(&mut Workspace::new(), 0.2, e).unwrap().bulged_diameter_mm.unwrap();
+            let r = 0.5
+                * model
+                    .response(&mut Workspace::new(), 0.2, e)
+                    .unwrap()
+                    .bulged_diameter_mm
+                    .unwrap();
             let lm = (1.0 - (b.sin * r / b.r0).powi(2)).sqrt() / b.cos;
-            assert!((lm * 285.0 + 2.0 * (r - 15.0) - (1.0 - e) * 285.0).abs() < 1e-9, "ε {e}");
+            assert!(
+                (lm * 285.0 + 2.0 * (r - 15.0) - (1.0 - e) * 285.0).abs() < 1e-9,
+                "ε {e}"
+            );
         }
     }
 
     #[test]
     fn muscles_too_short_and_vanished_middles_are_refused() {
         let least = 30.0 / 28f64.to_radians().tan().powi(2);
-        assert!(matches!(build(&long(0.99 * least)), Err(ModelError::TooShort(_))));
+        assert!(matches!(
+            build(&long(0.99 * least)),
+            Err(ModelError::TooShort(_))
+        ));
         let model = build(&long(1.01 * least)).unwrap();
         assert!(model.force_n(&mut Workspace::new(), 0.2, 0.0).is_ok());
-        assert!(matches!(model.force_n(&mut Workspace::new(), 0.2, 0.8), Err(ModelError::Geometry { .. })));
+        assert!(matches!(
+            model.force_n(&mut Workspace::new(), 0.2, 0.8),
+            Err(ModelError::Geometry { .. })
+        ));
     }
 }

@@ -2,11 +2,12 @@
 //!
 //!   F(P, ε) = F₀(P, x),   x of ε by [`Ends`],
 //!
-//! F₀ of the model of the muscle between its ends. One muscle cannot tell a seating from an error in the zero of its length; muscles of several
-//! lengths can.
+//! F₀ of the model of the muscle between its ends. One muscle cannot tell a seating from an error
+//! in the zero of its length; muscles of several lengths can.
 
 use super::{
-    ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace, pivoting_n_per_mm,
+    ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
+    pivoting_n_per_mm,
 };
 use crate::differences::slope;
 use crate::muscle::{EndState, Ends, Muscle};
@@ -22,18 +23,25 @@ pub struct Seated<M: ForceModel + ?Sized> {
     pub ends: Ends,
 }
 
-/// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the model itself where nothing is said of them.
+/// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the
+/// model itself where nothing is said of them.
 pub fn with_ends<E>(
     muscle: &Muscle,
     build: impl FnOnce(&Muscle) -> Result<Box<dyn ForceModel>, E>,
 ) -> Result<Box<dyn ForceModel>, E> {
     let inner = build(&muscle.between_ends())?;
-    Ok(if muscle.ends().give() { Box::new(Seated::new(inner, muscle)) } else { inner })
+    Ok(if muscle.ends().give() {
+        Box::new(Seated::new(inner, muscle))
+    } else {
+        inner
+    })
 }
 
 impl<M: ForceModel + ?Sized> std::fmt::Debug for Seated<M> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Seated").field("inner", &self.info.name).finish_non_exhaustive()
+        f.debug_struct("Seated")
+            .field("inner", &self.info.name)
+            .finish_non_exhaustive()
     }
 }
 
@@ -46,19 +54,34 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
         let contraction = (whole(low).max(-1.0), whole(high));
-        let range = ModelRange { contraction, ..of_inner.range.clone() };
+        let range = ModelRange {
+            contraction,
+            ..of_inner.range.clone()
+        };
         let muscle = Arc::new(muscle.clone());
-        let info = ModelInfo { muscle, range, ..of_inner.clone() };
-        Self { id: ModelId::new(), info, inner, ends }
+        let info = ModelInfo {
+            muscle,
+            range,
+            ..of_inner.clone()
+        };
+        Self {
+            id: ModelId::new(),
+            info,
+            inner,
+            ends,
+        }
     }
 
     /// What the whole muscle answers where the muscle between its ends answers `inner`.
     pub fn whole(&self, at: &EndState, inner: Response) -> Response {
         let (ends, k) = (&self.ends, at.stiffness_n_per_mm);
         let (slip, bore, series) = (ends.slip_mm_per_n, ends.bore_mm2(), ends.series_factor(k));
-        let by_pressure = inner.force_per_pressure_mm2.map(|slope| (slope - k * slip * bore) / series);
+        let by_pressure = inner
+            .force_per_pressure_mm2
+            .map(|slope| (slope - k * slip * bore) / series);
         let by_contraction = inner.volume_per_contraction_mm3.map(|slope| {
-            slope * (ends.length_mm / ends.active_mm()) / series - slip * bore * k * ends.length_mm / series
+            slope * (ends.length_mm / ends.active_mm()) / series
+                - slip * bore * k * ends.length_mm / series
         });
         let volume_by_pressure = inner.volume_per_pressure_mm3_per_mpa.and_then(|slope| {
             if slip == 0.0 {
@@ -83,8 +106,11 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
         let ends = self.solve_ends(workspace, p, e, |workspace, x| {
-            let mut respond =
-                |x| self.inner.response(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x));
+            let mut respond = |x| {
+                self.inner
+                    .response(workspace, p, x)
+                    .map_err(|error| self.for_whole_muscle(error, e, x))
+            };
             let response = respond(x)?;
             last = Some(response);
             let stiffness_n_per_mm = match response.stiffness_n_per_mm {
@@ -93,12 +119,19 @@ impl<M: ForceModel + ?Sized> Seated<M> {
                 }
                 known => known,
             };
-            Ok::<_, ModelError>(Response { stiffness_n_per_mm, ..response })
+            Ok::<_, ModelError>(Response {
+                stiffness_n_per_mm,
+                ..response
+            })
         })?;
-        ends.zip(last).ok_or(ModelError::NotConverged { pressure_mpa: p, contraction: e })
+        ends.zip(last).ok_or(ModelError::NotConverged {
+            pressure_mpa: p,
+            contraction: e,
+        })
     }
 
-    /// The state of the ends at a point, where the muscle between them answers by `pull`: from the last state of this workspace, or without one.
+    /// The state of the ends at a point, where the muscle between them answers by `pull`: from the
+    /// last state of this workspace, or without one.
     pub fn solve_ends<E>(
         &self,
         workspace: &mut Workspace,
@@ -106,9 +139,13 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         e: f64,
         mut pull: impl FnMut(&mut Workspace, f64) -> Result<Response, E>,
     ) -> Result<Option<EndState>, E> {
-        let start = workspace.last_ends(&self.id).map(|last| self.ends.displacement_near_mm(last, p, e));
-        let mut from =
-            |start, w: &mut Workspace| self.ends.solve_end_displacement(p, e, start, |x| pull(w, x));
+        let start = workspace
+            .last_ends(&self.id)
+            .map(|last| self.ends.displacement_near_mm(last, p, e));
+        let mut from = |start, w: &mut Workspace| {
+            self.ends
+                .solve_end_displacement(p, e, start, |x| pull(w, x))
+        };
         let mut state = from(start, workspace);
         if start.is_some() && !matches!(state, Ok(Some(_))) {
             state = from(None, workspace);
@@ -123,14 +160,19 @@ impl<M: ForceModel + ?Sized> Seated<M> {
 
     /// x of a point with its pull.
     fn between(&self, p: f64, e: f64, force_n: f64) -> f64 {
-        self.ends.between(e, self.ends.end_displacement_mm(p, force_n))
+        self.ends
+            .between(e, self.ends.end_displacement_mm(p, force_n))
     }
 
     /// An error at x, with contractions of the whole muscle.
     fn for_whole_muscle(&self, mut error: ModelError, e: f64, x: f64) -> ModelError {
         let displacement = self.ends.displacement_between_mm(e, x);
         match &mut error {
-            ModelError::Geometry { contraction, lowest, highest } => {
+            ModelError::Geometry {
+                contraction,
+                lowest,
+                highest,
+            } => {
                 for value in [contraction, lowest, highest] {
                     *value = self.ends.whole(*value, displacement);
                 }
@@ -168,7 +210,9 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             return Ok(self.end_state(workspace, p, e)?.1.force_n);
         }
         let x = self.between(p, e, 0.0);
-        self.inner.force_n(workspace, p, x).map_err(|error| self.for_whole_muscle(error, e, x))
+        self.inner
+            .force_n(workspace, p, x)
+            .map_err(|error| self.for_whole_muscle(error, e, x))
     }
 
     fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, e: f64) -> Option<f64> {
@@ -181,23 +225,37 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Option<f64> {
         let x = self.inner.contraction_at_pull(workspace, force_n, p)?;
-        Some(self.ends.whole(x, self.ends.end_displacement_mm(p, force_n)))
+        Some(
+            self.ends
+                .whole(x, self.ends.end_displacement_mm(p, force_n)),
+        )
     }
 
     fn has_slopes(&self) -> bool {
         self.inner.has_slopes()
     }
 
-    fn force_by(&self, w: &mut Workspace, p: f64, e: f64, names: &[String]) -> Result<Option<Vec<f64>>> {
+    fn force_by(
+        &self,
+        w: &mut Workspace,
+        p: f64,
+        e: f64,
+        names: &[String],
+    ) -> Result<Option<Vec<f64>>> {
         if !self.has_slopes() {
             return Ok(None);
         }
         let (state, response) = self.end_state(w, p, e)?;
-        let inside: Vec<String> =
-            names.iter().filter_map(|n| Ends::inner_name(n)).map(str::to_owned).collect();
+        let inside: Vec<String> = names
+            .iter()
+            .filter_map(|n| Ends::inner_name(n))
+            .map(str::to_owned)
+            .collect();
         let known = self.inner.force_by(w, p, state.between, &inside);
         let known = known.map_err(|error| self.for_whole_muscle(error, e, state.between))?;
-        let Some((known, _)) = known.zip(response.stiffness_n_per_mm) else { return Ok(None) };
+        let Some((known, _)) = known.zip(response.stiffness_n_per_mm) else {
+            return Ok(None);
+        };
         let mut known = known.into_iter();
         let one = |name: &String| {
             let inner = Ends::inner_name(name).map_or(Some(0.0), |_| known.next())?;
@@ -210,8 +268,16 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         self.inner.blocked_scale_n(workspace, p)
     }
 
-    fn mesh_error_n(&self, w: &mut Workspace, p: f64, e: f64, force_n: f64, scale_n: f64) -> Option<f64> {
-        self.inner.mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
+    fn mesh_error_n(
+        &self,
+        w: &mut Workspace,
+        p: f64,
+        e: f64,
+        force_n: f64,
+        scale_n: f64,
+    ) -> Option<f64> {
+        self.inner
+            .mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {

@@ -1,8 +1,10 @@
-//! Tondu and Lopez's formula: the ideal muscle with an empirical factor on the contraction for its ends.
+//! Tondu and Lopez's formula: the ideal muscle with an empirical factor on the contraction for its
+//! ends.
 //!
 //!   F = (π D0²/4) P [a (1 − kε)² − b],   a = 3/tan²θ0,  b = 1/sin²θ0,   k constant or k(P) = a_k e^(−P) + b_k, P in bar
 //!
-//! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\].
+//! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken
+//! from Tondu's review (2012) \[tondu2012\].
 
 use super::{ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace};
 use crate::muscle::{EndFactor, Muscle};
@@ -16,9 +18,9 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 
 /// The ideal formula at the contraction kε.
 ///
-/// k represents whatever makes a real muscle shorten less than the ideal one: rounded ends, but also the rubber. On the
-/// 20° muscle of Tondu (2012) \[tondu2012\] the best constant is 1.29 over 1–5 bar; fitted pressure by pressure it falls from 1.60 to
-/// 1.24, as the form k(P) has it.
+/// k represents whatever makes a real muscle shorten less than the ideal one: rounded ends, but
+/// also the rubber. On the 20° muscle of Tondu (2012) \[tondu2012\] the best constant is 1.29 over
+/// 1–5 bar; fitted pressure by pressure it falls from 1.60 to 1.24, as the form k(P) has it.
 #[derive(Debug, Clone)]
 pub struct TonduLopez {
     info: ModelInfo,
@@ -31,10 +33,15 @@ impl TonduLopez {
     pub fn new(muscle: &Muscle) -> Result<Self> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,
-            missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle file",
+            missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle \
+                file",
             key: "model.tondu-lopez.end_factor",
         })?;
-        Ok(Self { info: ModelInfo::new(&ENTRY, muscle), ideal: Ideal::new(muscle), factor })
+        Ok(Self {
+            info: ModelInfo::new(&ENTRY, muscle),
+            ideal: Ideal::new(muscle),
+            factor,
+        })
     }
 }
 
@@ -43,14 +50,19 @@ impl ForceModel for TonduLopez {
         &self.info
     }
 
-    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response> {
         let (p, k) = (pressure_mpa, self.factor.at(pressure_mpa));
         let middle = self.ideal.response(workspace, p, k * contraction)?;
         let stiffness = middle.stiffness_n_per_mm.map(|s| k * s);
         // dF/dP = F/P + ∂F/∂(kε) · k'(P) ε, and ∂F/∂(kε) = −L0 · stiffness of the ideal muscle.
-        let by_factor = middle
-            .stiffness_n_per_mm
-            .map_or(0.0, |s| -s * self.muscle().length_mm() * self.factor.slope(p) * contraction);
+        let by_factor = middle.stiffness_n_per_mm.map_or(0.0, |s| {
+            -s * self.muscle().length_mm() * self.factor.slope(p) * contraction
+        });
         let diameter = self.muscle().pantograph_diameter_mm(k * contraction);
         let cos = (1.0 - k * contraction) * self.muscle().braid().angle_rad().cos();
         let tension = (middle.force_n + p * 0.25 * PI * diameter * diameter) / cos;
@@ -66,16 +78,31 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle()))
     }
 
-    fn pressure_at_pull(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+    fn pressure_at_pull(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<f64> {
         match self.factor {
-            EndFactor::Constant(k) => self.ideal.pressure_at_pull(workspace, force_n, k * contraction),
+            EndFactor::Constant(k) => {
+                self.ideal
+                    .pressure_at_pull(workspace, force_n, k * contraction)
+            }
             EndFactor::OfPressure { .. } => None,
         }
     }
 
-    fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+    fn contraction_at_pull(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<f64> {
         let k = self.factor.at(pressure_mpa);
-        self.ideal.contraction_at_pull(workspace, force_n, pressure_mpa).map(|e| e / k)
+        self.ideal
+            .contraction_at_pull(workspace, force_n, pressure_mpa)
+            .map(|e| e / k)
     }
 }
 
@@ -85,7 +112,10 @@ mod tests {
     use crate::muscle::Terminals;
 
     fn model(end_factor: Option<EndFactor>) -> Result<TonduLopez> {
-        let terminals = Terminals { end_factor, ..Terminals::default() };
+        let terminals = Terminals {
+            end_factor,
+            ..Terminals::default()
+        };
         TonduLopez::new(&Muscle::prototype().with_terminals(terminals).unwrap())
     }
 
@@ -99,7 +129,10 @@ mod tests {
         let (bar, e) = (2.0f64, 0.1);
         let k = ak * (-bar).exp() + bk;
         let expected = PI * 30.0 * 30.0 / 4.0 * 0.1 * bar * (a * (1.0 - k * e).powi(2) - b);
-        assert!((model.force_n(&mut Workspace::new(), 0.2, e).unwrap() - expected).abs() < 1e-9 * expected);
+        assert!(
+            (model.force_n(&mut Workspace::new(), 0.2, e).unwrap() - expected).abs()
+                < 1e-9 * expected
+        );
     }
 
     #[test]

@@ -1,16 +1,19 @@
 //! Elastic energy of a uniformly deformed tube wall, per unit of length at rest.
 //!
-//! A point at radius R of the wall moves to r(R)² = (R² − Ro²)/λ + ro² (volume kept), so that with t = R²
+//! A point at radius R of the wall moves to r(R)² = (R² − Ro²)/λ + ro² (volume kept), so that with
+//! t = R²
 //!
 //!   u = λθ² = (ro² − (Ro² − t)/λ)/t,   v = λz² = λ²,   λr² = 1/(uv)
 //!   W(λ, ro) = ∫ ŵ(u, v) 2πR dR = π ∫ ŵ dt
 //!
-//! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954) \[green1954\]; Liu & Rahn (2003) \[liu2003\] use the same
-//! kinematics for the muscle. The integral runs over y = ln t, where Gauss points converge fastest; for neo-Hookean and
+//! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954)
+//! \[green1954\]; Liu & Rahn (2003) \[liu2003\] use the same kinematics for the muscle. The
+//! integral runs over y = ln t, where Gauss points converge fastest; for neo-Hookean and
 //! Mooney–Rivlin rubber it is known in closed form ([`super::wall_mooney`]).
 //!
-//! A tube that was mounted with a stretch λp has its natural shape elsewhere: longer by 1/λp and wider by √λp than at rest in the
-//! muscle, with free lateral surfaces and its volume kept. There R, Ro and the law's stretches are taken: λz = λp λ, and
+//! A tube that was mounted with a stretch λp has its natural shape elsewhere: longer by 1/λp and
+//! wider by √λp than at rest in the muscle, with free lateral surfaces and its volume kept. There
+//! R, Ro and the law's stretches are taken: λz = λp λ, and
 //!
 //!   W(λ, ro) = Wn(λp λ, ro)/λp
 //!
@@ -38,10 +41,14 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// The wall of a tube. The number of points grows with Ro/Ri so that the integral is good to about 1e-12.
+    /// The wall of a tube. The number of points grows with Ro/Ri so that the integral is good to
+    /// about 1e-12.
     pub fn new(tube: &Tube) -> Self {
         let wider = tube.prestretch.sqrt();
-        let (ro, ri) = (wider * tube.outer_radius_mm(), wider * tube.inner_radius_mm());
+        let (ro, ri) = (
+            wider * tube.outer_radius_mm(),
+            wider * tube.inner_radius_mm(),
+        );
         let span = 2.0 * (ro / ri).ln();
         let points = match span {
             s if s < 0.15 => 4,
@@ -52,7 +59,10 @@ impl Wall {
         };
         // Nearly solid rods: as many panels as it takes, each over no more than a factor e² in R².
         let panels = (span / 2.0).ceil().max(1.0) as usize;
-        Self { prestretch: tube.prestretch, ..Self::with_panels(ro, ri, panels, points) }
+        Self {
+            prestretch: tube.prestretch,
+            ..Self::with_panels(ro, ri, panels, points)
+        }
     }
 
     fn with_panels(ro: f64, ri: f64, panels: usize, points: usize) -> Self {
@@ -66,7 +76,13 @@ impl Wall {
                 (t, PI * half * weight * t)
             }));
         }
-        Self { ro2: ro * ro, ri2: ri * ri, span: 2.0 * (ro / ri).ln(), points: list, prestretch: 1.0 }
+        Self {
+            ro2: ro * ro,
+            ri2: ri * ri,
+            span: 2.0 * (ro / ri).ln(),
+            points: list,
+            prestretch: 1.0,
+        }
     }
 
     /// Ro² − Ri² of the mounted tube in mm².
@@ -86,7 +102,14 @@ impl Wall {
             Some(wall) => wall.energy(l, outer_radius_mm),
             None => self.integrated(law, l, outer_radius_mm),
         };
-        WallEnergy { w: e.w / p, l: e.l, r: e.r / p, ll: p * e.ll, lr: e.lr, rr: e.rr / p }
+        WallEnergy {
+            w: e.w / p,
+            l: e.l,
+            r: e.r / p,
+            ll: p * e.ll,
+            lr: e.lr,
+            rr: e.rr / p,
+        }
     }
 
     /// The same at λ and x = ro².
@@ -101,27 +124,53 @@ impl Wall {
                 let i = 0.5 / r;
                 let by_x = e.r * i;
                 let xx = (e.rr - 2.0 * by_x) * i * i;
-                SquareEnergy { w: e.w, l: e.l, x: by_x, ll: e.ll, lx: e.lr * i, xx }
+                SquareEnergy {
+                    w: e.w,
+                    l: e.l,
+                    x: by_x,
+                    ll: e.ll,
+                    lx: e.lr * i,
+                    xx,
+                }
             }
         };
-        SquareEnergy { w: e.w / p, l: e.l, x: e.x / p, ll: p * e.ll, lx: e.lx, xx: e.xx / p }
+        SquareEnergy {
+            w: e.w / p,
+            l: e.l,
+            x: e.x / p,
+            ll: p * e.ll,
+            lx: e.lx,
+            xx: e.xx / p,
+        }
     }
 
     #[inline(always)]
     fn closed(&self, law: &Law) -> Option<Mooney> {
         let MooneyRivlin { c10_mpa, c01_mpa } = law.as_mooney_rivlin()?;
-        Some(Mooney { c10_mpa, c01_mpa, ro2: self.ro2, section: self.ro2 - self.ri2, span: self.span })
+        Some(Mooney {
+            c10_mpa,
+            c01_mpa,
+            ro2: self.ro2,
+            section: self.ro2 - self.ri2,
+            span: self.span,
+        })
     }
 
     /// W and its derivatives by integration, for any law.
     fn integrated(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
-        law.visit(Integral { wall: self, lambda: axial_stretch, r: outer_radius_mm })
+        law.visit(Integral {
+            wall: self,
+            lambda: axial_stretch,
+            r: outer_radius_mm,
+        })
     }
 
     /// Largest principal stretch in the wall (it is at the bore or at the outer surface).
     pub fn largest_stretch(&self, axial_stretch: f64, outer_radius_mm: f64) -> f64 {
         let lambda = self.prestretch * axial_stretch;
-        let inside = (self.bore2(axial_stretch, outer_radius_mm) / self.ri2).max(0.0).sqrt();
+        let inside = (self.bore2(axial_stretch, outer_radius_mm) / self.ri2)
+            .max(0.0)
+            .sqrt();
         let outside = outer_radius_mm / self.ro2.sqrt();
         let thinnest = 1.0 / (lambda * inside.min(outside));
         inside.max(outside).max(lambda).max(thinnest)
@@ -152,7 +201,8 @@ impl LawVisitor for Integral<'_> {
             sum.l += weight * (e.u * u_l + e.v * v_l);
             sum.r += weight * e.u * u_r;
             sum.ll += weight
-                * (e.uu * u_l * u_l + 2.0 * e.uv * u_l * v_l + e.vv * v_l * v_l - 2.0 * e.u * u_l / lambda
+                * (e.uu * u_l * u_l + 2.0 * e.uv * u_l * v_l + e.vv * v_l * v_l
+                    - 2.0 * e.u * u_l / lambda
                     + 2.0 * e.v);
             sum.lr += weight * u_r * (e.uu * u_l + e.uv * v_l);
             sum.rr += weight * (e.uu * u_r * u_r + e.u * 2.0 / t);
@@ -168,18 +218,32 @@ mod tests {
 
     fn laws() -> [Law; 3] {
         [
-            Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 }),
-            Law::Gent(Gent { mu_mpa: 0.24, jm: 300.0 }),
-            Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] }),
+            Law::MooneyRivlin(MooneyRivlin {
+                c10_mpa: 0.1,
+                c01_mpa: 0.02,
+            }),
+            Law::Gent(Gent {
+                mu_mpa: 0.24,
+                jm: 300.0,
+            }),
+            Law::Ogden(Ogden {
+                terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)],
+            }),
         ]
     }
 
     /// The rule chosen from Ro/Ri gives what 40 points give.
     #[test]
     fn chosen_integration_points_are_enough() {
-        for (ro, ri) in
-            [(25.0, 24.0), (15.0, 12.0), (9.5, 8.0), (2.5, 0.5), (15.0, 7.0), (5.0, 2.0), (10.0, 8.3)]
-        {
+        for (ro, ri) in [
+            (25.0, 24.0),
+            (15.0, 12.0),
+            (9.5, 8.0),
+            (2.5, 0.5),
+            (15.0, 7.0),
+            (5.0, 2.0),
+            (10.0, 8.3),
+        ] {
             let mut tube = Tube::prototype();
             (tube.outer_diameter_mm, tube.wall_mm) = (2.0 * ro, ro - ri);
             let (chosen, fine) = (Wall::new(&tube), Wall::with_panels(ro, ri, 1, 40));
@@ -192,7 +256,11 @@ mod tests {
                     let scale = b.w.abs() + b.l.abs() + law.shear_modulus_mpa() * ro * ro * 1e-3;
                     let worst = [a.w - b.w, a.l - b.l, (a.r - b.r) * ro, a.ll - b.ll].map(f64::abs);
                     let worst = worst.into_iter().fold(0.0, f64::max) / scale;
-                    assert!(worst < 1e-9, "{ro}/{ri} {} λ {lambda}: {worst:e}", law.name());
+                    assert!(
+                        worst < 1e-9,
+                        "{ro}/{ri} {} λ {lambda}: {worst:e}",
+                        law.name()
+                    );
                 }
             }
         }
@@ -205,7 +273,10 @@ mod tests {
         for (ro, ri) in [(25.0, 24.9), (25.0, 24.0), (15.0, 12.0), (5.0, 2.0)] {
             let wall = Wall::with_panels(ro, ri, 1, 40);
             for (l, bulge) in [(1.0, 1.0), (1.1, 0.97), (0.8, 1.6), (0.7, 1.9)] {
-                let (a, b) = (wall.energy(law, l, bulge * ro), wall.integrated(law, l, bulge * ro));
+                let (a, b) = (
+                    wall.energy(law, l, bulge * ro),
+                    wall.integrated(law, l, bulge * ro),
+                );
                 let scale = 0.24 * wall.section();
                 for (a, b) in [
                     (a.w, b.w),
@@ -215,7 +286,10 @@ mod tests {
                     (a.lr * ro, b.lr * ro),
                     (a.rr * ro * ro, b.rr * ro * ro),
                 ] {
-                    assert!((a - b).abs() < 1e-11 * (scale + b.abs()), "{ro}/{ri} λ {l}: {a} {b}");
+                    assert!(
+                        (a - b).abs() < 1e-11 * (scale + b.abs()),
+                        "{ro}/{ri} λ {l}: {a} {b}"
+                    );
                 }
             }
         }
@@ -224,7 +298,10 @@ mod tests {
     /// A nearly solid rod without pressure is in uniaxial compression: F = σ(λ) × section.
     #[test]
     fn a_nearly_solid_rod_is_compressed_as_a_rod() {
-        let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 });
+        let law = Law::MooneyRivlin(MooneyRivlin {
+            c10_mpa: 0.1,
+            c01_mpa: 0.02,
+        });
         for ri in [1.0, 1e-1, 1e-2, 1e-4] {
             let mut tube = Tube::prototype();
             (tube.outer_diameter_mm, tube.wall_mm) = (20.0, 10.0 - ri);
@@ -234,7 +311,10 @@ mod tests {
             // Rounding of ro is worth (Ro/Ri)² times as much in the hoop stretch of the bore.
             let allowed = section * (1e-9 + 1e-15 * (10.0 / ri).powi(2));
             // Uniform: r = R/√λ everywhere, and the wall is in equilibrium there without pressure.
-            assert!((e.l - law.uniaxial_stress_mpa(l) * section).abs() < allowed, "{ri}");
+            assert!(
+                (e.l - law.uniaxial_stress_mpa(l) * section).abs() < allowed,
+                "{ri}"
+            );
             assert!(e.r.abs() < allowed, "{ri}: {}", e.r);
         }
     }
@@ -256,7 +336,11 @@ mod tests {
                 (fd(lp.r, lm.r), e.lr),
                 (fd(rp.r, rm.r), e.rr),
             ] {
-                assert!((got - exact).abs() < 1e-6 * (1.0 + exact.abs()), "{}: {got} vs {exact}", law.name());
+                assert!(
+                    (got - exact).abs() < 1e-6 * (1.0 + exact.abs()),
+                    "{}: {got} vs {exact}",
+                    law.name()
+                );
             }
         }
     }

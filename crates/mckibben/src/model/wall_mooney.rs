@@ -1,7 +1,7 @@
 //! The energy of a Mooney–Rivlin wall in closed form.
 //!
-//! With A = Ro² − Ri², x = ro² and K = x − Ro²/λ, the wall of [`super::Wall`] has r² = R²/λ + K, and the integrals of
-//! I1 and I2 over R² are elementary:
+//! With A = Ro² − Ri², x = ro² and K = x − Ro²/λ, the wall of [`super::Wall`] has r² = R²/λ + K,
+//! and the integrals of I1 and I2 over R² are elementary:
 //!
 //!   W/π = C10 [(λ² − 3)A + 2A/λ] + C01 [(1/λ² − 3)A + 2λA] + (C10 + C01 λ²) Q
 //!   Q = K [ln(Ro²/Ri²) − ln(ro²/ri²)],   ri² = x − A/λ

@@ -22,11 +22,12 @@ impl PartialEq for ModelId {
     }
 }
 
-/// Memory in which a model works: states near which it looks for the next one, factorisations, counts.
+/// Memory in which a model works: states near which it looks for the next one, factorisations,
+/// counts.
 ///
-/// A model is immutable and may be shared by threads; each thread, and each curve, holds a workspace of its own. It makes
-/// neighbouring questions cheap and never changes what is answered. One workspace serves one model at a time: used
-/// with another model it begins anew.
+/// A model is immutable and may be shared by threads; each thread, and each curve, holds a
+/// workspace of its own. It makes neighbouring questions cheap and never changes what is answered.
+/// One workspace serves one model at a time: used with another model it begins anew.
 ///
 /// ```
 /// use mckibben::model::{ForceModel, ModelKind, Workspace};
@@ -54,7 +55,8 @@ impl Workspace {
         Self::default()
     }
 
-    /// The content that belongs to a model, made by `make` where this workspace has none of that model.
+    /// The content that belongs to a model, made by `make` where this workspace has none of that
+    /// model.
     pub fn try_state<T: Any + Send, E>(
         &mut self,
         id: &ModelId,
@@ -65,13 +67,19 @@ impl Workspace {
             self.content = None;
             self.content = Some((id.clone(), Box::new(make()?)));
         }
-        let content = self.content.as_mut().and_then(|(_, content)| content.downcast_mut());
+        let content = self
+            .content
+            .as_mut()
+            .and_then(|(_, content)| content.downcast_mut());
         Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
     }
 
     /// The last state of a model's ends, where this workspace has one.
     pub(super) fn last_ends(&self, id: &ModelId) -> Option<&EndState> {
-        self.last.as_ref().filter(|(of, _)| of == id).map(|(_, state)| state)
+        self.last
+            .as_ref()
+            .filter(|(of, _)| of == id)
+            .map(|(_, state)| state)
     }
 
     /// Keeps the last state of a model's ends beside the content of the model between them.
@@ -88,6 +96,8 @@ impl Workspace {
 
 impl fmt::Debug for Workspace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Workspace").field("of", &self.content.as_ref().map(|c| &c.0)).finish()
+        f.debug_struct("Workspace")
+            .field("of", &self.content.as_ref().map(|c| &c.0))
+            .finish()
     }
 }

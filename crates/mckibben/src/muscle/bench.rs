@@ -6,14 +6,16 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
-/// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies from it.
+/// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies
+/// from it.
 ///
 /// It belongs to one muscle, and holds as it was written: [`Bench::is_of`].
 /// As data (serde) it is the table `[identified]` of a muscle file.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Bench {
-    /// Who measured it, where that is somebody else than the user: another specimen on another bench pulls differently.
+    /// Who measured it, where that is somebody else than the user: another specimen on another
+    /// bench pulls differently.
     pub laboratory: Option<String>,
     /// The model whose constants were fitted.
     pub model: String,
@@ -32,15 +34,16 @@ pub struct Bench {
     /// 95 % half-width of one point about the fit, in N.
     #[serde(rename = "scatter")]
     pub scatter_n: f64,
-    /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal steps of the pressure,
-    /// columns at equal steps of the contraction, from end to end.
+    /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal
+    /// steps of the pressure, columns at equal steps of the contraction, from end to end.
     #[serde(rename = "fit")]
     pub fit_n: Vec<Vec<f64>>,
     /// What was fitted, as in the muscle file.
     pub parameters: Vec<String>,
     /// Its covariance, in the units of the parameters.
     pub covariance: Vec<Vec<f64>>,
-    /// Checksum of the muscle with the constants that were found, and of all of the above but for the laboratory, which its reader adds.
+    /// Checksum of the muscle with the constants that were found, and of all of the above but for
+    /// the laboratory, which its reader adds.
     pub of: String,
 }
 
@@ -49,7 +52,8 @@ const MARGIN: f64 = 0.25;
 /// The margin of contraction, and that of pressure over the highest one, at least.
 const LEAST_MARGIN: f64 = 0.02;
 impl Bench {
-    /// How far a point lies outside of the range: 0 inside and at its edge, 1 at the end of the margin and beyond.
+    /// How far a point lies outside of the range: 0 inside and at its edge, 1 at the end of the
+    /// margin and beyond.
     pub fn outside(&self, pressure_mpa: f64, contraction: f64) -> f64 {
         let beyond = |x: f64, (low, high): (f64, f64), least: f64| {
             let margin = (MARGIN * (high - low)).max(least);
@@ -60,28 +64,41 @@ impl Bench {
         by_pressure.max(beyond(contraction, self.contraction, LEAST_MARGIN))
     }
 
-    /// 95 % half-width in N of a point of this bench about the fit; outside of the range that at its edge.
+    /// 95 % half-width in N of a point of this bench about the fit; outside of the range that at
+    /// its edge.
     pub fn half_width_n(&self, pressure_mpa: f64, contraction: f64) -> f64 {
         let at = |x: f64, (low, high): (f64, f64), count: usize| {
-            let share = if high > low { ((x - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
+            let share = if high > low {
+                ((x - low) / (high - low)).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
             let place = share * count.saturating_sub(1) as f64;
             let left = (place.floor() as usize).min(count.saturating_sub(2));
             (left, place - left as f64)
         };
         let (rows, columns) = (self.fit_n.len(), self.fit_n.first().map_or(0, Vec::len));
-        let ((i, s), (k, t)) =
-            (at(pressure_mpa, self.pressure_mpa, rows), at(contraction, self.contraction, columns));
+        let ((i, s), (k, t)) = (
+            at(pressure_mpa, self.pressure_mpa, rows),
+            at(contraction, self.contraction, columns),
+        );
         let value = |i: usize, k: usize| {
             let row = self.fit_n.get(i.min(rows.saturating_sub(1)));
-            row.and_then(|row| row.get(k.min(columns.saturating_sub(1)))).copied().unwrap_or(0.0)
+            row.and_then(|row| row.get(k.min(columns.saturating_sub(1))))
+                .copied()
+                .unwrap_or(0.0)
         };
         let along = |i: usize| (1.0 - t) * value(i, k) + t * value(i, k + 1);
-        self.scatter_n.hypot((1.0 - s) * along(i) + s * along(i + 1))
+        self.scatter_n
+            .hypot((1.0 - s) * along(i) + s * along(i + 1))
     }
 
     /// The same with the checksum of a muscle.
     pub fn sealed(self, muscle: &Muscle) -> Self {
-        Self { of: self.checksum(muscle), ..self }
+        Self {
+            of: self.checksum(muscle),
+            ..self
+        }
     }
 
     /// Whether it was written of this muscle, and was not changed since.
@@ -95,15 +112,23 @@ impl Bench {
         for word in [&self.model].into_iter().chain(&self.parameters) {
             text.add(word, &[]);
         }
-        self.branches.iter().for_each(|branch| text.add(branch.name(), &[]));
+        self.branches
+            .iter()
+            .for_each(|branch| text.add(branch.name(), &[]));
         let ((p, q), (low, high)) = (self.pressure_mpa, self.contraction);
-        text.add("range", &[self.points as f64, p, q, low, high, self.scatter_n]);
+        text.add(
+            "range",
+            &[self.points as f64, p, q, low, high, self.scatter_n],
+        );
         self.fit_n.iter().for_each(|row| text.add("fit", row));
-        self.covariance.iter().for_each(|row| text.add("covariance", row));
+        self.covariance
+            .iter()
+            .for_each(|row| text.add("covariance", row));
         text.digest()
     }
 
-    /// Whether the points went round the whole loop, or are means of it: then their scatter has the loop in it.
+    /// Whether the points went round the whole loop, or are means of it: then their scatter has the
+    /// loop in it.
     pub fn saw_the_loop(&self) -> bool {
         let saw = |d: Direction| self.branches.contains(&d);
         saw(Direction::Mean) || Direction::BRANCHES.into_iter().all(saw)
@@ -125,7 +150,11 @@ impl Digested {
     }
 
     fn digest(&self) -> String {
-        Sha256::digest(self.0.as_bytes()).iter().take(8).map(|b| format!("{b:02x}")).collect()
+        Sha256::digest(self.0.as_bytes())
+            .iter()
+            .take(8)
+            .map(|b| format!("{b:02x}"))
+            .collect()
     }
 }
 
@@ -133,8 +162,17 @@ impl Muscle {
     /// The bench of a muscle that differs from the identified one by its length at most.
     pub(crate) fn bench_of_lengths(&self) -> Option<&Bench> {
         let bench = self.bench.as_deref()?;
-        let length_mm = bench.lengths_mm.first().copied().unwrap_or(self.length_mm());
-        let identified = || self.with_tube(Tube { length_mm, ..self.tube().clone() });
+        let length_mm = bench
+            .lengths_mm
+            .first()
+            .copied()
+            .unwrap_or(self.length_mm());
+        let identified = || {
+            self.with_tube(Tube {
+                length_mm,
+                ..self.tube().clone()
+            })
+        };
         let same = if length_mm == self.length_mm() {
             bench.is_of(self)
         } else {
@@ -143,12 +181,16 @@ impl Muscle {
         same.then_some(bench)
     }
 
-    /// The lowest pressure in MPa of the bench that its constants come from, also where the muscle was changed since; 0 without one.
+    /// The lowest pressure in MPa of the bench that its constants come from, also where the muscle
+    /// was changed since; 0 without one.
     pub(crate) fn identified_from_mpa(&self) -> f64 {
-        self.bench.as_deref().map_or(0.0, |bench| bench.pressure_mpa.0)
+        self.bench
+            .as_deref()
+            .map_or(0.0, |bench| bench.pressure_mpa.0)
     }
 
-    /// Whether it differs by more than its length from the muscle that its constants were identified from.
+    /// Whether it differs by more than its length from the muscle that its constants were
+    /// identified from.
     pub(crate) fn differs_from_identified(&self) -> bool {
         self.bench.is_some() && self.bench_of_lengths().is_none()
     }
@@ -167,7 +209,10 @@ impl Muscle {
         let mut text = Digested::default();
         let mut add = |name: &str, values: &[f64]| text.add(name, values);
         let (tube, braid, ends) = (&self.parts.tube, &self.parts.braid, &self.parts.terminals);
-        add("tube", &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm]);
+        add(
+            "tube",
+            &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm],
+        );
         let rubber = &tube.rubber;
         add(rubber.law.name(), &rubber.law.values());
         match rubber.bulk {
@@ -185,7 +230,14 @@ impl Muscle {
         for branch in rubber.prony.iter().flat_map(|p| &p.branches) {
             add("prony", &[branch.share, branch.time_constant_s]);
         }
-        add("braid", &[braid.angle_deg, braid.thickness_mm, f64::from(u8::from(braid.compression))]);
+        add(
+            "braid",
+            &[
+                braid.angle_deg,
+                braid.thickness_mm,
+                f64::from(u8::from(braid.compression)),
+            ],
+        );
         match (braid.stiffness, self.family_stiffness_n_per_mm()) {
             (BraidStiffness::Inextensible, _) | (_, None) => add("inextensible", &[]),
             (_, Some(k)) => add("stiffness", &[k]),
@@ -196,7 +248,11 @@ impl Muscle {
         if let Some(measured) = braid.measured {
             add("strand", &[measured.strand_length_mm, measured.turns]);
         }
-        for measure in SECTIONS.into_iter().flat_map(of_section).filter(|m| m.digested) {
+        for measure in SECTIONS
+            .into_iter()
+            .flat_map(of_section)
+            .filter(|m| m.digested)
+        {
             if let Some(value) = self.measure(measure) {
                 add(&measure.name().replace('_', " "), &[value]);
             }
@@ -244,7 +300,10 @@ mod tests {
         assert!((b.half_width_n(0.3, 0.2) - 5.0).abs() < 1e-12);
         assert!((b.half_width_n(0.2, 0.1) - 13f64.sqrt()).abs() < 1e-12);
         assert_eq!(b.half_width_n(0.9, 0.9), b.half_width_n(0.3, 0.2));
-        let one = Bench { fit_n: vec![vec![4.0]], ..b };
+        let one = Bench {
+            fit_n: vec![vec![4.0]],
+            ..b
+        };
         assert!((one.half_width_n(0.2, 0.1) - 5.0).abs() < 1e-12);
     }
 
@@ -252,7 +311,14 @@ mod tests {
     #[test]
     fn it_ends_continuously_over_a_quarter_of_its_range() {
         let b = bench();
-        assert_eq!((b.outside(0.1, 0.0), b.outside(0.3, 0.2), b.outside(0.351, 0.1)), (0.0, 0.0, 1.0));
+        assert_eq!(
+            (
+                b.outside(0.1, 0.0),
+                b.outside(0.3, 0.2),
+                b.outside(0.351, 0.1)
+            ),
+            (0.0, 0.0, 1.0)
+        );
         assert!((b.outside(0.2, 0.225) - 0.5).abs() < 1e-12);
         assert!((b.outside(0.325, 0.21) - 0.5).abs() < 1e-12);
         assert_eq!(b.outside(2.0, 0.0), 1.0);

@@ -11,17 +11,21 @@ use serde::{Deserialize, Serialize};
 /// How far a written angle may be from that of a named sleeve on the tube, in degrees.
 pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 
-/// How stiff a strand family is, as a force per length of a cut across the strands: k = E·A/spacing.
+/// How stiff a strand family is, as a force per length of a cut across the strands: k =
+/// E·A/spacing.
 ///
 /// As data (serde): a number in N/mm, `"inextensible"` or `"paper"`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case", expecting = "a number in N/mm, `inextensible` or `paper` is expected")]
+#[serde(
+    rename_all = "kebab-case",
+    expecting = "a number in N/mm, `inextensible` or `paper` is expected"
+)]
 #[schemars(rename = "Stiffness")]
 pub enum BraidStiffness {
     /// Strands that do not stretch: the limit k → ∞.
     Inextensible,
-    /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber `paper`
-    /// (`docs/identify/paper.md`).
+    /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber
+    /// `paper` (`docs/identify/paper.md`).
     Paper,
     /// From [`Strands`]: k = E·A/spacing, spacing = π D0 cosθ0/(N/2).
     #[serde(skip)]
@@ -36,7 +40,8 @@ pub enum BraidStiffness {
 pub struct Strands {
     /// N, both families together; even.
     pub count: u32,
-    /// Cross-section and Young's modulus of one strand (mm², MPa), where the braid is described by them.
+    /// Cross-section and Young's modulus of one strand (mm², MPa), where the braid is described by
+    /// them.
     pub section: Option<(f64, f64)>,
     /// Force at which one strand breaks, in N.
     pub strength_n: Option<f64>,
@@ -62,9 +67,11 @@ pub struct Braid {
     pub strands: Option<Strands>,
     /// Strand length and turns measured on the muscle, where they are known.
     pub measured: Option<MeasuredStrand>,
-    /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default false.
+    /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default
+    /// false.
     pub compression: bool,
-    /// t: thickness of the braid, both layers of strands, in mm. 0: the strands lie on the tube's surface.
+    /// t: thickness of the braid, both layers of strands, in mm. 0: the strands lie on the tube's
+    /// surface.
     pub thickness_mm: f64,
     /// Inner diameter in mm at which the sleeve has its angle, where it is wider than the tube.
     pub diameter_mm: Option<f64>,
@@ -79,11 +86,15 @@ pub struct Braid {
 }
 
 /// What a braid described by its strands takes.
-pub(super) const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`";
+pub(super) const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, \
+    `strand_area` (or `strand_diameter`) and `strand_modulus`";
 
 fn strands_incomplete(missing: &str) -> MuscleError {
     let keys = ["braid.strand_area", "braid.strand_modulus", "braid.strands"];
-    MuscleError::new(keys, format!("braid: {missing} is missing; {NEEDS_STRANDS}"))
+    MuscleError::new(
+        keys,
+        format!("braid: {missing} is missing; {NEEDS_STRANDS}"),
+    )
 }
 
 impl Braid {
@@ -111,7 +122,8 @@ impl Braid {
         }
     }
 
-    /// This braid on a tube of another diameter: a named sleeve has another angle there; any other braid stays as it is.
+    /// This braid on a tube of another diameter: a named sleeve has another angle there; any other
+    /// braid stays as it is.
     ///
     /// # Errors
     /// [`MuscleError`] where the sleeve does not fit the tube.
@@ -126,8 +138,13 @@ impl Braid {
     /// This braid with an angle that somebody stated, on a tube of a diameter.
     ///
     /// # Errors
-    /// [`MuscleError`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or the sleeve does not fit.
-    pub fn with_stated_angle(self, angle_deg: f64, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
+    /// [`MuscleError`] where it is not that of the named sleeve within
+    /// [`SLEEVE_ANGLE_TOLERANCE_DEG`], or the sleeve does not fit.
+    pub fn with_stated_angle(
+        self,
+        angle_deg: f64,
+        outer_diameter_mm: f64,
+    ) -> Result<Self, MuscleError> {
         if let Some(sleeve) = &self.sleeve {
             let outer_diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
             let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
@@ -138,7 +155,8 @@ impl Braid {
                 ["braid.angle"],
                 || {
                     format!(
-                        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm}\u{a0}mm: leave one of them out"
+                        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on \
+                         a tube of {outer_diameter_mm}\u{a0}mm: leave one of them out"
                     )
                 },
             )?;
@@ -151,15 +169,21 @@ impl Braid {
         // No braid is laid at less than a degree, and many are at half a radian.
         Refused::unless(!(angle > 0.0 && angle < 1.0), ["braid.angle"], || {
             format!(
-                "braid.angle is {angle} deg, less than any braid has; was {angle} rad meant? write {:.4} deg",
+                "braid.angle is {angle} deg, less than any braid has; was {angle} rad meant? write \
+                 {:.4} deg",
                 angle.to_degrees()
             )
         })?;
-        Refused::unless(angle > 0.0 && angle <= LARGEST_ANGLE_DEG, ["braid.angle"], || {
-            format!(
-                "braid.angle is {angle} deg; the angle of the strands to the axis must be between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above"
-            )
-        })?;
+        Refused::unless(
+            angle > 0.0 && angle <= LARGEST_ANGLE_DEG,
+            ["braid.angle"],
+            || {
+                format!(
+                    "braid.angle is {angle} deg; the angle of the strands to the axis must be \
+                     between 0 and 75 deg: a muscle contracts below 54.7356 deg and extends above"
+                )
+            },
+        )?;
         if let BraidStiffness::NewtonPerMm(k) = self.stiffness {
             positive("braid.stiffness", k, "N/mm")?;
         }
@@ -174,15 +198,23 @@ impl Braid {
 
     /// Crimp whose measures are possible by themselves.
     pub(super) fn check_crimp(&self) -> Result<(), MuscleError> {
-        let Some(Crimp { stiffness_ratio, .. }) = self.crimp else { return Ok(()) };
+        let Some(Crimp {
+            stiffness_ratio, ..
+        }) = self.crimp
+        else {
+            return Ok(());
+        };
         Refused::unless(stiffness_ratio <= 1.0, ["braid.crimp_stiffness"], || {
             format!(
-                "braid.crimp_stiffness is {stiffness_ratio}; it is the share of the strands' stiffness that they have before they are straight, above 0 and at most 1"
+                "braid.crimp_stiffness is {stiffness_ratio}; it is the share of the strands' \
+                 stiffness that they have before they are straight, above 0 and at most 1"
             )
         })?;
         let gives = self.stiffness != BraidStiffness::Inextensible;
         Refused::unless(gives, ["braid.crimp", "braid.stiffness"], || {
-            "braid.crimp needs strands with a stiffness: it is a share of it that they have before they are straight".into()
+            "braid.crimp needs strands with a stiffness: it is a share of it that they have before \
+             they are straight"
+                .into()
         })
     }
 
@@ -194,16 +226,24 @@ impl Braid {
             ["braid.thickness", "tube.outer_diameter"],
             || {
                 format!(
-                    "braid.thickness is {thickness_mm}\u{a0}mm; it must be below the tube's outer diameter of {outer_diameter_mm}\u{a0}mm (both layers of strands, not the sleeve's diameter)"
+                    "braid.thickness is {thickness_mm}\u{a0}mm; it must be below the tube's outer \
+                     diameter of {outer_diameter_mm}\u{a0}mm (both layers of strands, not the \
+                     sleeve's diameter)"
                 )
             },
         )?;
         let diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
-        Refused::unless(diameter_mm >= outer_diameter_mm, ["braid.diameter", "tube.outer_diameter"], || {
-            format!(
-                "braid.diameter is {diameter_mm}\u{a0}mm, but the tube has an outer diameter of {outer_diameter_mm}\u{a0}mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
-            )
-        })
+        Refused::unless(
+            diameter_mm >= outer_diameter_mm,
+            ["braid.diameter", "tube.outer_diameter"],
+            || {
+                format!(
+                    "braid.diameter is {diameter_mm}\u{a0}mm, but the tube has an outer diameter \
+                     of {outer_diameter_mm}\u{a0}mm: a sleeve that is pulled over a wider tube has \
+                     the angle that it takes there; give that angle and leave the diameter out"
+                )
+            },
+        )
     }
 
     /// What the user should know of this braid on this tube.
@@ -213,7 +253,9 @@ impl Braid {
         let scaled = self.stiffness == BraidStiffness::Paper && !(least..=largest).contains(&d);
         scaled.then(|| {
             format!(
-                "the braid `paper` is known for D0 {least}\u{a0}mm to {largest}\u{a0}mm; on {d}\u{a0}mm its stiffness is scaled like D0^{}, which no sleeve does: name a sleeve, or state stiffness or strands",
+                "the braid `paper` is known for D0 {least}\u{a0}mm to {largest}\u{a0}mm; on \
+                 {d}\u{a0}mm its stiffness is scaled like D0^{}, which no sleeve does: name a \
+                 sleeve, or state stiffness or strands",
                 Self::PAPER_EXPONENT
             )
         })
@@ -240,7 +282,8 @@ impl Braid {
         }
     }
 
-    /// Distance between neighbouring strands of one family, across them: 2π Rs cosθ0/(N/2), in mm, Rs of [`super::StrandLay`] (π D0 cosθ0/(N/2) of strands on the surface).
+    /// Distance between neighbouring strands of one family, across them: 2π Rs cosθ0/(N/2), in mm,
+    /// Rs of [`super::StrandLay`] (π D0 cosθ0/(N/2) of strands on the surface).
     pub fn strand_spacing_mm(&self, tube: &Tube, count: u32) -> f64 {
         let lay = self.lay(tube);
         2.0 * std::f64::consts::PI * (2.0 * lay.radius_mm) * lay.angle_rad.cos() / f64::from(count)

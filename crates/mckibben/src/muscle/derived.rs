@@ -6,7 +6,8 @@ use std::f64::consts::PI;
 /// What a workshop needs to build the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BuildSheet {
-    /// Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
+    /// Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in
+    /// mm.
     pub tube_cut_mm: f64,
     /// Length of sleeve to cut, at the angle θ0, in mm (the same: it lies on the tube).
     pub braid_cut_mm: f64,
@@ -53,10 +54,12 @@ impl Muscle {
 
     /// Turns of one strand N = L0 tanθ0/(2π Rs), Rs of [`StrandLay`].
     pub fn turns(&self) -> f64 {
-        self.length_mm() * self.braid().angle_rad().tan() / (PI * (2.0 * self.strand_lay().radius_mm))
+        self.length_mm() * self.braid().angle_rad().tan()
+            / (PI * (2.0 * self.strand_lay().radius_mm))
     }
 
-    /// Length of strand per turn 2π Rs/sinθ0 in mm: a property of the sleeve, whatever it is pulled over.
+    /// Length of strand per turn 2π Rs/sinθ0 in mm: a property of the sleeve, whatever it is pulled
+    /// over.
     pub fn strand_length_per_turn_mm(&self) -> f64 {
         PI * (2.0 * self.strand_lay().radius_mm) / self.braid().angle_rad().sin()
     }
@@ -84,13 +87,18 @@ impl Muscle {
         self.outer_diameter_mm() * (1.0 - c * c).max(0.0).sqrt() / sin
     }
 
-    /// Strain of the strands under a tension of all of them together, in N; `None` for inextensible strands.
-    /// N·T = 4π Rs cosθ0 k (λf − 1), or with [`Crimp`](super::Crimp) its force in place of k (λf − 1).
+    /// Strain of the strands under a tension of all of them together, in N; `None` for inextensible
+    /// strands. N·T = 4π Rs cosθ0 k (λf − 1), or with [`Crimp`](super::Crimp) its force in place of
+    /// k (λf − 1).
     pub fn strand_strain(&self, braid_tension_n: f64) -> Option<f64> {
         let k = self.family_stiffness_n_per_mm()?;
         let lay = self.strand_lay();
         let force = braid_tension_n / (2.0 * PI * (2.0 * lay.radius_mm) * lay.angle_rad.cos() * k);
-        Some(self.braid().crimp.map_or(force, |crimp| crimp.strain_at(force)))
+        Some(
+            self.braid()
+                .crimp
+                .map_or(force, |crimp| crimp.strain_at(force)),
+        )
     }
 
     /// What a workshop needs.

@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Which way the muscle moves, and so on which branch of its hysteresis loop it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Direction {
     /// Mean of both branches, without friction.
@@ -18,7 +20,11 @@ pub enum Direction {
 
 impl Direction {
     /// All of them.
-    pub const ALL: [Direction; 3] = [Direction::Mean, Direction::Contraction, Direction::Elongation];
+    pub const ALL: [Direction; 3] = [
+        Direction::Mean,
+        Direction::Contraction,
+        Direction::Elongation,
+    ];
 
     /// The two branches of the loop.
     pub const BRANCHES: [Direction; 2] = [Direction::Contraction, Direction::Elongation];

@@ -1,22 +1,26 @@
 //! What the ends take of a muscle: a length that is held, a seating, a slip.
 //!
-//! The muscle between its ends, La = L0 − 2h long at rest, is contracted by x where the whole is contracted by ε:
+//! The muscle between its ends, La = L0 − 2h long at rest, is contracted by x where the whole is
+//! contracted by ε:
 //!
 //!   x = (ε L0 + u)/La,   u = δ + c N,   N = F + π Ri² P,
 //!   F(P, ε) = F₀(P, x),  V(P, ε) = V₀(P, x) + π Ri² c N,
 //!
-//! F₀ (N) and V₀ (mm³) of a muscle of length La whose ends hold, h the grip at each end (mm), δ the seating (mm), c the slip (mm/N), both of both ends
-//! together, N the load of a clamp (N): what tube and braid carry there, the pull and the pressure P (MPa) on the plug of the bore Ri (mm). As F₀
-//! falls with x, u has one solution; Newton's method for it begins where a neighbouring state points to, to first order, or comes from below, where F₀ is
-//! convex. With K₀ = −(1/La) ∂F₀/∂x
+//! F₀ (N) and V₀ (mm³) of a muscle of length La whose ends hold, h the grip at each end (mm), δ the
+//! seating (mm), c the slip (mm/N), both of both ends together, N the load of a clamp (N): what
+//! tube and braid carry there, the pull and the pressure P (MPa) on the plug of the bore Ri (mm).
+//! As F₀ falls with x, u has one solution; Newton's method for it begins where a neighbouring state
+//! points to, to first order, or comes from below, where F₀ is convex. With K₀ = −(1/La) ∂F₀/∂x
 //!
 //!   K = K₀/(1 + c K₀),   ∂F/∂P = (∂F₀/∂P − c K₀ π Ri²)/(1 + c K₀),   ∂F/∂δ = −K,   ∂F/∂c = −K N,
 //!   ∂F/∂h = −2 (∂F₀/∂La + K₀ x)/(1 + c K₀),   ∂F/∂L0 = (∂F₀/∂La + K₀ (x − ε))/(1 + c K₀),
 //!
-//! and by all else ∂F₀/(1 + c K₀), with −K c P ∂(π Ri²) where the bore changes. L0 ∂F/∂P = ∂V/∂ε holds as it does for F₀ and V₀.
+//! and by all else ∂F₀/(1 + c K₀), with −K c P ∂(π Ri²) where the bore changes. L0 ∂F/∂P = ∂V/∂ε
+//! holds as it does for F₀ and V₀.
 //!
-//! Range: the slip is a spring; strands that slip for good, and only one way, are none. It goes on where a clamp would be pressed (N below 0). In the grip
-//! tube and braid have the plug in them and stay as they are.
+//! Range: the slip is a spring; strands that slip for good, and only one way, are none. It goes on
+//! where a clamp would be pressed (N below 0). In the grip tube and braid have the plug in them and
+//! stay as they are.
 
 use super::Muscle;
 use crate::model::Response;
@@ -136,8 +140,8 @@ impl Ends {
         self.seating_mm + self.slip_mm_per_n * (at.load_n + more_n - less_n)
     }
 
-    /// The state of the ends; `pull` answers at x. The search begins at `start_mm`, or without it at a muscle that does not pull. `None` where Newton's method
-    /// does not find it.
+    /// The state of the ends; `pull` answers at x. The search begins at `start_mm`, or without it
+    /// at a muscle that does not pull. `None` where Newton's method does not find it.
     pub fn solve_end_displacement<E>(
         &self,
         pressure_mpa: f64,
@@ -145,7 +149,8 @@ impl Ends {
         start_mm: Option<f64>,
         mut pull: impl FnMut(f64) -> Result<Response, E>,
     ) -> Result<Option<EndState>, E> {
-        let mut displacement = start_mm.unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, 0.0));
+        let mut displacement =
+            start_mm.unwrap_or_else(|| self.end_displacement_mm(pressure_mpa, 0.0));
         for _ in 0..Self::STEPS {
             let between = self.between(contraction, displacement);
             let inner = pull(between)?;
@@ -173,10 +178,12 @@ impl Ends {
         1.0 + self.slip_mm_per_n * stiffness_n_per_mm
     }
 
-    /// ∂F by a constant or measure of the whole muscle, of which `inner` is ∂F₀; that by the grip needs ∂F₀/∂La.
+    /// ∂F by a constant or measure of the whole muscle, of which `inner` is ∂F₀; that by the grip
+    /// needs ∂F₀/∂La.
     pub fn slope(&self, at: &EndState, name: &str, inner: f64) -> f64 {
         let k = at.stiffness_n_per_mm;
-        let wider = k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
+        let wider =
+            k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
         let held = match name {
             "terminals.seating" => -k,
             "terminals.slip" => -k * at.load_n,
@@ -189,7 +196,8 @@ impl Ends {
         held / self.series_factor(k)
     }
 
-    /// Of which constant of the muscle between its ends [`Ends::slope`] needs ∂F₀; `None` for those of the ends alone.
+    /// Of which constant of the muscle between its ends [`Ends::slope`] needs ∂F₀; `None` for those
+    /// of the ends alone.
     pub fn inner_name(name: &str) -> Option<&str> {
         match name {
             "terminals.seating" | "terminals.slip" => None,

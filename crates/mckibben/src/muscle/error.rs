@@ -5,7 +5,8 @@ use crate::refused::Refused;
 /// What is wrong with a muscle: the fields are keys as in the muscle file.
 pub type MuscleError = Refused;
 
-/// That a value with its unit must be something else. A key may carry an explanation behind it: "terminals.end_factor at 0 MPa (a + b)".
+/// That a value with its unit must be something else. A key may carry an explanation behind it:
+/// "terminals.end_factor at 0 MPa (a + b)".
 pub(super) fn must(key: &'static str, value: f64, unit: &str, must: &str) -> MuscleError {
     let field = key.split(' ').next().unwrap_or(key);
     let of_model = match field {
@@ -20,10 +21,18 @@ pub(super) fn must(key: &'static str, value: f64, unit: &str, must: &str) -> Mus
 
 pub(super) fn positive(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
     let fine = value.is_finite() && value > 0.0;
-    if fine { Ok(()) } else { Err(must(key, value, unit, "be above zero and finite")) }
+    if fine {
+        Ok(())
+    } else {
+        Err(must(key, value, unit, "be above zero and finite"))
+    }
 }
 
 pub(super) fn not_negative(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
     let fine = value.is_finite() && value >= 0.0;
-    if fine { Ok(()) } else { Err(must(key, value, unit, "not be below zero, and finite")) }
+    if fine {
+        Ok(())
+    } else {
+        Err(must(key, value, unit, "not be below zero, and finite"))
+    }
 }

@@ -4,11 +4,12 @@ use super::{Muscle, MuscleError, NEUTRAL_ANGLE_DEG};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Largest braid angle θ0 at rest in degrees. The ideal muscle extends by 1/(√3 cosθ0) − 1 there, 1.23 times its length.
+/// Largest braid angle θ0 at rest in degrees. The ideal muscle extends by 1/(√3 cosθ0) − 1 there,
+/// 1.23 times its length.
 pub const LARGEST_ANGLE_DEG: f64 = 75.0;
 
-/// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral angle 54.7°, at which the ideal muscle
-/// has its largest volume.
+/// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral
+/// angle 54.7°, at which the ideal muscle has its largest volume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MuscleKind {
@@ -27,7 +28,11 @@ impl fmt::Display for MuscleKind {
 impl Muscle {
     /// Which way it moves under pressure.
     pub fn kind(&self) -> MuscleKind {
-        if self.is_extensile() { MuscleKind::Extensile } else { MuscleKind::Contractile }
+        if self.is_extensile() {
+            MuscleKind::Extensile
+        } else {
+            MuscleKind::Contractile
+        }
     }
 
     /// Whether it lengthens and pushes under pressure.
@@ -37,7 +42,8 @@ impl Muscle {
 
     /// For calculations of muscles that pull.
     pub fn check_contracts(&self) -> Result<(), MuscleError> {
-        let said = "this muscle extends, and the calculation is for muscles that contract: take an angle below 54.7356 deg";
+        let said = "this muscle extends, and the calculation is for muscles that contract: take an \
+            angle below 54.7356 deg";
         self.check_way(!self.is_extensile(), said)
     }
 
@@ -49,6 +55,8 @@ impl Muscle {
 
     fn check_way(&self, fits: bool, said: &str) -> Result<(), MuscleError> {
         let angle_deg = self.braid().angle_deg;
-        MuscleError::unless(fits, ["braid.angle"], || format!("braid.angle is {angle_deg} deg; {said}"))
+        MuscleError::unless(fits, ["braid.angle"], || {
+            format!("braid.angle is {angle_deg} deg; {said}")
+        })
     }
 }

@@ -59,24 +59,34 @@ pub struct Muscle {
 const THINNEST_STRAND_MM: f64 = 0.003;
 
 impl Muscle {
-    /// Puts a muscle together. A rubber of the library has the law for the stretches that this muscle reaches
-    /// ([`library`]), whichever it came with.
+    /// Puts a muscle together. A rubber of the library has the law for the stretches that this
+    /// muscle reaches ([`library`]), whichever it came with.
     ///
     /// # Errors
-    /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
-    /// 0 < θ0 ≤ 75°, a rubber and a braid with stiffness.
+    /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall
+    /// below the radius, 0 < θ0 ≤ 75°, a rubber and a braid with stiffness.
     pub fn new(
         tube: Tube,
         braid: Braid,
         terminals: Terminals,
         friction: Option<Friction>,
     ) -> Result<Self, MuscleError> {
-        Self::from_parts(Parts { tube, braid, terminals, friction })
+        Self::from_parts(Parts {
+            tube,
+            braid,
+            terminals,
+            friction,
+        })
     }
 
     /// The same of parts in one.
     pub fn from_parts(mut parts: Parts) -> Result<Self, MuscleError> {
-        let Parts { tube, braid, terminals, .. } = &parts;
+        let Parts {
+            tube,
+            braid,
+            terminals,
+            ..
+        } = &parts;
         parts.check("tube")?;
         tube.check()?;
         braid.check()?;
@@ -85,72 +95,122 @@ impl Muscle {
         parts.check("terminals")?;
         terminals.check()?;
         let length_mm = tube.length_mm;
-        if let Some(MeasuredStrand { strand_length_mm, .. }) = braid.measured {
-            Refused::unless(strand_length_mm > length_mm, ["braid.strand_length"], || {
-                format!(
-                    "braid.strand_length is {strand_length_mm}\u{a0}mm, not above the muscle's length of {length_mm}\u{a0}mm, which it must span slantwise"
-                )
-            })?;
+        if let Some(MeasuredStrand {
+            strand_length_mm, ..
+        }) = braid.measured
+        {
+            Refused::unless(
+                strand_length_mm > length_mm,
+                ["braid.strand_length"],
+                || {
+                    format!(
+                        "braid.strand_length is {strand_length_mm}\u{a0}mm, not above the muscle's \
+                         length of {length_mm}\u{a0}mm, which it must span slantwise"
+                    )
+                },
+            )?;
         }
         parts.check("friction")?;
-        let without = parts.friction.is_some_and(|f| f.presliding_mm.is_some() && f.is_zero());
+        let without = parts
+            .friction
+            .is_some_and(|f| f.presliding_mm.is_some() && f.is_zero());
         Refused::unless(!without, ["friction.presliding"], || {
-            "friction.presliding needs the friction itself: friction.lever, or friction.coefficient and friction.exponent".into()
+            "friction.presliding needs the friction itself: friction.lever, or \
+             friction.coefficient and friction.exponent"
+                .into()
         })?;
         braid.check_on(tube)?;
-        let (seating_mm, grip_mm) = (terminals.seating_mm.unwrap_or(0.0), terminals.grip_mm.unwrap_or(0.0));
-        Refused::unless(seating_mm < length_mm, ["terminals.seating", "tube.length"], || {
-            format!(
-                "terminals.seating is {seating_mm}\u{a0}mm; it must be below the muscle's length of {length_mm}\u{a0}mm"
-            )
-        })?;
+        let (seating_mm, grip_mm) = (
+            terminals.seating_mm.unwrap_or(0.0),
+            terminals.grip_mm.unwrap_or(0.0),
+        );
+        Refused::unless(
+            seating_mm < length_mm,
+            ["terminals.seating", "tube.length"],
+            || {
+                format!(
+                    "terminals.seating is {seating_mm}\u{a0}mm; it must be below the muscle's \
+                     length of {length_mm}\u{a0}mm"
+                )
+            },
+        )?;
         let held_mm = seating_mm + 2.0 * grip_mm;
-        Refused::unless(held_mm < length_mm, ["terminals.grip", "tube.length"], || {
-            format!(
-                "terminals.grip is {grip_mm}\u{a0}mm at each end; twice that, with a seating of {seating_mm}\u{a0}mm, must be below the muscle's length of {length_mm}\u{a0}mm"
-            )
-        })?;
+        Refused::unless(
+            held_mm < length_mm,
+            ["terminals.grip", "tube.length"],
+            || {
+                format!(
+                    "terminals.grip is {grip_mm}\u{a0}mm at each end; twice that, with a seating \
+                     of {seating_mm}\u{a0}mm, must be below the muscle's length of \
+                     {length_mm}\u{a0}mm"
+                )
+            },
+        )?;
         let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
         let (least, largest) = Terminals::PLUG_OF_BORE;
         let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
-        Refused::unless(closes, ["terminals.plug_diameter", "tube.outer_diameter"], || {
-            format!(
-                "terminals.plug_diameter is {plug_mm}\u{a0}mm, and the bore of the tube {bore_mm}\u{a0}mm: a plug has between half of the bore and twice the bore"
-            )
-        })?;
+        Refused::unless(
+            closes,
+            ["terminals.plug_diameter", "tube.outer_diameter"],
+            || {
+                format!(
+                    "terminals.plug_diameter is {plug_mm}\u{a0}mm, and the bore of the tube \
+                     {bore_mm}\u{a0}mm: a plug has between half of the bore and twice the bore"
+                )
+            },
+        )?;
         let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
-        Refused::unless(widened < 1.0, ["terminals.plug_diameter", "braid.angle"], || {
-            format!(
-                "terminals.plug_diameter is {plug_mm}\u{a0}mm; a braid with an angle of {} degrees does not widen to the tube on it, with an outer diameter of {:.1}\u{a0}mm: take a narrower plug",
-                braid.angle_deg,
-                2.0 * parts.clamped_radius_mm()
-            )
-        })?;
+        Refused::unless(
+            widened < 1.0,
+            ["terminals.plug_diameter", "braid.angle"],
+            || {
+                format!(
+                    "terminals.plug_diameter is {plug_mm}\u{a0}mm; a braid with an angle of {} \
+                     degrees does not widen to the tube on it, with an outer diameter of \
+                     {:.1}\u{a0}mm: take a narrower plug",
+                    braid.angle_deg,
+                    2.0 * parts.clamped_radius_mm()
+                )
+            },
+        )?;
         let section = braid.strands.and_then(|s| s.section);
         let strand_mm = section.map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
         const STRAND: [&str; 2] = ["braid.strand_diameter", "braid.strand_area"];
-        Refused::unless(strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM, STRAND, || {
-            format!(
-                "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its unit mm (or mm2)?"
-            )
-        })?;
+        Refused::unless(
+            strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM,
+            STRAND,
+            || {
+                format!(
+                    "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its \
+                     unit mm (or mm2)?"
+                )
+            },
+        )?;
         let outer_mm = tube.outer_diameter_mm;
         Refused::unless(strand_mm <= outer_mm, STRAND, || {
             format!(
-                "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has {outer_mm} mm; is its unit mm (or mm2)?"
+                "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has \
+                 {outer_mm} mm; is its unit mm (or mm2)?"
             )
         })?;
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
-        let warm =
-            parts.tube.temperature_degc.map(|_| Arc::new(parts.tube.rubber_at_temperature().into_owned()));
-        let muscle = Self { parts, bench: None, warm };
+        let warm = parts
+            .tube
+            .temperature_degc
+            .map(|_| Arc::new(parts.tube.rubber_at_temperature().into_owned()));
+        let muscle = Self {
+            parts,
+            bench: None,
+            warm,
+        };
         if let Some(value) = muscle.parts.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
             if value > largest && end > 0.0 {
                 let must = format!(
-                    "lie between 0 and {largest:.4}, or the two tips touch before the largest contraction"
+                    "lie between 0 and {largest:.4}, or the two tips touch before the largest \
+                     contraction"
                 );
                 return Err(error::must("terminals.cone_factor", value, "", &must));
             }
@@ -161,11 +221,21 @@ impl Muscle {
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
     pub fn prototype() -> Self {
         let (tube, braid) = (Tube::prototype(), Braid::paper());
-        let parts = Parts { tube, braid, terminals: Terminals::default(), friction: None };
-        Self { parts, bench: None, warm: None }
+        let parts = Parts {
+            tube,
+            braid,
+            terminals: Terminals::default(),
+            friction: None,
+        };
+        Self {
+            parts,
+            bench: None,
+            warm: None,
+        }
     }
 
-    /// The rubber that models compute with: that of the tube, at its temperature where one is stated.
+    /// The rubber that models compute with: that of the tube, at its temperature where one is
+    /// stated.
     pub fn rubber(&self) -> &Rubber {
         self.warm.as_deref().unwrap_or(&self.parts.tube.rubber)
     }
@@ -190,13 +260,16 @@ impl Muscle {
         self.parts.friction.as_ref()
     }
 
-    /// The bench that its constants were identified from, at this or another of its lengths; `None` also where the muscle or the bench was changed since.
+    /// The bench that its constants were identified from, at this or another of its lengths; `None`
+    /// also where the muscle or the bench was changed since.
     pub fn bench(&self) -> Option<&Bench> {
-        self.bench_of_lengths()
-            .filter(|bench| bench.lengths_mm.is_empty() || bench.lengths_mm.contains(&self.length_mm()))
+        self.bench_of_lengths().filter(|bench| {
+            bench.lengths_mm.is_empty() || bench.lengths_mm.contains(&self.length_mm())
+        })
     }
 
-    /// Who measured the muscle that its constants come from, where that is somebody else than the user; also where the muscle was changed since.
+    /// Who measured the muscle that its constants come from, where that is somebody else than the
+    /// user; also where the muscle was changed since.
     pub fn laboratory(&self) -> Option<&str> {
         self.bench.as_deref()?.laboratory.as_deref()
     }
@@ -215,8 +288,12 @@ impl Muscle {
 
     /// What the user should know of this muscle, in sentences, whatever the question.
     pub fn warnings(&self) -> Vec<String> {
-        let said =
-            self.parts.braid.warning(&self.parts.tube).into_iter().chain(self.measured_strand_warning());
+        let said = self
+            .parts
+            .braid
+            .warning(&self.parts.tube)
+            .into_iter()
+            .chain(self.measured_strand_warning());
         said.chain(self.bench_warning())
             .chain(self.extensile_warning())
             .chain(self.temperature_warning())
@@ -227,7 +304,9 @@ impl Muscle {
     /// A muscle that extends.
     fn extensile_warning(&self) -> Option<String> {
         self.is_extensile().then(|| {
-            "this muscle extends: its pushes and extensions are below zero; no measured muscle of this kind is known here, and the ± is that of muscles that contract".to_owned()
+            "this muscle extends: its pushes and extensions are below zero; no measured muscle of \
+             this kind is known here, and the ± is that of muscles that contract"
+                .to_owned()
         })
     }
 
@@ -238,7 +317,10 @@ impl Muscle {
             let mu = |rubber: &Rubber| rubber.law.shear_modulus_mpa();
             let factor = mu(self.rubber()) / mu(&self.parts.tube.rubber);
             format!(
-                "the rubber at {degc} °C has the moduli of {of_constants} °C times {factor:.3}, in proportion to the absolute temperature: an approximation for rubber without filler; strands and ends stay as they are, and no measured muscle at another temperature is known"
+                "the rubber at {degc} °C has the moduli of {of_constants} °C times {factor:.3}, in \
+                 proportion to the absolute temperature: an approximation for rubber without \
+                 filler; strands and ends stay as they are, and no measured muscle at another \
+                 temperature is known"
             )
         })
     }
@@ -257,16 +339,25 @@ impl Muscle {
         } else {
             return None;
         };
-        Some(format!("the shear modulus of the rubber is {mu_mpa} MPa, and {wrong}"))
+        Some(format!(
+            "the shear modulus of the rubber is {mu_mpa} MPa, and {wrong}"
+        ))
     }
 
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
         if self.off_identified_lengths().is_some() {
-            return Some("[identified] is valid for the lengths that were measured, and this muscle has another one: the ± is that of a muscle without test data, with a part for the other length; identify it again".to_owned());
+            return Some(
+                "[identified] is valid for the lengths that were measured, and this muscle \
+                has another one: the ± is that of a muscle without test data, with a part for the \
+                other length; identify it again"
+                    .to_owned(),
+            );
         }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
-            "[identified] is valid for the muscle and the table as `identify` wrote them, and one of them was changed: the ± has a part for another specimen; identify it again".to_owned()
+            "[identified] is valid for the muscle and the table as `identify` wrote them, and one \
+             of them was changed: the ± has a part for another specimen; identify it again"
+                .to_owned()
         })
     }
 
@@ -278,22 +369,31 @@ impl Muscle {
         let off = |a: f64, b: f64| (a / b - 1.0).abs() > SHARE;
         (off(measured.strand_length_mm, length) || off(measured.turns, turns)).then(|| {
             format!(
-                "a strand of {}\u{a0}mm with {} turns contradicts the angle of {}°, by which it would have {length:.1}\u{a0}mm and {turns:.2} turns; only belforte uses the strand, all else the angle",
+                "a strand of {}\u{a0}mm with {} turns contradicts the angle of {}°, by which it \
+                 would have {length:.1}\u{a0}mm and {turns:.2} turns; only belforte uses the \
+                 strand, all else the angle",
                 measured.strand_length_mm, measured.turns, self.parts.braid.angle_deg
             )
         })
     }
 
-    /// The same muscle with another tube. A braid cut from a named sleeve has the sleeve's angle on another diameter.
+    /// The same muscle with another tube. A braid cut from a named sleeve has the sleeve's angle on
+    /// another diameter.
     ///
     /// # Errors
     /// As [`Muscle::new`], and where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
         let braid = self.braid_on(tube.outer_diameter_mm)?;
-        Ok(Self::from_parts(Parts { tube, braid, ..self.parts.clone() })?.with_bench_of(self))
+        Ok(Self::from_parts(Parts {
+            tube,
+            braid,
+            ..self.parts.clone()
+        })?
+        .with_bench_of(self))
     }
 
-    /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named sleeve on another.
+    /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named
+    /// sleeve on another.
     ///
     /// # Errors
     /// [`MuscleError`] where the sleeve does not fit the tube.
@@ -301,26 +401,46 @@ impl Muscle {
         let braid = self.parts.braid.clone();
         // An angle that was stated for this diameter stays.
         let same = outer_diameter_mm == self.parts.tube.outer_diameter_mm;
-        if same { Ok(braid) } else { braid.on_diameter(outer_diameter_mm) }
+        if same {
+            Ok(braid)
+        } else {
+            braid.on_diameter(outer_diameter_mm)
+        }
     }
 
     /// The same muscle with another diameter and wall.
     pub fn with_section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Result<Self, MuscleError> {
-        self.with_tube(Tube { outer_diameter_mm, wall_mm, ..self.parts.tube.clone() })
+        self.with_tube(Tube {
+            outer_diameter_mm,
+            wall_mm,
+            ..self.parts.tube.clone()
+        })
     }
 
     /// The same muscle with another braid.
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts { braid, ..self.parts.clone() })?.with_bench_of(self))
+        Ok(Self::from_parts(Parts {
+            braid,
+            ..self.parts.clone()
+        })?
+        .with_bench_of(self))
     }
 
     /// The same muscle with other terminals.
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts { terminals, ..self.parts.clone() })?.with_bench_of(self))
+        Ok(Self::from_parts(Parts {
+            terminals,
+            ..self.parts.clone()
+        })?
+        .with_bench_of(self))
     }
 
     /// The same muscle with another friction of its braid.
     pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts { friction, ..self.parts.clone() })?.with_bench_of(self))
+        Ok(Self::from_parts(Parts {
+            friction,
+            ..self.parts.clone()
+        })?
+        .with_bench_of(self))
     }
 }

@@ -10,9 +10,14 @@ impl Rubber {
     /// # Errors
     /// [`MuscleError`] of the first that is not.
     pub(crate) fn check(&self) -> Result<(), MuscleError> {
-        self.law.clone().validated().map_err(|e| e.within("tube.material"))?;
+        self.law
+            .clone()
+            .validated()
+            .map_err(|e| e.within("tube.material"))?;
         if let Some(softening) = self.softening {
-            softening.validated().map_err(|e| e.within("tube.material.softening"))?;
+            softening
+                .validated()
+                .map_err(|e| e.within("tube.material.softening"))?;
         }
         match self.conditioned {
             Some(Conditioned::Pressure(p)) => positive("tube.material.conditioned", p, "MPa")?,
@@ -23,20 +28,29 @@ impl Rubber {
                 let stretched = 1.0 + strain;
                 let first_invariant = stretched * stretched + 2.0 / stretched - 3.0;
                 let locked = self.law.locks_at().is_some_and(|j| first_invariant >= j);
-                Refused::unless(energy.is_finite() && !locked, ["tube.material.conditioned"], || {
-                    format!(
-                        "tube.material.conditioned is a strain of {strain}, at which the rubber's law has locked: state less, or the pressure of the cycles"
-                    )
-                })?;
+                Refused::unless(
+                    energy.is_finite() && !locked,
+                    ["tube.material.conditioned"],
+                    || {
+                        format!(
+                            "tube.material.conditioned is a strain of {strain}, at which the \
+                             rubber's law has locked: state less, or the pressure of the cycles"
+                        )
+                    },
+                )?;
             }
             None => {}
         }
         let softens = self.conditioned.is_none() || self.softening.is_some();
         Refused::unless(softens, ["tube.material.conditioned"], || {
-            "tube.material.conditioned is stated, but the rubber has no tube.material.softening: give its r, m and beta, or leave it out".into()
+            "tube.material.conditioned is stated, but the rubber has no tube.material.softening: \
+             give its r, m and beta, or leave it out"
+                .into()
         })?;
         if let Some(prony) = self.prony.clone() {
-            prony.validated().map_err(|e| e.within("tube.material.prony"))?;
+            prony
+                .validated()
+                .map_err(|e| e.within("tube.material.prony"))?;
         }
         match self.bulk {
             Bulk::Incompressible => Ok(()),

@@ -8,12 +8,17 @@ impl Sleeve {
     pub fn of_strands(&self) -> Result<Strands, MuscleError> {
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
         match (self.strand_count(), section) {
-            (Some(count), Some(_)) => Ok(Strands { count, section, strength_n: self.strand_strength_n }),
+            (Some(count), Some(_)) => Ok(Strands {
+                count,
+                section,
+                strength_n: self.strand_strength_n,
+            }),
             _ => {
                 let missing = self.missing();
                 let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
                 Err(refused(format!(
-                    "the source of {} does not state {}; give {} or `stiffness`, or take strands that do not stretch (stiffness inextensible)",
+                    "the source of {} does not state {}; give {} or `stiffness`, or take strands \
+                     that do not stretch (stiffness inextensible)",
                     self.shape.name,
                     missing.join(" and "),
                     keys.join(" and ")
@@ -22,12 +27,18 @@ impl Sleeve {
         }
     }
 
-    /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known, which only informs.
+    /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known,
+    /// which only informs.
     pub fn strands_beside_stiffness(&self) -> Option<Strands> {
-        self.strands.map(|count| Strands { count, section: None, strength_n: self.strand_strength_n })
+        self.strands.map(|count| Strands {
+            count,
+            section: None,
+            strength_n: self.strand_strength_n,
+        })
     }
 
-    /// The braid that this sleeve is on a tube. Costs an arcsine and a copy of the name: cheap enough for a search.
+    /// The braid that this sleeve is on a tube. Costs an arcsine and a copy of the name: cheap
+    /// enough for a search.
     ///
     /// ```
     /// use mckibben::sleeve::library;
@@ -55,11 +66,17 @@ impl Sleeve {
 }
 
 impl Muscle {
-    /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the length of one and ρ the density of their material; where all are known.
+    /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the
+    /// length of one and ρ the density of their material; where all are known.
     pub fn sleeve_mass_g(&self) -> Option<f64> {
         let (strands, sleeve) = (self.braid().strands?, self.braid().sleeve.as_ref()?);
         let density = library::material_of(&sleeve.name)?.density_kg_per_m3?;
-        Some(1e-6 * density * f64::from(strands.count) * strands.section?.0 * self.strand_length_mm())
+        Some(
+            1e-6 * density
+                * f64::from(strands.count)
+                * strands.section?.0
+                * self.strand_length_mm(),
+        )
     }
 
     /// Mass of tube and sleeve between the terminals in g, where both are known.
@@ -74,16 +91,31 @@ mod tests {
     use crate::muscle::{Terminals, Tube};
     use crate::rubber::library as rubbers;
 
-    /// By hand: 232 strands of 0.0490874 mm² and 285/cos 14.0362° = 293.77 mm, 1380 kg/m³: 4.617 g; tube π/4 (9.525² − 6.35²) mm² of 285 mm, 960 kg/m³: 10.831 g.
+    /// By hand: 232 strands of 0.0490874 mm² and 285/cos 14.0362° = 293.77 mm, 1380 kg/m³: 4.617 g;
+    /// tube π/4 (9.525² − 6.35²) mm² of 285 mm, 960 kg/m³: 10.831 g.
     #[test]
     fn masses_of_a_latex_tube_in_its_sleeve() {
-        let braid = library::find("flexo-overexpanded-0.38in").unwrap().on(9.525).unwrap();
+        let braid = library::find("flexo-overexpanded-0.38in")
+            .unwrap()
+            .on(9.525)
+            .unwrap();
         let tube = Tube::new(9.525, 1.5875, 285.0, rubbers::find("latex").unwrap());
         let bare = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
-        assert!((bare.sleeve_mass_g().unwrap() - 4.617).abs() < 1e-3, "{:?}", bare.sleeve_mass_g());
+        assert!(
+            (bare.sleeve_mass_g().unwrap() - 4.617).abs() < 1e-3,
+            "{:?}",
+            bare.sleeve_mass_g()
+        );
         assert_eq!(bare.mass_g(), None);
-        let dense = Tube { density_kg_per_m3: Some(960.0), ..tube };
+        let dense = Tube {
+            density_kg_per_m3: Some(960.0),
+            ..tube
+        };
         let muscle = Muscle::new(dense, braid, Terminals::default(), None).unwrap();
-        assert!((muscle.mass_g().unwrap() - 4.617 - 10.831).abs() < 2e-3, "{:?}", muscle.mass_g());
+        assert!(
+            (muscle.mass_g().unwrap() - 4.617 - 10.831).abs() < 2e-3,
+            "{:?}",
+            muscle.mass_g()
+        );
     }
 }

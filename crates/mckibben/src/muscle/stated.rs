@@ -1,4 +1,5 @@
-//! What somebody states of a muscle, in a file or in a request, in place of what another muscle has.
+//! What somebody states of a muscle, in a file or in a request, in place of what another muscle
+//! has.
 
 use super::braid::NEEDS_STRANDS;
 use super::error::{MuscleError, positive};
@@ -40,14 +41,22 @@ impl Stated {
         Ok(parts)
     }
 
-    /// Puts the measures of a table of the muscle file into the parts; the angle follows from the whole braid.
+    /// Puts the measures of a table of the muscle file into the parts; the angle follows from the
+    /// whole braid.
     fn put(&self, section: &str, parts: &mut Parts) -> Result<(), MuscleError> {
-        for (measure, value) in self.measures.iter().filter(|v| v.0.section() == section && *v.0 != ANGLE) {
+        for (measure, value) in self
+            .measures
+            .iter()
+            .filter(|v| v.0.section() == section && *v.0 != ANGLE)
+        {
             let lacks = |m: &Measure| self.measures.get(m).is_none() && (m.get)(parts).is_none();
             if let Some((key, needs)) = measure.beside
                 && Measure::of_key(key).is_some_and(lacks)
             {
-                return Err(MuscleError::new([key, measure.key], format!("{key} is missing; {needs}")));
+                return Err(MuscleError::new(
+                    [key, measure.key],
+                    format!("{key} is missing; {needs}"),
+                ));
             }
             // A count cannot hold every number.
             measure.check(value)?;
@@ -56,7 +65,8 @@ impl Stated {
         Ok(())
     }
 
-    /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
+    /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the
+    /// angle and stiffness that are stated.
     ///
     /// # Errors
     /// As [`Stated::over`].
@@ -66,18 +76,25 @@ impl Stated {
         let area = self.strand_area_mm2()?;
         let is_described = area.is_some() || self.measures.get(&STRAND_MODULUS).is_some();
         if is_described && self.stiffness.is_some() {
-            let message = "give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given";
+            let message = "give either `stiffness`, or `strands`, `strand_area` (or \
+                `strand_diameter`) and `strand_modulus`; both are given";
             return Err(MuscleError::new(["braid.stiffness"], message));
         }
         let braid = parts.braid;
         let mut braid = match &self.sleeve {
-            Some(sleeve) => self.of_sleeve(sleeve.clone(), area, braid)?.on_diameter(outer_diameter_mm)?,
+            Some(sleeve) => self
+                .of_sleeve(sleeve.clone(), area, braid)?
+                .on_diameter(outer_diameter_mm)?,
             None => {
                 let braid = self.of_strands(area, is_described, braid)?;
                 // An angle that was stated for this diameter stays.
                 let same = outer_diameter_mm == base.outer_diameter_mm()
                     && self.measures.get(&SLEEVE_DIAMETER).is_none();
-                if same { braid } else { braid.on_diameter(outer_diameter_mm)? }
+                if same {
+                    braid
+                } else {
+                    braid.on_diameter(outer_diameter_mm)?
+                }
             }
         };
         if let Some(angle_deg) = self.measures.get(&ANGLE) {
@@ -87,7 +104,10 @@ impl Stated {
             braid.stiffness = stiffness;
             braid.stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(1.0);
             // What it takes the place of is no longer stated.
-            braid.strands = braid.strands.map(|strands| Strands { section: None, ..strands });
+            braid.strands = braid.strands.map(|strands| Strands {
+                section: None,
+                ..strands
+            });
         }
         Ok(braid)
     }
@@ -99,30 +119,61 @@ impl Stated {
                 let message = "give either `strand_area` or `strand_diameter`; both are given";
                 Err(MuscleError::new(["braid.strand_diameter"], message))
             }
-            (None, Some(d)) => positive("braid.strand_diameter", d, "mm").map(|()| Some(PI * d * d / 4.0)),
+            (None, Some(d)) => {
+                positive("braid.strand_diameter", d, "mm").map(|()| Some(PI * d * d / 4.0))
+            }
             (area, None) => Ok(area),
         }
     }
 
-    /// A braid with a named sleeve, whose strands are completed. Beside a stated stiffness they only inform.
-    fn of_sleeve(&self, sleeve: Sleeve, area: Option<f64>, braid: Braid) -> Result<Braid, MuscleError> {
+    /// A braid with a named sleeve, whose strands are completed. Beside a stated stiffness they
+    /// only inform.
+    fn of_sleeve(
+        &self,
+        sleeve: Sleeve,
+        area: Option<f64>,
+        braid: Braid,
+    ) -> Result<Braid, MuscleError> {
         // An area is that of one round filament, as wide as it.
-        let diameter = self.strand_diameter_mm.or(area.map(|a| 2.0 * (a / PI).sqrt()));
+        let diameter = self
+            .strand_diameter_mm
+            .or(area.map(|a| 2.0 * (a / PI).sqrt()));
         let count = self.measures.get(&STRANDS).map(|count| count as u32);
         let [modulus, strength] = [&STRAND_MODULUS, &STRAND_STRENGTH].map(|m| self.measures.get(m));
         let sleeve = sleeve.with(count, diameter, modulus, strength);
         let (stiffness, mut strands, factor) = match self.stiffness {
             Some(stiffness) => (stiffness, sleeve.strands_beside_stiffness(), 1.0),
-            None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?), sleeve.stiffness_factor()),
+            None => (
+                BraidStiffness::OfStrands,
+                Some(sleeve.of_strands()?),
+                sleeve.stiffness_factor(),
+            ),
         };
         let stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(factor);
-        if let (Some(area), Some(Strands { section: Some(section), .. })) = (area, &mut strands) {
+        if let (
+            Some(area),
+            Some(Strands {
+                section: Some(section),
+                ..
+            }),
+        ) = (area, &mut strands)
+        {
             // To the last bit, not by way of the diameter.
             section.0 = area;
         }
-        let strands_per_carrier = self.measures.get(&STRANDS_PER_CARRIER).or(sleeve.strands_per_carrier);
+        let strands_per_carrier = self
+            .measures
+            .get(&STRANDS_PER_CARRIER)
+            .or(sleeve.strands_per_carrier);
         let sleeve = Some(sleeve.shape);
-        Ok(Braid { stiffness, strands, stiffness_factor, strands_per_carrier, sleeve, ..braid })
+        Ok(Braid {
+            stiffness,
+            strands,
+            stiffness_factor,
+            strands_per_carrier,
+            sleeve,
+            ..braid
+        })
     }
 
     /// A braid whose strands may be stated: all that a stiffness needs, or none of it.
@@ -135,7 +186,11 @@ impl Stated {
         if let (Some(area), Some(strands)) = (area, &mut braid.strands) {
             strands.section.get_or_insert((0.0, 0.0)).0 = area;
         }
-        let strands = braid.strands.unwrap_or(Strands { count: 0, section: None, strength_n: None });
+        let strands = braid.strands.unwrap_or(Strands {
+            count: 0,
+            section: None,
+            strength_n: None,
+        });
         let (area_mm2, modulus_mpa) = strands.section.unwrap_or_default();
         let needs = [
             ("braid.strands", strands.count == 0),
@@ -143,12 +198,23 @@ impl Stated {
             ("braid.strand_area", area_mm2 == 0.0 && area.is_none()),
         ];
         if let Some((missing, _)) = needs.into_iter().find(|need| is_described && need.1) {
-            let written = [missing, "braid.strand_area", "braid.strand_diameter", "braid.strand_modulus"];
-            return Err(MuscleError::new(written, format!("{missing} is missing; {NEEDS_STRANDS}")));
+            let written = [
+                missing,
+                "braid.strand_area",
+                "braid.strand_diameter",
+                "braid.strand_modulus",
+            ];
+            return Err(MuscleError::new(
+                written,
+                format!("{missing} is missing; {NEEDS_STRANDS}"),
+            ));
         }
         if self.measures.get(&STRAND_STRENGTH).is_some() && strands.count == 0 {
             let message = "braid.strands is missing; the load is shared among them";
-            return Err(MuscleError::new(["braid.strands", "braid.strand_strength"], message));
+            return Err(MuscleError::new(
+                ["braid.strands", "braid.strand_strength"],
+                message,
+            ));
         }
         if is_described {
             braid.stiffness = BraidStiffness::OfStrands;

@@ -2,7 +2,8 @@
 
 use super::error::{MuscleError, positive};
 
-/// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is multiplied to account for the ends.
+/// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is
+/// multiplied to account for the ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
@@ -39,14 +40,17 @@ impl EndFactor {
 pub struct Terminals {
     /// Length of tube and braid clamped on each plug, in mm, where it is stated.
     pub insertion_mm: Option<f64>,
-    /// Total displacement of both ends under load, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
-    /// by that much more. It is taken as constant, whatever the pull.
+    /// Total displacement of both ends under load, in mm, as strands seat and slip in the clamps:
+    /// the muscle between them is contracted by that much more. It is taken as constant, whatever
+    /// the pull.
     pub seating_mm: Option<f64>,
     /// Slip of both ends together per newton of clamp load, in mm/N ([`Ends`](super::Ends)).
     pub slip_mm_per_n: Option<f64>,
-    /// Length at each end, within L0, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
+    /// Length at each end, within L0, in which tube and braid are held, in mm
+    /// ([`Ends`](super::Ends)).
     pub grip_mm: Option<f64>,
-    /// Outer diameter in mm of the plugs on which tube and braid are clamped, where it is not the bore of the tube.
+    /// Outer diameter in mm of the plugs on which tube and braid are clamped, where it is not the
+    /// bore of the tube.
     pub plug_diameter_mm: Option<f64>,
     /// Axial load in N at which a clamp lets go of tube and braid, where it is known.
     pub pull_off_n: Option<f64>,

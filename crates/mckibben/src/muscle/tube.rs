@@ -18,11 +18,13 @@ pub struct Tube {
     pub rubber: Rubber,
     /// Density ρ of the rubber in kg/m³, where it is stated.
     pub density_kg_per_m3: Option<f64>,
-    /// λp: length between the terminals over the length that the tube had before it was mounted; 1 without a stretch. D0, s and L0 are
-    /// those of the mounted tube, which grew thinner by λp^(−1/2) as its rubber keeps its volume.
+    /// λp: length between the terminals over the length that the tube had before it was mounted; 1
+    /// without a stretch. D0, s and L0 are those of the mounted tube, which grew thinner by
+    /// λp^(−1/2) as its rubber keeps its volume.
     pub prestretch: f64,
-    /// Temperature T of the rubber in °C, where it is stated: [`Muscle::rubber`](super::Muscle::rubber) is the rubber at it. Without it the
-    /// constants hold as they are.
+    /// Temperature T of the rubber in °C, where it is stated:
+    /// [`Muscle::rubber`](super::Muscle::rubber) is the rubber at it. Without it the constants hold
+    /// as they are.
     pub temperature_degc: Option<f64>,
 }
 
@@ -49,11 +51,17 @@ impl Tube {
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         let radius_mm = self.outer_radius_mm();
         let wall_mm = self.wall_mm;
-        Refused::unless(wall_mm < radius_mm, ["tube.wall_thickness", "tube.outer_diameter"], || {
-            format!(
-                "tube.wall_thickness is {wall_mm}\u{a0}mm, but the radius is {radius_mm}\u{a0}mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
-            )
-        })?;
+        Refused::unless(
+            wall_mm < radius_mm,
+            ["tube.wall_thickness", "tube.outer_diameter"],
+            || {
+                format!(
+                    "tube.wall_thickness is {wall_mm}\u{a0}mm, but the radius is \
+                     {radius_mm}\u{a0}mm: the wall must be thinner than the radius (half of \
+                     tube.outer_diameter)"
+                )
+            },
+        )?;
         self.rubber.check()
     }
 
@@ -70,10 +78,13 @@ impl Tube {
     /// The rubber at its temperature, where one is stated.
     pub fn rubber_at_temperature(&self) -> Cow<'_, Rubber> {
         self.temperature_degc
-            .map_or(Cow::Borrowed(&self.rubber), |degc| Cow::Owned(self.rubber.at_temperature(degc)))
+            .map_or(Cow::Borrowed(&self.rubber), |degc| {
+                Cow::Owned(self.rubber.at_temperature(degc))
+            })
     }
 
-    /// Mass of the rubber between the terminals in g: ρ π (Ro² − Ri²) L0; none where the density is not stated.
+    /// Mass of the rubber between the terminals in g: ρ π (Ro² − Ri²) L0; none where the density is
+    /// not stated.
     pub fn rubber_mass_g(&self) -> Option<f64> {
         let (ro, ri) = (self.outer_radius_mm(), self.inner_radius_mm());
         let volume_mm3 = std::f64::consts::PI * (ro * ro - ri * ri) * self.length_mm;

@@ -2,16 +2,23 @@
 
 use super::*;
 
-const STATES: [[f64; 3]; 4] = [[0.8, 1.6, 0.7], [1.0, 1.0, 1.0], [0.45, 2.3, 0.9], [1.9, 0.8, 0.66]];
+const STATES: [[f64; 3]; 4] = [
+    [0.8, 1.6, 0.7],
+    [1.0, 1.0, 1.0],
+    [0.45, 2.3, 0.9],
+    [1.9, 0.8, 0.66],
+];
 
 #[test]
 fn energy_and_stress_vanish_at_rest() {
     for law in Law::examples() {
         let p = law.principal([1.0; 3]);
         assert!(p.w.abs() < 1e-15, "{}", law.name());
-        for stress in
-            [law.uniaxial_stress_mpa(1.0), law.equibiaxial_stress_mpa(1.0), law.planar_stress_mpa(1.0)]
-        {
+        for stress in [
+            law.uniaxial_stress_mpa(1.0),
+            law.equibiaxial_stress_mpa(1.0),
+            law.planar_stress_mpa(1.0),
+        ] {
             assert!(stress.abs() < 1e-14, "{}", law.name());
         }
         let b = law.biaxial(1.0, 1.0);
@@ -19,7 +26,8 @@ fn energy_and_stress_vanish_at_rest() {
     }
 }
 
-/// Small strain: E = 3μ in uniaxial, 6μ in equibiaxial (stress 2·E/(1−ν)/2), 4μ in planar tension, ν = ½.
+/// Small strain: E = 3μ in uniaxial, 6μ in equibiaxial (stress 2·E/(1−ν)/2), 4μ in planar tension,
+/// ν = ½.
 #[test]
 fn small_strain_moduli_are_3_6_and_4_mu() {
     for law in Law::examples() {
@@ -30,18 +38,36 @@ fn small_strain_moduli_are_3_6_and_4_mu() {
             (slope(&|x| law.equibiaxial_stress_mpa(x)), 6.0),
             (slope(&|x| law.planar_stress_mpa(x)), 4.0),
         ] {
-            assert!((got / (factor * mu) - 1.0).abs() < 1e-7, "{}: {got} vs {}", law.name(), factor * mu);
+            assert!(
+                (got / (factor * mu) - 1.0).abs() < 1e-7,
+                "{}: {got} vs {}",
+                law.name(),
+                factor * mu
+            );
         }
     }
 }
 
-/// Does it with every law, and with each softened below and beyond its largest energy (by another scale of the errors: their slopes are steeper).
+/// Does it with every law, and with each softened below and beyond its largest energy (by another
+/// scale of the errors: their slopes are steeper).
 fn with_softened(check: impl Fn(&str, &dyn RubberLaw, f64)) {
-    let softening = over_time::OgdenRoxburgh { r: 1.6, m_mpa: 0.05, beta: 0.15 };
+    let softening = over_time::OgdenRoxburgh {
+        r: 1.6,
+        m_mpa: 0.05,
+        beta: 0.15,
+    };
     for law in &Law::examples() {
         check(law.name(), law, 1.0);
         for w_max_mpa in [0.3, 0.9, 1e-3] {
-            check(law.name(), &over_time::Softened { law, softening, w_max_mpa }, 10.0);
+            check(
+                law.name(),
+                &over_time::Softened {
+                    law,
+                    softening,
+                    w_max_mpa,
+                },
+                10.0,
+            );
         }
     }
 }
@@ -57,11 +83,20 @@ fn principal_derivatives_are_those_of_finite_differences() {
                 up[i] += h;
                 down[i] -= h;
                 let (a, b) = (law.principal(up), law.principal(down));
-                assert!(((a.w - b.w) / (2.0 * h) - p.d[i]).abs() < scale * 1e-8, "{name} d{i}");
+                assert!(
+                    ((a.w - b.w) / (2.0 * h) - p.d[i]).abs() < scale * 1e-8,
+                    "{name} d{i}"
+                );
                 for j in 0..3 {
                     let fd = (a.d[j] - b.d[j]) / (2.0 * h);
-                    assert!((fd - p.dd[j][i]).abs() < scale * 1e-7 * (1.0 + fd.abs()), "{name} dd{j}{i}");
-                    assert!((p.dd[i][j] - p.dd[j][i]).abs() < scale * 1e-14, "{name} is not symmetric");
+                    assert!(
+                        (fd - p.dd[j][i]).abs() < scale * 1e-7 * (1.0 + fd.abs()),
+                        "{name} dd{j}{i}"
+                    );
+                    assert!(
+                        (p.dd[i][j] - p.dd[j][i]).abs() < scale * 1e-14,
+                        "{name} is not symmetric"
+                    );
                 }
             }
         }
@@ -84,13 +119,18 @@ fn biaxial_derivatives_are_those_of_finite_differences() {
                 ((vp.v - vm.v) / (2.0 * h), b.vv),
             ];
             for (fd, exact) in pairs {
-                assert!((fd - exact).abs() < 1e-8, "{} at {u}, {v}: {fd} vs {exact}", law.name());
+                assert!(
+                    (fd - exact).abs() < 1e-8,
+                    "{} at {u}, {v}: {fd} vs {exact}",
+                    law.name()
+                );
             }
         }
     }
 }
 
-/// The default chain through principal stretches and the short one through invariants are one function.
+/// The default chain through principal stretches and the short one through invariants are one
+/// function.
 #[test]
 fn biaxial_through_invariants_is_biaxial_through_principal_stretches() {
     struct Plain<'a>(&'a dyn RubberLaw);
@@ -105,8 +145,18 @@ fn biaxial_through_invariants_is_biaxial_through_principal_stretches() {
     with_softened(|name, law, scale| {
         for (u, v) in [(2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
             let (a, b) = (law.biaxial(u, v), Plain(law).biaxial(u, v));
-            for (x, y) in [(a.w, b.w), (a.u, b.u), (a.v, b.v), (a.uu, b.uu), (a.uv, b.uv), (a.vv, b.vv)] {
-                assert!((x - y).abs() < scale * 1e-12 * (1.0 + x.abs()), "{name}: {x} vs {y}");
+            for (x, y) in [
+                (a.w, b.w),
+                (a.u, b.u),
+                (a.v, b.v),
+                (a.uu, b.uu),
+                (a.uv, b.uv),
+                (a.vv, b.vv),
+            ] {
+                assert!(
+                    (x - y).abs() < scale * 1e-12 * (1.0 + x.abs()),
+                    "{name}: {x} vs {y}"
+                );
             }
         }
     });
@@ -115,7 +165,10 @@ fn biaxial_through_invariants_is_biaxial_through_principal_stretches() {
 /// Verification A (Rivlin; Treloar): C1 = 0.10, C2 = 0.02 MPa, λ = 2.
 #[test]
 fn rivlin_stresses_at_stretch_two() {
-    let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
+    let law = MooneyRivlin {
+        c10_mpa: 0.10,
+        c01_mpa: 0.02,
+    };
     assert!((law.uniaxial_stress_mpa(2.0) - 0.385).abs() < 1e-14);
     assert!((law.equibiaxial_stress_mpa(2.0) - 0.70875).abs() < 1e-14);
     assert!((law.planar_stress_mpa(2.0) - 0.45).abs() < 1e-14);
@@ -124,8 +177,13 @@ fn rivlin_stresses_at_stretch_two() {
 /// Ogden with α = 2 is neo-Hookean, with (2, −2) Mooney–Rivlin: C10 = μ1/2, C01 = −μ2/2.
 #[test]
 fn ogden_contains_mooney_rivlin() {
-    let ogden = Ogden { terms: vec![(0.2, 2.0), (-0.04, -2.0)] };
-    let mooney = MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 };
+    let ogden = Ogden {
+        terms: vec![(0.2, 2.0), (-0.04, -2.0)],
+    };
+    let mooney = MooneyRivlin {
+        c10_mpa: 0.1,
+        c01_mpa: 0.02,
+    };
     for (u, v) in [(2.5, 0.8), (4.0, 0.6)] {
         let (a, b) = (ogden.biaxial(u, v), mooney.biaxial(u, v));
         assert!((a.w - b.w).abs() + (a.u - b.u).abs() + (a.vv - b.vv).abs() < 1e-13);
@@ -134,41 +192,68 @@ fn ogden_contains_mooney_rivlin() {
 
 #[test]
 fn gent_locks_and_says_so() {
-    let law = Gent { mu_mpa: 0.24, jm: 2.0 };
+    let law = Gent {
+        mu_mpa: 0.24,
+        jm: 2.0,
+    };
     assert_eq!(law.biaxial(16.0, 1.0).w, f64::INFINITY);
-    let soft = Gent { mu_mpa: 0.24, jm: 1e9 };
+    let soft = Gent {
+        mu_mpa: 0.24,
+        jm: 1e9,
+    };
     let neo = NeoHookean { mu_mpa: 0.24 };
     assert!((soft.biaxial(4.0, 0.8).u - neo.biaxial(4.0, 0.8).u).abs() < 1e-8);
 }
 
 #[test]
 fn a_negative_c01_is_unstable_in_two_axes_and_a_positive_one_is_not() {
-    let bad = MooneyRivlin { c10_mpa: 0.2259, c01_mpa: -0.1932 };
-    let good = MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 };
+    let bad = MooneyRivlin {
+        c10_mpa: 0.2259,
+        c01_mpa: -0.1932,
+    };
+    let good = MooneyRivlin {
+        c10_mpa: 0.12,
+        c01_mpa: 0.03,
+    };
     assert!(biaxial_unstable_from(&bad, 2.5).is_some());
     assert_eq!(biaxial_unstable_from(&good, 3.0), None);
 }
 
 #[test]
 fn constants_without_stiffness_are_refused() {
-    let refused = |law: Law, said: &str| assert!(law.validated().unwrap_err().to_string().contains(said));
-    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: -0.2 });
+    let refused =
+        |law: Law, said: &str| assert!(law.validated().unwrap_err().to_string().contains(said));
+    let law = Law::MooneyRivlin(MooneyRivlin {
+        c10_mpa: 0.1,
+        c01_mpa: -0.2,
+    });
     refused(law, "shear modulus");
-    refused(Law::Gent(Gent { mu_mpa: 0.1, jm: 0.0 }), "jm of the gent law is 0");
+    refused(
+        Law::Gent(Gent {
+            mu_mpa: 0.1,
+            jm: 0.0,
+        }),
+        "jm of the gent law is 0",
+    );
     let law = Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN });
     refused(law, "a finite number");
     refused(Law::Ogden(Ogden { terms: vec![] }), "alpha other than zero");
-    let many = Law::Ogden(Ogden { terms: vec![(1e-3, 2.0); 2000] });
+    let many = Law::Ogden(Ogden {
+        terms: vec![(1e-3, 2.0); 2000],
+    });
     refused(many, "at most 20 terms");
 }
 
-/// Constants are distinguished by their position: each change arrives where [`Law::constants`] shows it, and nowhere else.
+/// Constants are distinguished by their position: each change arrives where [`Law::constants`]
+/// shows it, and nowhere else.
 #[test]
 fn every_constant_can_be_changed_alone() {
     for law in Law::examples() {
         let before = law.constants();
         for i in 0..before.len() {
-            let after = law.with_constants(|j, v| if i == j { v + 1.0 } else { v }).constants();
+            let after = law
+                .with_constants(|j, v| if i == j { v + 1.0 } else { v })
+                .constants();
             for (j, (a, b)) in after.iter().zip(&before).enumerate() {
                 let expected = if i == j { b.value + 1.0 } else { b.value };
                 assert_eq!((&a.name, a.value), (&b.name, expected), "{}", law.name());

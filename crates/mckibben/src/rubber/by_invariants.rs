@@ -21,13 +21,22 @@ impl<T: InvariantLaw> RubberLaw for T {
         let mut dd = [[0.0; 3]; 3];
         for i in 0..3 {
             for j in 0..3 {
-                let curved =
-                    if i == j { 2.0 * f.w1 + 2.0 * others[i] * f.w2 } else { 4.0 * l[i] * l[j] * f.w2 };
-                dd[i][j] =
-                    f.w11 * a[i] * a[j] + f.w12 * (a[i] * b[j] + b[i] * a[j]) + f.w22 * b[i] * b[j] + curved;
+                let curved = if i == j {
+                    2.0 * f.w1 + 2.0 * others[i] * f.w2
+                } else {
+                    4.0 * l[i] * l[j] * f.w2
+                };
+                dd[i][j] = f.w11 * a[i] * a[j]
+                    + f.w12 * (a[i] * b[j] + b[i] * a[j])
+                    + f.w22 * b[i] * b[j]
+                    + curved;
             }
         }
-        Principal { w: f.w, d: [0, 1, 2].map(|i| f.w1 * a[i] + f.w2 * b[i]), dd }
+        Principal {
+            w: f.w,
+            d: [0, 1, 2].map(|i| f.w1 * a[i] + f.w2 * b[i]),
+            dd,
+        }
     }
 
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
@@ -39,7 +48,9 @@ impl<T: InvariantLaw> RubberLaw for T {
         let (b_u, b_v) = (v - ru * ru, u - rv * rv);
         let (a_uu, a_uv, a_vv) = (2.0 * r * ru * ru, r * r, 2.0 * r * rv * rv);
         let (b_uu, b_vv) = (2.0 * ru * ru * ru, 2.0 * rv * rv * rv);
-        let second = |a: f64, b: f64, c: f64, d: f64| f.w11 * a * b + f.w12 * (a * d + c * b) + f.w22 * c * d;
+        let second = |a: f64, b: f64, c: f64, d: f64| {
+            f.w11 * a * b + f.w12 * (a * d + c * b) + f.w22 * c * d
+        };
         Biaxial {
             w: f.w,
             u: f.w1 * a_u + f.w2 * b_u,

@@ -8,7 +8,10 @@ use serde::{Deserialize, Serialize};
 ///
 /// As data (serde): `"incompressible"`, or the bulk modulus in MPa.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase", expecting = "\"incompressible\", or a bulk modulus in MPa")]
+#[serde(
+    rename_all = "lowercase",
+    expecting = "\"incompressible\", or a bulk modulus in MPa"
+)]
 pub enum Bulk {
     /// Volume stays.
     #[default]
@@ -18,21 +21,24 @@ pub enum Bulk {
     Modulus(f64),
 }
 
-/// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`; in a muscle file a pressure or a strain such as
-/// `"100 %"`.
+/// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`;
+/// in a muscle file a pressure or a strain such as `"100 %"`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(untagged, expecting = "a pressure in MPa, or {\"strain\": 1.0}")]
 pub enum Conditioned {
-    /// The muscle was cycled at this pressure in MPa, between rest length and free contraction: each point has its own W_m.
+    /// The muscle was cycled at this pressure in MPa, between rest length and free contraction:
+    /// each point has its own W_m.
     Pressure(f64),
-    /// The rubber was stretched by so much, all of it alike: W_m is W0 in simple tension at the stretch 1 + strain.
+    /// The rubber was stretched by so much, all of it alike: W_m is W0 in simple tension at the
+    /// stretch 1 + strain.
     Strain {
         /// Largest strain in simple tension; 1 is 100 %.
         strain: f64,
     },
 }
 
-/// A rubber with its origin. As data (serde) it is what is in `[tube.material]` of a muscle file, moduli in MPa:
+/// A rubber with its origin. As data (serde) it is what is in `[tube.material]` of a muscle file,
+/// moduli in MPa:
 ///
 /// ```
 /// use mckibben::muscle::Rubber;
@@ -45,32 +51,41 @@ pub enum Conditioned {
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rubber {
-    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives a rubber of the library the
-    /// law for its own stretches; with other constants a name is only a name.
+    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives
+    /// a rubber of the library the law for its own stretches; with other constants a name is only a
+    /// name.
     pub name: Option<String>,
     /// The law and its constants.
     #[serde(flatten)]
     pub law: Law,
-    /// Incompressible, or a bulk modulus. The closed-form models take every rubber as incompressible.
+    /// Incompressible, or a bulk modulus. The closed-form models take every rubber as
+    /// incompressible.
     #[serde(rename = "bulk_modulus", default)]
     pub bulk: Bulk,
     /// Largest stretch of the data the constants were fitted to, where it is known.
     pub fitted_to_stretch: Option<f64>,
-    /// How rubber that was stretched before is softer, where it is known. The law is that of the first loading.
+    /// How rubber that was stretched before is softer, where it is known. The law is that of the
+    /// first loading.
     pub softening: Option<OgdenRoxburgh>,
-    /// What it was stretched by before; `None` on its first inflation. The finite elements of the section have it.
+    /// What it was stretched by before; `None` on its first inflation. The finite elements of the
+    /// section have it.
     pub conditioned: Option<Conditioned>,
-    /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
+    /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every
+    /// model; [`Rubber::held`] is the one of later.
     pub prony: Option<Prony>,
 }
 
 impl Rubber {
-    /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with axisymmetric finite elements from
-    /// the paper's Table 1 and formula (11) (`docs/identify/paper.md`).
+    /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with
+    /// axisymmetric finite elements from the paper's Table 1 and formula (11)
+    /// (`docs/identify/paper.md`).
     pub fn paper() -> Self {
         Self {
             name: Some("paper".into()),
-            ..Self::new(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }))
+            ..Self::new(Law::MooneyRivlin(MooneyRivlin {
+                c10_mpa: 0.112,
+                c01_mpa: 0.0,
+            }))
         }
     }
 
@@ -87,29 +102,48 @@ impl Rubber {
         }
     }
 
-    /// This rubber after it was held: the law with its remaining moduli ([`Prony::held`]), without the series. Softening keeps its
-    /// shape: its m, an energy, goes with the law. A bulk modulus stays.
+    /// This rubber after it was held: the law with its remaining moduli ([`Prony::held`]), without
+    /// the series. Softening keeps its shape: its m, an energy, goes with the law. A bulk modulus
+    /// stays.
     #[must_use]
     pub fn held(self, held: Held) -> Self {
         let Some(prony) = self.prony else { return self };
-        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: prony.left(held) * s.m_mpa, ..s });
-        Self { law: prony.held(&self.law, held), softening, prony: None, ..self }
+        let softening = self.softening.map(|s| OgdenRoxburgh {
+            m_mpa: prony.left(held) * s.m_mpa,
+            ..s
+        });
+        Self {
+            law: prony.held(&self.law, held),
+            softening,
+            prony: None,
+            ..self
+        }
     }
 
-    /// This rubber at a temperature in °C, by entropic elasticity: every modulus times T/T0, T absolute, T0 that of its constants
-    /// ([`Rubber::OF_CONSTANTS_DEGC`]). Softening keeps its shape, its m goes with the law; a bulk modulus stays.
+    /// This rubber at a temperature in °C, by entropic elasticity: every modulus times T/T0, T
+    /// absolute, T0 that of its constants ([`Rubber::OF_CONSTANTS_DEGC`]). Softening keeps its
+    /// shape, its m goes with the law; a bulk modulus stays.
     ///
-    /// An approximation for unfilled rubber well above its glass transition, whose stress at a stretch is proportional to T but for the expansion by heat,
-    /// −20 to 120 °C \[treloar1975\]; a filler makes rubber softer as it gets warm instead.
+    /// An approximation for unfilled rubber well above its glass transition, whose stress at a
+    /// stretch is proportional to T but for the expansion by heat, −20 to 120 °C \[treloar1975\]; a
+    /// filler makes rubber softer as it gets warm instead.
     #[must_use]
     pub fn at_temperature(&self, degc: f64) -> Self {
         const KELVIN: f64 = 273.15;
         let factor = (degc + KELVIN) / (Self::OF_CONSTANTS_DEGC + KELVIN);
-        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: factor * s.m_mpa, ..s });
-        Self { law: self.law.scaled(factor), softening, ..self.clone() }
+        let softening = self.softening.map(|s| OgdenRoxburgh {
+            m_mpa: factor * s.m_mpa,
+            ..s
+        });
+        Self {
+            law: self.law.scaled(factor),
+            softening,
+            ..self.clone()
+        }
     }
 
-    /// The temperature in °C at which constants are taken to be measured: that of a laboratory (ISO 23529).
+    /// The temperature in °C at which constants are taken to be measured: that of a laboratory (ISO
+    /// 23529).
     pub const OF_CONSTANTS_DEGC: f64 = 23.0;
 
     /// Whether this is the paper's rubber, unchanged.
@@ -122,7 +156,8 @@ impl Rubber {
         self.softening.is_some() && self.conditioned.is_some()
     }
 
-    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was; `None` where it was not.
+    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was;
+    /// `None` where it was not.
     pub fn conditioned(&self) -> Option<(OgdenRoxburgh, f64)> {
         match self.conditioned? {
             Conditioned::Pressure(pressure_mpa) => Some((self.softening?, pressure_mpa)),
@@ -130,10 +165,13 @@ impl Rubber {
         }
     }
 
-    /// How rubber that was stretched before, all of it alike, is softer, and the largest energy W_m in MPa that it has seen.
+    /// How rubber that was stretched before, all of it alike, is softer, and the largest energy W_m
+    /// in MPa that it has seen.
     pub fn conditioned_alike(&self) -> Option<(OgdenRoxburgh, f64)> {
         match self.conditioned? {
-            Conditioned::Strain { strain } => Some((self.softening?, self.tension_energy_mpa(strain))),
+            Conditioned::Strain { strain } => {
+                Some((self.softening?, self.tension_energy_mpa(strain)))
+            }
             Conditioned::Pressure(_) => None,
         }
     }

@@ -1,5 +1,5 @@
-//! What a law says of its constants: names, dimensions and bounds are declared once, and files, fits, plans, columns,
-//! identification and sensitivities follow.
+//! What a law says of its constants: names, dimensions and bounds are declared once, and files,
+//! fits, plans, columns, identification and sensitivities follow.
 
 use super::{Law, RubberLaw};
 use crate::refused::Refused;
@@ -21,17 +21,32 @@ pub struct Constant {
 impl Constant {
     /// A modulus above zero, in MPa.
     pub const fn modulus(name: &'static str, doc: &'static str) -> Self {
-        Self { name, dimension: Dimension::Pressure, bounds: (0.0, f64::INFINITY), doc }
+        Self {
+            name,
+            dimension: Dimension::Pressure,
+            bounds: (0.0, f64::INFINITY),
+            doc,
+        }
     }
 
     /// A coefficient in MPa that may have either sign.
     pub const fn coefficient(name: &'static str, doc: &'static str) -> Self {
-        Self { name, dimension: Dimension::Pressure, bounds: (f64::NEG_INFINITY, f64::INFINITY), doc }
+        Self {
+            name,
+            dimension: Dimension::Pressure,
+            bounds: (f64::NEG_INFINITY, f64::INFINITY),
+            doc,
+        }
     }
 
     /// A plain number above `low`.
     pub const fn above(name: &'static str, low: f64, doc: &'static str) -> Self {
-        Self { name, dimension: Dimension::Ratio, bounds: (low, f64::INFINITY), doc }
+        Self {
+            name,
+            dimension: Dimension::Ratio,
+            bounds: (low, f64::INFINITY),
+            doc,
+        }
     }
 
     /// Whether the energy is proportional to it: the stiffness of a rubber is a factor on these.
@@ -59,22 +74,28 @@ pub struct ConstantValue {
 impl ConstantValue {
     /// The name with its unit, as columns of tables have it: `c10_mpa`, `jm`.
     pub fn column(&self) -> String {
-        if self.constant.is_modulus() { format!("{}_mpa", self.name) } else { self.name.clone() }
+        if self.constant.is_modulus() {
+            format!("{}_mpa", self.name)
+        } else {
+            self.name.clone()
+        }
     }
 }
 
-/// A law as something that is made of constants. This and [`InvariantLaw`](super::InvariantLaw) (or [`RubberLaw`])
-/// are all that a law needs.
+/// A law as something that is made of constants. This and [`InvariantLaw`](super::InvariantLaw) (or
+/// [`RubberLaw`]) are all that a law needs.
 pub trait LawConstants: RubberLaw + Sized {
     /// Name as written in muscle files.
     const NAME: &'static str;
     /// Its constants, in order; of a sum of terms, those of one term.
     const CONSTANTS: &'static [Constant];
-    /// Whether the law is a sum of any number of terms, each with all of [`LawConstants::CONSTANTS`].
+    /// Whether the law is a sum of any number of terms, each with all of
+    /// [`LawConstants::CONSTANTS`].
     const IS_SUM: bool = false;
     /// Constants of a plausible rubber: tests and fits start from them.
     const EXAMPLE: &'static [f64];
-    /// Where a fit that is held stable holds every constant at or above zero as well: how that is said.
+    /// Where a fit that is held stable holds every constant at or above zero as well: how that is
+    /// said.
     const HELD_POSITIVE: Option<&'static str> = None;
 
     /// The law of these constants, not checked; `None` where their number is wrong.
@@ -88,7 +109,8 @@ pub trait LawConstants: RubberLaw + Sized {
         None
     }
 
-    /// How an input deck for Abaqus or CalculiX writes the law; `None` where those have no such law.
+    /// How an input deck for Abaqus or CalculiX writes the law; `None` where those have no such
+    /// law.
     fn card(&self) -> Option<HyperelasticCard> {
         None
     }
@@ -139,8 +161,8 @@ impl LawKind {
         }
     }
 
-    /// The law with these values, in the order of the constants (term by term in a sum); `None` where their number is wrong.
-    /// The law is not checked; see [`Law::validated`].
+    /// The law with these values, in the order of the constants (term by term in a sum); `None`
+    /// where their number is wrong. The law is not checked; see [`Law::validated`].
     pub fn law(&self, values: &[f64]) -> Option<Law> {
         (self.make)(values)
     }
@@ -157,16 +179,23 @@ impl LawKind {
     pub fn law_of_terms(&self, lists: &[Vec<f64>]) -> Result<Law, Refused> {
         let (law, first) = (self.name, self.constants[0].name);
         let terms = lists.first().map_or(0, Vec::len);
-        if let Some((list, c)) = lists.iter().zip(self.constants).find(|(list, _)| list.len() != terms) {
+        if let Some((list, c)) = lists
+            .iter()
+            .zip(self.constants)
+            .find(|(list, _)| list.len() != terms)
+        {
             let (name, count) = (c.name, list.len());
             let message = format!(
-                "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for each {first}"
+                "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for \
+                 each {first}"
             );
             return Err(Refused::new([name], message));
         }
-        let values: Vec<f64> =
-            (0..terms).flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied())).collect();
-        self.law(&values).ok_or_else(|| Refused::new([first], NEEDS_ALL))
+        let values: Vec<f64> = (0..terms)
+            .flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied()))
+            .collect();
+        self.law(&values)
+            .ok_or_else(|| Refused::new([first], NEEDS_ALL))
     }
 }
 
@@ -175,7 +204,11 @@ pub const NEEDS_ALL: &str = "a law needs all of its constants";
 
 /// What is said of a constant that belongs to another law.
 pub fn foreign(law: &LawKind) -> String {
-    format!("is not a constant of the {} law; its constants are {}", law.name, law.names().join(", "))
+    format!(
+        "is not a constant of the {} law; its constants are {}",
+        law.name,
+        law.names().join(", ")
+    )
 }
 
 /// What is expected where a law is to be named.

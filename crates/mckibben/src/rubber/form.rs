@@ -45,21 +45,34 @@ impl Form {
 
     /// Name with the number of terms: `yeoh`, `ogden-2`.
     pub fn name(self) -> String {
-        self.terms().map_or_else(|| self.law().to_owned(), |terms| format!("{}-{terms}", self.law()))
+        self.terms().map_or_else(
+            || self.law().to_owned(),
+            |terms| format!("{}-{terms}", self.law()),
+        )
     }
 
     /// From a name: `yeoh`, `ogden-2`; `ogden` alone is all three.
     pub fn parse(name: &str) -> Vec<Form> {
         let plain = name.trim().to_lowercase().replace(['_', ' '], "-");
-        let is_meant = |f: &Form| plain == f.law() || plain == f.name() || plain == f.name().replace('-', "");
+        let is_meant =
+            |f: &Form| plain == f.law() || plain == f.name() || plain == f.name().replace('-', "");
         Form::all().into_iter().filter(is_meant).collect()
     }
 
     /// What [`Form::parse`] understands, in the order of [`Form::all`], sums of terms last.
     pub fn words() -> Vec<String> {
-        let (sums, laws): (Vec<Form>, Vec<Form>) = Form::all().into_iter().partition(|f| f.kind.is_sum);
-        let of_sum = |f: Form| (f.terms == 1).then(|| f.law().to_owned()).into_iter().chain([f.name()]);
-        laws.iter().map(|f| f.law().to_owned()).chain(sums.into_iter().flat_map(of_sum)).collect()
+        let (sums, laws): (Vec<Form>, Vec<Form>) =
+            Form::all().into_iter().partition(|f| f.kind.is_sum);
+        let of_sum = |f: Form| {
+            (f.terms == 1)
+                .then(|| f.law().to_owned())
+                .into_iter()
+                .chain([f.name()])
+        };
+        laws.iter()
+            .map(|f| f.law().to_owned())
+            .chain(sums.into_iter().flat_map(of_sum))
+            .collect()
     }
 
     /// How many constants it has.
@@ -74,7 +87,14 @@ impl Form {
 
     /// A plausible rubber of this law.
     pub fn example(self) -> Option<Law> {
-        let values: Vec<f64> = self.kind.example.iter().copied().cycle().take(self.constants()).collect();
+        let values: Vec<f64> = self
+            .kind
+            .example
+            .iter()
+            .copied()
+            .cycle()
+            .take(self.constants())
+            .collect();
         self.law_of(&values)
     }
 
@@ -94,14 +114,23 @@ impl Form {
         self.example().is_some_and(|law| law.visit(OfI1))
     }
 
-    /// The law with one constant 1 and all others 0, one for each constant; `None` where the energy is not linear in them.
+    /// The law with one constant 1 and all others 0, one for each constant; `None` where the energy
+    /// is not linear in them.
     pub fn basis(self) -> Option<Vec<Law>> {
-        let unit =
-            |i: usize| (0..self.constants()).map(|k| if k == i { 1.0 } else { 0.0 }).collect::<Vec<_>>();
-        let basis = (0..self.constants()).map(|i| self.law_of(&unit(i))).collect::<Option<Vec<_>>>()?;
+        let unit = |i: usize| {
+            (0..self.constants())
+                .map(|k| if k == i { 1.0 } else { 0.0 })
+                .collect::<Vec<_>>()
+        };
+        let basis = (0..self.constants())
+            .map(|i| self.law_of(&unit(i)))
+            .collect::<Option<Vec<_>>>()?;
         let law = self.example()?;
         let sum = |at: usize| {
-            let parts = basis.iter().zip(law.values()).map(|(b, value)| value * b.principal(STRETCHES).d[at]);
+            let parts = basis
+                .iter()
+                .zip(law.values())
+                .map(|(b, value)| value * b.principal(STRETCHES).d[at]);
             parts.sum::<f64>()
         };
         let exact = law.principal(STRETCHES).d;
@@ -155,13 +184,23 @@ mod tests {
             ("ogden-3", false, false),
         ] {
             let form = Form::parse(name)[0];
-            assert_eq!((form.basis().is_some(), form.is_of_i1()), (linear, of_i1), "{name}");
+            assert_eq!(
+                (form.basis().is_some(), form.is_of_i1()),
+                (linear, of_i1),
+                "{name}"
+            );
         }
     }
 
     #[test]
     fn a_sum_of_terms_has_a_form_for_each_number_of_them() {
-        let all = |name: &str| Form::parse(name).into_iter().map(Form::name).collect::<Vec<_>>().join(" ");
+        let all = |name: &str| {
+            Form::parse(name)
+                .into_iter()
+                .map(Form::name)
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
         assert_eq!(all("ogden"), "ogden-1 ogden-2 ogden-3");
         assert_eq!(
             (all("Ogden_2"), all("yeoh"), all("yeo")),
@@ -170,7 +209,13 @@ mod tests {
         let counts: Vec<usize> = Form::all().into_iter().map(Form::constants).collect();
         assert!(counts.is_sorted(), "{counts:?}");
         let words = Form::words().join(", ");
-        assert!(words.starts_with("neo-hookean, mooney-rivlin, gent,"), "{words}");
-        assert!(words.ends_with("yeoh, extended-tube, ogden, ogden-1, ogden-2, ogden-3"), "{words}");
+        assert!(
+            words.starts_with("neo-hookean, mooney-rivlin, gent,"),
+            "{words}"
+        );
+        assert!(
+            words.ends_with("yeoh, extended-tube, ogden, ogden-1, ogden-2, ogden-3"),
+            "{words}"
+        );
     }
 }

@@ -19,11 +19,18 @@ pub struct InvariantDerivatives {
 
 impl InvariantDerivatives {
     /// What a law gives at and beyond the stretch at which its chains lock.
-    pub const LOCKED: Self =
-        Self { w: f64::INFINITY, w1: f64::NAN, w2: 0.0, w11: f64::NAN, w12: 0.0, w22: 0.0 };
+    pub const LOCKED: Self = Self {
+        w: f64::INFINITY,
+        w1: f64::NAN,
+        w2: 0.0,
+        w11: f64::NAN,
+        w12: 0.0,
+        w22: 0.0,
+    };
 }
 
-/// A law that is a function of I1 and I2 alone; [`RubberLaw`](super::RubberLaw) follows by the chain rule.
+/// A law that is a function of I1 and I2 alone; [`RubberLaw`](super::RubberLaw) follows by the
+/// chain rule.
 pub trait InvariantLaw: Sync {
     /// w and its derivatives at (I1, I2).
     fn invariant(&self, i1: f64, i2: f64) -> InvariantDerivatives;

@@ -1,11 +1,12 @@
-//! What can be done with any law: its constants, their check, and the work that is compiled for each law.
+//! What can be done with any law: its constants, their check, and the work that is compiled for
+//! each law.
 
 use super::{ConstantValue, InvariantLaw, Law, LawKind, RubberLaw};
 use crate::refused::Refused;
 use std::collections::BTreeMap;
 
-/// Something that is done with a law whose type is known at compile time ([`RubberLaw::visit`]): a loop inside is compiled
-/// for every law.
+/// Something that is done with a law whose type is known at compile time ([`RubberLaw::visit`]): a
+/// loop inside is compiled for every law.
 pub trait LawVisitor: Sized {
     /// What it gives back.
     type Output;
@@ -23,8 +24,16 @@ pub trait LawVisitor: Sized {
 const MOST_TERMS: usize = 20;
 
 fn between((low, high): (f64, f64)) -> String {
-    let low = if low == 0.0 { "zero".to_owned() } else { low.to_string() };
-    if high.is_finite() { format!("above {low} and below {high}") } else { format!("above {low}") }
+    let low = if low == 0.0 {
+        "zero".to_owned()
+    } else {
+        low.to_string()
+    };
+    if high.is_finite() {
+        format!("above {low} and below {high}")
+    } else {
+        format!("above {low}")
+    }
 }
 
 impl Law {
@@ -38,15 +47,18 @@ impl Law {
         Self::KINDS.iter().find(|k| k.name == name)
     }
 
-    /// The law of a name with its constants in the order of [`Law::constants`]; `None` where name or number of constants
-    /// fit no law. The law is not checked; see [`Law::validated`].
+    /// The law of a name with its constants in the order of [`Law::constants`]; `None` where name
+    /// or number of constants fit no law. The law is not checked; see [`Law::validated`].
     pub fn named(name: &str, constants: &[f64]) -> Option<Law> {
         Self::kind_named(name)?.law(constants)
     }
 
     /// Every law with the constants of its [`example`](LawKind::example).
     pub fn examples() -> Vec<Law> {
-        Self::KINDS.iter().filter_map(|k| k.law(k.example)).collect()
+        Self::KINDS
+            .iter()
+            .filter_map(|k| k.law(k.example))
+            .collect()
     }
 
     /// Name as written in muscle files, such as `mooney-rivlin`.
@@ -61,15 +73,26 @@ impl Law {
         let one = |(i, value): (usize, f64)| {
             let constant = &kind.constants[i % count];
             let name = constant.name;
-            let name = if kind.is_sum { format!("{name}{}", i / count + 1) } else { name.to_owned() };
-            ConstantValue { name, value, constant }
+            let name = if kind.is_sum {
+                format!("{name}{}", i / count + 1)
+            } else {
+                name.to_owned()
+            };
+            ConstantValue {
+                name,
+                value,
+                constant,
+            }
         };
         self.values().into_iter().enumerate().map(one).collect()
     }
 
     /// The constants by the names of their columns, moduli in MPa: `c10_mpa`, `alpha1`.
     pub fn columns(&self) -> BTreeMap<String, f64> {
-        self.constants().into_iter().map(|c| (c.column(), c.value)).collect()
+        self.constants()
+            .into_iter()
+            .map(|c| (c.column(), c.value))
+            .collect()
     }
 
     /// Checks the constants.
@@ -82,17 +105,24 @@ impl Law {
             let message = format!("an {law} law has at most {MOST_TERMS} terms");
             return Err(Refused::new(["alpha"], message));
         }
-        if let Some(ConstantValue { name, value, .. }) = constants.iter().find(|c| !c.value.is_finite()) {
-            let message =
-                format!("the constant {name} of the {law} law is {value}; it must be a finite number");
+        if let Some(ConstantValue { name, value, .. }) =
+            constants.iter().find(|c| !c.value.is_finite())
+        {
+            let message = format!(
+                "the constant {name} of the {law} law is {value}; it must be a finite number"
+            );
             return Err(Refused::new([], message));
         }
         // Moduli are judged together, by the stiffness that they give.
-        for ConstantValue { value, constant: c, .. } in &constants {
+        for ConstantValue {
+            value, constant: c, ..
+        } in &constants
+        {
             let within = *value > c.bounds.0 && *value < c.bounds.1;
             if !c.is_modulus() && !within {
                 let (name, must, doc) = (c.name, between(c.bounds), c.doc);
-                let message = format!("{name} of the {law} law is {value}; it must be {must} (it is {doc})");
+                let message =
+                    format!("{name} of the {law} law is {value}; it must be {must} (it is {doc})");
                 return Err(Refused::new([name], message));
             }
         }
@@ -105,29 +135,46 @@ impl Law {
         if mu > 0.0 {
             return Ok(self);
         }
-        let first = self.kind().constants.iter().find(|c| c.is_modulus()).map(|c| c.name);
+        let first = self
+            .kind()
+            .constants
+            .iter()
+            .find(|c| c.is_modulus())
+            .map(|c| c.name);
         Err(Refused::new(
             first,
             format!(
-                "the {law} constants give a shear modulus of {mu} MPa at rest; it must be above zero (c10 + c01, mu, or Σ mu·alpha)"
+                "the {law} constants give a shear modulus of {mu} MPa at rest; it must be above \
+                 zero (c10 + c01, mu, or Σ mu·alpha)"
             ),
         ))
     }
 
-    /// The same law with its constants passed through `change` (position in [`Law::constants`], value). The new law
-    /// is not checked; see [`Law::validated`].
+    /// The same law with its constants passed through `change` (position in [`Law::constants`],
+    /// value). The new law is not checked; see [`Law::validated`].
     pub fn with_constants(&self, change: impl Fn(usize, f64) -> f64) -> Law {
-        let values: Vec<f64> = self.values().into_iter().enumerate().map(|(i, v)| change(i, v)).collect();
+        let values: Vec<f64> = self
+            .values()
+            .into_iter()
+            .enumerate()
+            .map(|(i, v)| change(i, v))
+            .collect();
         self.kind().law(&values).unwrap_or_else(|| self.clone())
     }
 
-    /// `share` of the way from this law to another of its kind. Of a sum all terms of both, and of laws that are linear in their moduli these moduli in
-    /// proportion: the energy is (1 − share) times this one and share times the other. The reciprocal of a limit of stretch goes in proportion too.
+    /// `share` of the way from this law to another of its kind. Of a sum all terms of both, and of
+    /// laws that are linear in their moduli these moduli in proportion: the energy is (1 − share)
+    /// times this one and share times the other. The reciprocal of a limit of stretch goes in
+    /// proportion too.
     #[must_use]
     pub fn towards(&self, other: &Law, share: f64) -> Law {
         let (constants, others) = (self.kind().constants, other.values());
         if self.kind().is_sum {
-            let terms = [self.scaled(1.0 - share).values(), other.scaled(share).values()].concat();
+            let terms = [
+                self.scaled(1.0 - share).values(),
+                other.scaled(share).values(),
+            ]
+            .concat();
             return self.kind().law(&terms).unwrap_or_else(|| self.clone());
         }
         self.with_constants(|i, from| match constants[i].is_modulus() {
@@ -161,7 +208,10 @@ mod tests {
 
     #[test]
     fn a_limit_outside_its_bounds_is_told_with_its_meaning() {
-        let error = Law::named("gent", &[0.2, -3.0]).unwrap().validated().unwrap_err();
+        let error = Law::named("gent", &[0.2, -3.0])
+            .unwrap()
+            .validated()
+            .unwrap_err();
         assert_eq!(
             error.to_string(),
             "jm of the gent law is -3; it must be above zero (it is the largest I1 − 3)"

@@ -1,8 +1,9 @@
 //! Rubber laws: energy per reference volume of isotropic hyperelastic rubber, and its derivatives.
 //!
-//! One law is one file in `laws`, and one line in the list there. A law says what its constants are ([`LawConstants`])
-//! and what its energy is: laws written in the invariants I1, I2 by [`InvariantLaw`], others by [`RubberLaw`]. Everything
-//! else follows. All energies are in MPa (= N·mm/mm³) and vanish at rest.
+//! One law is one file in `laws`, and one line in the list there. A law says what its constants are
+//! ([`LawConstants`]) and what its energy is: laws written in the invariants I1, I2 by
+//! [`InvariantLaw`], others by [`RubberLaw`]. Everything else follows. All energies are in MPa (=
+//! N·mm/mm³) and vanish at rest.
 
 mod by_invariants;
 mod compound;
@@ -18,7 +19,8 @@ mod written;
 
 pub use compound::{Bulk, Conditioned, Rubber};
 pub use constant::{
-    Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, foreign, one_of_all,
+    Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, foreign,
+    one_of_all,
 };
 pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
@@ -41,7 +43,8 @@ pub struct Principal {
     pub dd: [[f64; 3]; 3],
 }
 
-/// Energy and derivatives of incompressible rubber in two squared stretches u = λθ², v = λz² (λr² = 1/(uv)).
+/// Energy and derivatives of incompressible rubber in two squared stretches u = λθ², v = λz² (λr² =
+/// 1/(uv)).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Biaxial {
     /// ŵ(u, v) in MPa.
@@ -60,13 +63,14 @@ pub struct Biaxial {
 
 /// An isotropic hyperelastic law.
 ///
-/// Outside the stretches a law can carry (Gent beyond its limit) the energy is `+∞` and the derivatives are not
-/// finite; solvers turn that into their typed error.
+/// Outside the stretches a law can carry (Gent beyond its limit) the energy is `+∞` and the
+/// derivatives are not finite; solvers turn that into their typed error.
 pub trait RubberLaw: Sync {
     /// Shear modulus μ at rest, in MPa.
     fn shear_modulus_mpa(&self) -> f64;
 
-    /// Energy and derivatives in the principal stretches (all above zero, their product need not be 1).
+    /// Energy and derivatives in the principal stretches (all above zero, their product need not be
+    /// 1).
     fn principal(&self, stretches: [f64; 3]) -> Principal;
 
     /// Energy and derivatives of incompressible rubber in u = λθ², v = λz² (both above zero).
@@ -97,8 +101,8 @@ pub trait RubberLaw: Sync {
         }
     }
 
-    /// Nominal stress in uniaxial tension of incompressible rubber, in MPa (Treloar 1975 \[treloar1975\]): dŵ/dλ with
-    /// λ1 = λ, λ2 = λ3 = λ^(−1/2).
+    /// Nominal stress in uniaxial tension of incompressible rubber, in MPa (Treloar 1975
+    /// \[treloar1975\]): dŵ/dλ with λ1 = λ, λ2 = λ3 = λ^(−1/2).
     fn uniaxial_stress_mpa(&self, stretch: f64) -> f64 {
         let t = stretch.powf(-0.5);
         let p = self.principal([stretch, t, t]);

@@ -1,4 +1,5 @@
-//! The helix of a sleeve's strands: what stays when a sleeve is pulled over a thicker or thinner tube.
+//! The helix of a sleeve's strands: what stays when a sleeve is pulled over a thicker or thinner
+//! tube.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -11,26 +12,31 @@ pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
 /// sinθ = π D/ℓ          one turn: π D around, π D/tanθ along, ℓ of strand
 /// ```
 ///
-/// θ angle of the strands to the axis, D diameter on which they lie (mm), ℓ in mm. D is the tube's OUTER diameter, as in the whole
-/// program: a braid of thickness t has its midline at D + t, which makes the true angle larger by (t/D) tanθ (2° at t/D 6 % and 30°).
+/// θ angle of the strands to the axis, D diameter on which they lie (mm), ℓ in mm. D is the tube's
+/// OUTER diameter, as in the whole program: a braid of thickness t has its midline at D + t, which
+/// makes the true angle larger by (t/D) tanθ (2° at t/D 6 % and 30°).
 ///
-/// **Jamming.** n strands in all, n/2 each way, each w wide across its length, touch their neighbours where their spacing is w:
+/// **Jamming.** n strands in all, n/2 each way, each w wide across its length, touch their
+/// neighbours where their spacing is w:
 ///
 /// ```text
 /// π D cosθ/(n/2) = w    ⇔   n w = 2π D cosθ = ℓ sin 2θ
 /// ```
 ///
-/// so a braid jams at two angles, θ_j when it is pulled long and 90° − θ_j when it is pushed wide, at the diameters
-/// D₁ = (ℓ/π) sinθ_j and D₂ = (ℓ/π) cosθ_j (Davis & Caldwell 2006 \[davis2006\] for the wide one). Both together give the helix back:
+/// so a braid jams at two angles, θ_j when it is pulled long and 90° − θ_j when it is pushed wide,
+/// at the diameters D₁ = (ℓ/π) sinθ_j and D₂ = (ℓ/π) cosθ_j (Davis & Caldwell 2006 \[davis2006\]
+/// for the wide one). Both together give the helix back:
 ///
 /// ```text
 /// ℓ = π √(D₁² + D₂²),   tanθ_j = D₁/D₂,   n w = 2π D₁ D₂/√(D₁² + D₂²)
 /// ```
 ///
-/// This is how a sleeve with nothing but a stated range gets its angle. The assumption is that both ends of the range are jammed. A seller who
-/// stops short of the wide end by a share x makes ℓ too small by x/(1 + (D₁/D₂)²): the angle at a given diameter comes out
-/// too large, tanθ·x/(1 + (D₁/D₂)²) in radians, 2.4° at 25°, x = 10 % and D₂ = 3 D₁. Stopping short of the narrow end by x matters less, by
-/// (D₁/D₂)². Strands that lie on each other, or are flattened, jam later than round ones side by side.
+/// This is how a sleeve with nothing but a stated range gets its angle. The assumption is that both
+/// ends of the range are jammed. A seller who stops short of the wide end by a share x makes ℓ too
+/// small by x/(1 + (D₁/D₂)²): the angle at a given diameter comes out too large, tanθ·x/(1 +
+/// (D₁/D₂)²) in radians, 2.4° at 25°, x = 10 % and D₂ = 3 D₁. Stopping short of the narrow end by x
+/// matters less, by (D₁/D₂)². Strands that lie on each other, or are flattened, jam later than
+/// round ones side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Helix {
     /// ℓ, length of strand per turn in mm.
@@ -46,19 +52,23 @@ impl Helix {
 
     /// The helix of a sleeve that jams at two diameters: ℓ = π √(D₁² + D₂²).
     pub fn jammed_at(least_mm: f64, largest_mm: f64) -> Option<Self> {
-        Self::checked(PI * least_mm.hypot(largest_mm)).filter(|_| least_mm > 0.0 && least_mm < largest_mm)
+        Self::checked(PI * least_mm.hypot(largest_mm))
+            .filter(|_| least_mm > 0.0 && least_mm < largest_mm)
     }
 
-    /// The helix of a sleeve whose strands, `total_width_mm` = n w wide together, touch at its least diameter:
-    /// cosθ_j = n w/(2π D₁). `None` where they do not fit around it.
+    /// The helix of a sleeve whose strands, `total_width_mm` = n w wide together, touch at its
+    /// least diameter: cosθ_j = n w/(2π D₁). `None` where they do not fit around it.
     pub fn jammed_at_least(least_mm: f64, total_width_mm: f64) -> Option<Self> {
         let cos = total_width_mm / (2.0 * PI * least_mm);
-        (cos > 0.0 && cos < 1.0).then(|| Self::at(least_mm, cos.acos().to_degrees())).flatten()
+        (cos > 0.0 && cos < 1.0)
+            .then(|| Self::at(least_mm, cos.acos().to_degrees()))
+            .flatten()
     }
 
     fn checked(strand_length_per_turn_mm: f64) -> Option<Self> {
-        (strand_length_per_turn_mm.is_finite() && strand_length_per_turn_mm > 0.0)
-            .then_some(Self { strand_length_per_turn_mm })
+        (strand_length_per_turn_mm.is_finite() && strand_length_per_turn_mm > 0.0).then_some(Self {
+            strand_length_per_turn_mm,
+        })
     }
 
     /// ℓ, length of strand per turn in mm.
@@ -77,8 +87,8 @@ impl Helix {
         self.strand_length_per_turn_mm / PI * angle_deg.to_radians().sin()
     }
 
-    /// The diameters in mm at which strands that are n w wide together jam, least and largest; `None` where they are too wide
-    /// for this helix at any diameter.
+    /// The diameters in mm at which strands that are n w wide together jam, least and largest;
+    /// `None` where they are too wide for this helix at any diameter.
     pub fn jams_at(self, total_width_mm: f64) -> Option<(f64, f64)> {
         let angle = 0.5 * (total_width_mm / self.strand_length_per_turn_mm).asin();
         let scale = self.strand_length_per_turn_mm / PI;
@@ -122,9 +132,15 @@ mod tests {
             let width = helix.width_that_jams_mm(least).unwrap();
             assert!(close(width, helix.width_that_jams_mm(largest).unwrap()));
             let back = helix.jams_at(width * (1.0 - 1e-15)).unwrap();
-            assert!((back.0 - least).abs() < 1e-5 && (back.1 - largest).abs() < 1e-5, "{back:?}");
+            assert!(
+                (back.0 - least).abs() < 1e-5 && (back.1 - largest).abs() < 1e-5,
+                "{back:?}"
+            );
             let from_least = Helix::jammed_at_least(least, width).unwrap();
-            assert!(close(from_least.strand_length_per_turn_mm(), helix.strand_length_per_turn_mm()));
+            assert!(close(
+                from_least.strand_length_per_turn_mm(),
+                helix.strand_length_per_turn_mm()
+            ));
         }
     }
 
@@ -145,8 +161,12 @@ mod tests {
         let stated = Helix::jammed_at(least, largest).unwrap();
         let d = true_helix.diameter_mm(25.0);
         let more = stated.angle_deg(d).unwrap() - 25.0;
-        let expected = (25f64.to_radians().tan() * x / (1.0 + (least / largest).powi(2))).to_degrees();
-        assert!(more > 0.0 && (more / expected - 1.0).abs() < 0.15, "{more} against {expected}");
+        let expected =
+            (25f64.to_radians().tan() * x / (1.0 + (least / largest).powi(2))).to_degrees();
+        assert!(
+            more > 0.0 && (more / expected - 1.0).abs() < 0.15,
+            "{more} against {expected}"
+        );
         let true_helix = Helix::jammed_at(least * (1.0 - x), largest).unwrap();
         let less = stated.angle_deg(d).unwrap() - true_helix.angle_deg(d).unwrap();
         assert!(less < 0.0 && less.abs() < more / 5.0, "{less}");
@@ -154,9 +174,14 @@ mod tests {
 
     #[test]
     fn what_is_no_helix_is_none() {
-        for (d, angle) in
-            [(0.0, 20.0), (-1.0, 20.0), (1.0, 0.0), (1.0, 90.0), (f64::INFINITY, 20.0), (1.0, f64::NAN)]
-        {
+        for (d, angle) in [
+            (0.0, 20.0),
+            (-1.0, 20.0),
+            (1.0, 0.0),
+            (1.0, 90.0),
+            (f64::INFINITY, 20.0),
+            (1.0, f64::NAN),
+        ] {
             assert_eq!(Helix::at(d, angle), None, "{d} {angle}");
         }
         assert_eq!(Helix::jammed_at(3.0, 3.0), None);

@@ -8,7 +8,8 @@ use std::sync::OnceLock;
 /// An angle at a diameter, as stated.
 const OF_ANGLE: &str = "the angle that its source states at a diameter";
 /// Least and largest diameter.
-const OF_RANGE: &str = "the range that its source states; strands are taken to touch at both ends of it";
+const OF_RANGE: &str =
+    "the range that its source states; strands are taken to touch at both ends of it";
 /// The least diameter and the width of all strands.
 const OF_LEAST: &str = "its least diameter and its strands, which are taken to touch there";
 
@@ -88,20 +89,35 @@ pub fn entries() -> Result<&'static [SleeveEntry], Refused> {
 /// All materials, in the order of the table.
 pub fn materials() -> Result<&'static [Material], Refused> {
     static MATERIALS: OnceLock<Result<Vec<Material>, Refused>> = OnceLock::new();
-    MATERIALS.get_or_init(|| read_materials(TEXT)).as_deref().map_err(Refused::clone)
+    MATERIALS
+        .get_or_init(|| read_materials(TEXT))
+        .as_deref()
+        .map_err(Refused::clone)
 }
 
-/// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
+/// The entry of a name or alias, without regard to case; spaces and underscores are as good as
+/// hyphens.
 pub fn entry(name: &str) -> Result<&'static SleeveEntry, Refused> {
-    named("sleeve", entries()?, |e| (e.sleeve.name(), &e.aliases), name).map_err(refused)
+    named(
+        "sleeve",
+        entries()?,
+        |e| (e.sleeve.name(), &e.aliases),
+        name,
+    )
+    .map_err(refused)
 }
 
-/// The sleeve of a name, or of a material with the two diameters at which its strands touch, such as `pet:6..18mm`.
+/// The sleeve of a name, or of a material with the two diameters at which its strands touch, such
+/// as `pet:6..18mm`.
 pub fn find(name: &str) -> Result<Sleeve, Refused> {
     let range = || {
         let (material, range) = name.split_once(':')?;
         let (least, largest) = range.trim().trim_end_matches("mm").split_once("..")?;
-        Some((material, least.trim().parse().ok()?, largest.trim().parse().ok()?))
+        Some((
+            material,
+            least.trim().parse().ok()?,
+            largest.trim().parse().ok()?,
+        ))
     };
     match range() {
         Some((material, least_mm, largest_mm)) => between(material, least_mm, largest_mm),
@@ -109,16 +125,23 @@ pub fn find(name: &str) -> Result<Sleeve, Refused> {
     }
 }
 
-/// A sleeve of which nothing but its material and its least and largest diameter is known: its strands are those of the material's estimates.
+/// A sleeve of which nothing but its material and its least and largest diameter is known: its
+/// strands are those of the material's estimates.
 pub fn between(material: &str, least_mm: f64, largest_mm: f64) -> Result<Sleeve, Refused> {
-    let material = named("material", materials()?, |m| (&m.name, &[]), material).map_err(refused)?;
+    let material =
+        named("material", materials()?, |m| (&m.name, &[]), material).map_err(refused)?;
     let name = format!("{}:{least_mm}..{largest_mm}mm", material.name);
     let Some(helix) = Helix::jammed_at(least_mm, largest_mm) else {
         return Err(refused(format!(
             "{name}: the largest diameter must be above the least, and both above 0 mm"
         )));
     };
-    let shape = SleeveShape { name, helix, least_mm, largest_mm };
+    let shape = SleeveShape {
+        name,
+        helix,
+        least_mm,
+        largest_mm,
+    };
     Ok(estimated(Sleeve::new(shape), material, None))
 }
 
@@ -135,13 +158,16 @@ pub fn material_of(name: &str) -> Option<&'static Material> {
 /// # Errors
 /// [`Refused`] with the row and its key.
 pub fn read(text: &str) -> Result<Vec<SleeveEntry>, Refused> {
-    let entries = Catalogue::parse(text).and_then(|file| entries_of(&file, materials().unwrap_or_default()));
+    let entries =
+        Catalogue::parse(text).and_then(|file| entries_of(&file, materials().unwrap_or_default()));
     entries.map_err(|e| refused(format!("the table of sleeves: {e}")))
 }
 
 /// Keys of a sleeve in a table.
-pub const KEYS: &str = "name aliases title material like factor nominal_diameter nominal_diameters range angle least_diameter \
-    largest_diameter strands filaments strand_diameter strand_modulus strand_strength strands_per_carrier price note source";
+pub const KEYS: &str = "name aliases title material like factor nominal_diameter nominal_diameters \
+    range angle least_diameter \
+    largest_diameter strands filaments strand_diameter strand_modulus strand_strength \
+    strands_per_carrier price note source";
 
 impl From<CatalogueError> for Refused {
     fn from(error: CatalogueError) -> Self {
@@ -164,22 +190,31 @@ fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
             note: row.owned("note"),
         })
     };
-    Catalogue::parse(file)?.rows("material").iter().map(one).collect()
+    Catalogue::parse(file)?
+        .rows("material")
+        .iter()
+        .map(one)
+        .collect()
 }
 
-/// A row is a sleeve, or a family of them: one of each nominal diameter, of a `range` in shares of it.
+/// A row is a sleeve, or a family of them: one of each nominal diameter, of a `range` in shares of
+/// it.
 fn entries_of(
     file: &Catalogue<'_>,
     materials: &'static [Material],
 ) -> Result<Vec<SleeveEntry>, CatalogueError> {
     let mut out = vec![];
     for row in file.rows("sleeve") {
-        match (&row.numbers("nominal_diameters")?[..], &row.numbers("range")?[..]) {
+        match (
+            &row.numbers("nominal_diameters")?[..],
+            &row.numbers("range")?[..],
+        ) {
             ([], _) => out.push(read_entry(&row, materials, None)?),
             (sizes, &[least, largest]) => {
                 for &mm in sizes {
                     // Tenths, without the last binary digits.
-                    let [least, largest] = [least, largest].map(|share| (1e6 * share * mm).round() / 1e6);
+                    let [least, largest] =
+                        [least, largest].map(|share| (1e6 * share * mm).round() / 1e6);
                     out.push(read_entry(&row, materials, Some((mm, least, largest)))?);
                 }
             }
@@ -194,8 +229,10 @@ fn read_entry(
     materials: &'static [Material],
     size: Option<(f64, f64, f64)>,
 ) -> Result<SleeveEntry, CatalogueError> {
-    let (mut name, material) =
-        (row.text("name")?.to_owned(), row.optional("material").unwrap_or("pet").to_owned());
+    let (mut name, material) = (
+        row.text("name")?.to_owned(),
+        row.optional("material").unwrap_or("pet").to_owned(),
+    );
     let mut title = row.optional("title").unwrap_or(&name).to_owned();
     if let Some((mm, ..)) = size {
         (name, title) = (format!("{name}-{mm}"), format!("{title}, nominal {mm} mm"));
@@ -207,12 +244,17 @@ fn read_entry(
     // What its strands are taken to be, where their material is not stated or not one of the table.
     let like = row.optional("like").unwrap_or(&material);
     let modulus_of = materials.iter().find(|m| m.name == like);
-    let (nominal_mm, angle) = (row.number("nominal_diameter")?.or(size.map(|s| s.0)), row.number("angle")?);
+    let (nominal_mm, angle) = (
+        row.number("nominal_diameter")?.or(size.map(|s| s.0)),
+        row.number("angle")?,
+    );
     let least = row.number("least_diameter")?.or(size.map(|s| s.1));
     let largest = row.number("largest_diameter")?.or(size.map(|s| s.2));
     let (strands, filaments) = (row.count("strands")?, row.count("filaments")?.unwrap_or(1));
     let strand_diameter_mm = row.number("strand_diameter")?;
-    let width = strands.zip(strand_diameter_mm).map(|(n, d)| f64::from(n * filaments) * d);
+    let width = strands
+        .zip(strand_diameter_mm)
+        .map(|(n, d)| f64::from(n * filaments) * d);
     let (helix, helix_from) = match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
         (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), OF_ANGLE),
         (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), OF_RANGE),
@@ -222,7 +264,9 @@ fn read_entry(
     let helix = helix.ok_or_else(|| row.wrong("nothing that gives a helix"))?;
     // What is not stated of the range is where the strands jam.
     let jams = width.and_then(|w| helix.jams_at(w));
-    let bounds = least.or(jams.map(|j| j.0)).zip(largest.or(jams.map(|j| j.1)));
+    let bounds = least
+        .or(jams.map(|j| j.0))
+        .zip(largest.or(jams.map(|j| j.1)));
     let (least_mm, largest_mm) = bounds.ok_or_else(|| row.wrong("no range"))?;
     let stated = Sleeve {
         strands,
@@ -231,7 +275,12 @@ fn read_entry(
         strand_modulus_mpa: row.number("strand_modulus")?,
         strand_strength_n: row.number("strand_strength")?,
         strands_per_carrier: row.number("strands_per_carrier")?,
-        ..Sleeve::new(SleeveShape { name, helix, least_mm, largest_mm })
+        ..Sleeve::new(SleeveShape {
+            name,
+            helix,
+            least_mm,
+            largest_mm,
+        })
     };
     let factor = row.number("factor")?;
     Ok(SleeveEntry {
@@ -260,15 +309,34 @@ fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sl
             sleeve.estimated.push(key);
         }
     };
-    fill("strand_diameter", &mut sleeve.strand_diameter_mm, material.filament_diameter_mm);
-    fill("strand_modulus", &mut sleeve.strand_modulus_mpa, Some(material.modulus_mpa));
-    fill("strands_per_carrier", &mut sleeve.strands_per_carrier, material.strands_per_carrier);
+    fill(
+        "strand_diameter",
+        &mut sleeve.strand_diameter_mm,
+        material.filament_diameter_mm,
+    );
+    fill(
+        "strand_modulus",
+        &mut sleeve.strand_modulus_mpa,
+        Some(material.modulus_mpa),
+    );
+    fill(
+        "strands_per_carrier",
+        &mut sleeve.strands_per_carrier,
+        material.strands_per_carrier,
+    );
     let (area, strength) = (sleeve.strand_area_mm2(), material.strength_mpa);
-    if let Some((area, strength)) = area.zip(strength).filter(|_| sleeve.strand_strength_n.is_none()) {
+    if let Some((area, strength)) = area
+        .zip(strength)
+        .filter(|_| sleeve.strand_strength_n.is_none())
+    {
         sleeve.strand_strength_n = Some(area * strength);
         sleeve.estimated.push("strand_strength");
     }
-    if sleeve.estimated.iter().any(|key| OF_STIFFNESS.contains(key)) {
+    if sleeve
+        .estimated
+        .iter()
+        .any(|key| OF_STIFFNESS.contains(key))
+    {
         sleeve.factor = factor.unwrap_or(material.factor);
     }
     sleeve
@@ -280,7 +348,8 @@ mod tests {
 
     fn damage(sleeve: &str) -> String {
         let text = format!(
-            "[sources.s]\ncitation = \"c\"\nterms = \"t\"\n[[sleeve]]\nname = \"n\"\ntitle = \"T\"\nsource = \"s\"\nmaterial = \"m\"\n{sleeve}"
+            "[sources.s]\ncitation = \"c\"\nterms = \"t\"\n[[sleeve]]\nname = \"n\"\ntitle \
+             = \"T\"\nsource = \"s\"\nmaterial = \"m\"\n{sleeve}"
         );
         let read = Catalogue::parse(&text).and_then(|file| entries_of(&file, &[]));
         read.map_or_else(|e| e.to_string(), |_| "read".into())
@@ -289,11 +358,17 @@ mod tests {
     #[test]
     fn a_damaged_table_is_an_error() {
         for text in ["x =", "[[material]]\nname = \"n\""] {
-            assert!(matches!(read_materials(text), Err(Refused { .. })), "{text}");
+            assert!(
+                matches!(read_materials(text), Err(Refused { .. })),
+                "{text}"
+            );
         }
         assert!(damage("name = ").contains("TOML"));
         assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
-        assert_eq!(damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"), "read");
+        assert_eq!(
+            damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"),
+            "read"
+        );
         assert!(damage("").contains("n: nothing that gives a helix"));
         assert!(damage("nominal_diameter = 3\nangle = 20").contains("n: no range"));
         assert!(damage("least_diameter = 4\nlargest_diameter = 3").contains("helix"));

@@ -1,7 +1,8 @@
 //! Braided sleeves that one can buy: what a sleeve is on a tube of any diameter.
 //!
-//! A sleeve keeps its strands and their helix; angle and stiffness follow from the tube it is pulled over. With n strands in all, each of
-//! f filaments of diameter d side by side, and Young's modulus E:
+//! A sleeve keeps its strands and their helix; angle and stiffness follow from the tube it is
+//! pulled over. With n strands in all, each of f filaments of diameter d side by side, and Young's
+//! modulus E:
 //!
 //! ```text
 //! θ0 = asin(π D0/ℓ)                     [helix]
@@ -10,9 +11,10 @@
 //! ε_end = 1 − cosθ_end/cosθ0            the remaining contraction, θ_end = 54.7° or where the strands jam
 //! ```
 //!
-//! k E A and ℓ do not depend on D0, so that k is least where D0 cosθ0 is greatest, at 45°. The paper's k ∝ D0^1.2 is another thing: another
-//! sleeve for each diameter, which no shop sells. It matters: taking strands as rigid overestimates the pull of soft braids by up to
-//! 70 % (Chambers & Wereley 2022 \[chambers2022\]). [`library`] holds the named sleeves, each with its source.
+//! k E A and ℓ do not depend on D0, so that k is least where D0 cosθ0 is greatest, at 45°. The
+//! paper's k ∝ D0^1.2 is another thing: another sleeve for each diameter, which no shop sells. It
+//! matters: taking strands as rigid overestimates the pull of soft braids by up to 70 % (Chambers &
+//! Wereley 2022 \[chambers2022\]). [`library`] holds the named sleeves, each with its source.
 
 mod helix;
 pub mod library;
@@ -63,8 +65,8 @@ pub struct Sleeve {
     pub factor: f64,
 }
 
-/// What a number of strands that follows from range and diameter may be above the true one: where strands cross they cannot touch all along, which costs
-/// 17 to 25 % of them.
+/// What a number of strands that follows from range and diameter may be above the true one: where
+/// strands cross they cannot touch all along, which costs 17 to 25 % of them.
 const COUNT_FACTOR: f64 = 1.25;
 
 /// Estimates on which the stiffness depends.
@@ -88,25 +90,30 @@ impl SleeveShape {
     pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
         let (least_mm, largest_mm) = (self.least_mm, self.largest_mm);
         // Where a range was turned from inches, its ends belong to it.
-        let fits =
-            outer_diameter_mm >= least_mm * (1.0 - 1e-9) && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
-        let angle = fits.then(|| self.helix.angle_deg(outer_diameter_mm)).flatten();
+        let fits = outer_diameter_mm >= least_mm * (1.0 - 1e-9)
+            && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
+        let angle = fits
+            .then(|| self.helix.angle_deg(outer_diameter_mm))
+            .flatten();
         let wrong = |message| Refused::new(["braid.name", "tube.outer_diameter"], message);
         let (name, least, on) = (&self.name, short(least_mm), short(outer_diameter_mm));
         match angle {
             Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
             Some(angle_deg) => Err(wrong(format!(
-                "{name} has an angle of {angle_deg:.2} deg on {on}\u{a0}mm, and a muscle contracts below 54.7356 deg only: from {least}\u{a0}mm to {}\u{a0}mm",
+                "{name} has an angle of {angle_deg:.2} deg on {on}\u{a0}mm, and a muscle contracts \
+                 below 54.7356 deg only: from {least}\u{a0}mm to {}\u{a0}mm",
                 short(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG))
             ))),
             None => Err(wrong(format!(
-                "{name} fits tubes from {least}\u{a0}mm to {}\u{a0}mm; the tube has an outer diameter of {on}\u{a0}mm",
+                "{name} fits tubes from {least}\u{a0}mm to {}\u{a0}mm; the tube has an outer \
+                 diameter of {on}\u{a0}mm",
                 short(largest_mm)
             ))),
         }
     }
 
-    /// The contraction at which a muscle on this tube ends: at 54.7°, or where the strands jam before.
+    /// The contraction at which a muscle on this tube ends: at 54.7°, or where the strands jam
+    /// before.
     pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
         let start = self.angle_deg_on(outer_diameter_mm)?;
         let jammed = self.helix.angle_deg(self.largest_mm).unwrap_or(90.0);
@@ -114,9 +121,14 @@ impl SleeveShape {
         Ok((1.0 - end.to_radians().cos() / start.to_radians().cos()).max(0.0))
     }
 
-    /// Diameters of tubes from which a muscle can be made: the sleeve's range, cut where θ reaches 54.7°.
+    /// Diameters of tubes from which a muscle can be made: the sleeve's range, cut where θ reaches
+    /// 54.7°.
     pub fn tubes_mm(&self) -> (f64, f64) {
-        (self.least_mm, self.largest_mm.min(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG)))
+        (
+            self.least_mm,
+            self.largest_mm
+                .min(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG)),
+        )
     }
 }
 
@@ -148,15 +160,18 @@ impl Sleeve {
 
     /// A = f π d²/4, cross-section of one strand in mm², where d is known.
     pub fn strand_area_mm2(&self) -> Option<f64> {
-        self.strand_diameter_mm.map(|d| f64::from(self.filaments) * PI * d * d / 4.0)
+        self.strand_diameter_mm
+            .map(|d| f64::from(self.filaments) * PI * d * d / 4.0)
     }
 
-    /// n: as stated, or, where only the range and d are, as many as touch at its ends (an even number, rounded). No more than these
-    /// fit, so that this n, and k with it, are upper bounds where the ends of the range are not jammed.
+    /// n: as stated, or, where only the range and d are, as many as touch at its ends (an even
+    /// number, rounded). No more than these fit, so that this n, and k with it, are upper bounds
+    /// where the ends of the range are not jammed.
     pub fn strand_count(&self) -> Option<u32> {
         self.strands.or_else(|| {
             let width = f64::from(self.filaments) * self.strand_diameter_mm?;
-            let pairs = (0.5 * self.shape.helix.width_that_jams_mm(self.shape.least_mm)? / width).round();
+            let pairs =
+                (0.5 * self.shape.helix.width_that_jams_mm(self.shape.least_mm)? / width).round();
             // The bounds make the cast exact; a NaN is not within them.
             (1.0..1e6).contains(&pairs).then_some(2 * pairs as u32)
         })
@@ -174,8 +189,9 @@ impl Sleeve {
         needs.iter().filter(|n| n.1).map(|n| n.0).collect()
     }
 
-    /// This sleeve with what was measured on it in place of the stated numbers: strands, diameter of one (mm), modulus (MPa), strength (N). Another
-    /// diameter has as many times the strength as it has the section, where the strength is an estimate.
+    /// This sleeve with what was measured on it in place of the stated numbers: strands, diameter
+    /// of one (mm), modulus (MPa), strength (N). Another diameter has as many times the strength as
+    /// it has the section, where the strength is an estimate.
     pub fn with(
         mut self,
         strands: Option<u32>,
@@ -185,9 +201,13 @@ impl Sleeve {
     ) -> Self {
         if let Some(diameter) = diameter_mm {
             if self.estimated.contains(&"strand_strength") {
-                let thicker = self.strand_area_mm2().map(|area| PI * diameter * diameter / 4.0 / area);
-                self.strand_strength_n =
-                    self.strand_strength_n.zip(thicker).map(|(strength, by)| strength * by);
+                let thicker = self
+                    .strand_area_mm2()
+                    .map(|area| PI * diameter * diameter / 4.0 / area);
+                self.strand_strength_n = self
+                    .strand_strength_n
+                    .zip(thicker)
+                    .map(|(strength, by)| strength * by);
             }
             self.filaments = 1;
         }
@@ -200,25 +220,38 @@ impl Sleeve {
             ("strand_modulus", modulus_mpa.is_some()),
             ("strand_strength", strength_n.is_some()),
         ];
-        self.estimated.retain(|key| !given.iter().any(|g| g.1 && g.0 == *key));
+        self.estimated
+            .retain(|key| !given.iter().any(|g| g.1 && g.0 == *key));
         if !self.estimated.iter().any(|key| OF_STIFFNESS.contains(key)) {
             self.factor = 1.0;
         }
         self
     }
 
-    /// Factor within which the stiffness is known: that of its estimates, and that of a number of strands which is only an upper bound.
+    /// Factor within which the stiffness is known: that of its estimates, and that of a number of
+    /// strands which is only an upper bound.
     pub fn stiffness_factor(&self) -> f64 {
-        self.factor.max(if self.strands.is_some() { 1.0 } else { COUNT_FACTOR })
+        self.factor.max(if self.strands.is_some() {
+            1.0
+        } else {
+            COUNT_FACTOR
+        })
     }
 
-    /// k of one family in N/mm on a tube of an outer diameter; `None` where the strands are not known.
+    /// k of one family in N/mm on a tube of an outer diameter; `None` where the strands are not
+    /// known.
     pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Result<Option<f64>, Refused> {
-        let cos = self.shape.angle_deg_on(outer_diameter_mm)?.to_radians().cos();
+        let cos = self
+            .shape
+            .angle_deg_on(outer_diameter_mm)?
+            .to_radians()
+            .cos();
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
-        Ok(section.zip(self.strand_count()).map(|((area, modulus), count)| {
-            modulus * area * f64::from(count) / (2.0 * PI * outer_diameter_mm * cos)
-        }))
+        Ok(section
+            .zip(self.strand_count())
+            .map(|((area, modulus), count)| {
+                modulus * area * f64::from(count) / (2.0 * PI * outer_diameter_mm * cos)
+            }))
     }
 }
 

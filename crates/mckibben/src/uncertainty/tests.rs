@@ -5,16 +5,30 @@ use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
 use crate::rubber::{Law, NeoHookean};
 
 /// The parts by the thick-wall model, in which the pull itself does not count.
-fn parts_of(m: &Muscle, pressure_mpa: f64, contraction: f64, direction: Direction) -> UncertaintyParts {
+fn parts_of(
+    m: &Muscle,
+    pressure_mpa: f64,
+    contraction: f64,
+    direction: Direction,
+) -> UncertaintyParts {
     let (model, w) = (ThickWall::new(m), &mut Workspace::new());
-    Evaluation::new(&model, w, direction).uncertainty(pressure_mpa, contraction, 100.0).unwrap()
+    Evaluation::new(&model, w, direction)
+        .uncertainty(pressure_mpa, contraction, 100.0)
+        .unwrap()
 }
 
 #[test]
 fn parts_add_as_squares() {
-    let parts = UncertaintyParts { formula: Some(3.0), friction: Some(4.0), ..Default::default() };
+    let parts = UncertaintyParts {
+        formula: Some(3.0),
+        friction: Some(4.0),
+        ..Default::default()
+    };
     assert_eq!(parts.total(), 5.0);
-    assert_eq!(parts.named().map(|p| p.0).collect::<Vec<_>>(), ["formula", "friction unknown"]);
+    assert_eq!(
+        parts.named().map(|p| p.0).collect::<Vec<_>>(),
+        ["formula", "friction unknown"]
+    );
 }
 
 #[test]
@@ -24,18 +38,29 @@ fn laws_that_disagree_are_a_part() {
         ..Muscle::prototype().tube().clone()
     };
     let part = |m: &Muscle| parts_of(m, 0.25, 0.2, Direction::Mean).rubber;
-    let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
-    assert_eq!(part(&named).is_some(), !of_equal_standing(&named.tube().rubber, named.reach()).is_empty());
+    let named = Muscle::prototype()
+        .with_tube(tube("treloar-natural-rubber"))
+        .unwrap();
+    assert_eq!(
+        part(&named).is_some(),
+        !of_equal_standing(&named.tube().rubber, named.reach()).is_empty()
+    );
     assert_eq!(part(&Muscle::prototype()), None);
 }
 
-/// A silicone that was pulled along one axis: with one law of standing the part is that share of its stiffness alone.
+/// A silicone that was pulled along one axis: with one law of standing the part is that share of
+/// its stiffness alone.
 #[test]
 fn what_one_axis_does_not_tell_is_a_part() {
     let w = &mut Workspace::new();
     let rubber = crate::rubber::library::find("dragon-skin-30").unwrap();
     let muscle = |rubber: Rubber| {
-        Muscle::prototype().with_tube(Tube { rubber, ..Muscle::prototype().tube().clone() }).unwrap()
+        Muscle::prototype()
+            .with_tube(Tube {
+                rubber,
+                ..Muscle::prototype().tube().clone()
+            })
+            .unwrap()
     };
     let named = muscle(rubber.clone());
     assert!(
@@ -50,15 +75,23 @@ fn what_one_axis_does_not_tell_is_a_part() {
     assert_eq!(found, Some(expected));
 }
 
-/// k of 1000 N/mm within a factor of 2: the larger of |F(2000) − F(1000)| and |F(500) − F(1000)|; latex of ± 25 %: of μ 0.4625 and 0.296 MPa.
+/// k of 1000 N/mm within a factor of 2: the larger of |F(2000) − F(1000)| and |F(500) − F(1000)|;
+/// latex of ± 25 %: of μ 0.4625 and 0.296 MPa.
 #[test]
 fn factors_of_estimates_are_parts() {
     let w = &mut Workspace::new();
     let of = |k: f64, factor: f64, rubber: Rubber| {
-        let braid =
-            Braid { stiffness: BraidStiffness::NewtonPerMm(k), stiffness_factor: factor, ..Braid::paper() };
+        let braid = Braid {
+            stiffness: BraidStiffness::NewtonPerMm(k),
+            stiffness_factor: factor,
+            ..Braid::paper()
+        };
         let m = Muscle::prototype().with_braid(braid).unwrap();
-        m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap()
+        m.with_tube(Tube {
+            rubber,
+            ..m.tube().clone()
+        })
+        .unwrap()
     };
     let paper = Rubber::paper();
     let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.1).unwrap();
@@ -66,34 +99,50 @@ fn factors_of_estimates_are_parts() {
     let latex = crate::rubber::library::find("latex").unwrap();
     let mu = |mu_mpa: f64| Rubber {
         name: None,
-        ..Rubber::new(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa }))
+        ..Rubber::new(crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean {
+            mu_mpa,
+        }))
     };
-    let [soft, own, stiff] = [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
+    let [soft, own, stiff] =
+        [0.37 / 1.25, 0.37, 0.37 * 1.25].map(|m| pull(&of(1000.0, 1.0, mu(m))));
     let parts = |m: &Muscle| parts_of(m, 0.25, 0.1, Direction::Mean);
     let found = parts(&of(1000.0, 2.0, paper.clone()));
-    assert_eq!(found.braid, Some((low - here).abs().max((high - here).abs())));
+    assert_eq!(
+        found.braid,
+        Some((low - here).abs().max((high - here).abs()))
+    );
     assert_eq!(parts(&of(1000.0, 1.0, paper)).braid, None);
     let rubber = parts(&of(1000.0, 1.0, latex)).rubber.unwrap();
     let expected = (soft - own).abs().max((stiff - own).abs());
-    assert!((rubber - expected).abs() < 1e-9 * expected, "{rubber} {expected}");
+    assert!(
+        (rubber - expected).abs() < 1e-9 * expected,
+        "{rubber} {expected}"
+    );
 }
 
 #[test]
 fn a_simpler_model_has_a_larger_uncertainty() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
     let of = |model: &dyn ForceModel, w: &mut Workspace| {
-        Evaluation::new(model, w, Direction::Mean).uncertainty(0.25, 0.1, 300.0).unwrap().total()
+        Evaluation::new(model, w, Direction::Mean)
+            .uncertainty(0.25, 0.1, 300.0)
+            .unwrap()
+            .total()
     };
     let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
     assert!(ideal > thick, "{ideal} {thick}");
 }
 
-/// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.81 h while no branch is selected, 0.81 h on a branch, 12 % of the blocked force without a law.
+/// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.81 h while no branch is selected, 0.81 h on a branch,
+/// 12 % of the blocked force without a law.
 #[test]
 fn stated_friction_counts_until_a_branch_is_selected() {
     let (m, w) = (Muscle::prototype(), &mut Workspace::new());
-    let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
-    let part = |m: &Muscle, direction: Direction| parts_of(m, 0.25, 0.1, direction).friction.unwrap();
+    let stated = m
+        .with_friction(Some(Friction::power_law(74.0, 0.5)))
+        .unwrap();
+    let part =
+        |m: &Muscle, direction: Direction| parts_of(m, 0.25, 0.1, direction).friction.unwrap();
     assert!((part(&stated, Direction::Mean) - 1.81 * 37.0).abs() < 1e-9);
     assert!((part(&stated, Direction::Contraction) - 0.81 * 37.0).abs() < 1e-9);
     assert!((part(&stated, Direction::Elongation) - 0.81 * 37.0).abs() < 1e-9);
@@ -138,11 +187,14 @@ fn on_its_own_bench_the_uncertainty_is_that_of_the_fit() {
     assert!((total(&own, 0.25 - 1e-9) - total(&m, 0.25)).abs() < 1e-3);
 }
 
-/// h = 74·P^0.5 = 33.1 N at 0.2 MPa by hand: with a law that was fitted to both branches the mean answers within h + ±fit, a branch within ±fit.
+/// h = 74·P^0.5 = 33.1 N at 0.2 MPa by hand: with a law that was fitted to both branches the mean
+/// answers within h + ±fit, a branch within ±fit.
 #[test]
 fn a_friction_that_was_measured_is_not_unknown() {
     let m = Muscle::prototype();
-    let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
+    let stated = m
+        .with_friction(Some(Friction::power_law(74.0, 0.5)))
+        .unwrap();
     let own = with_bench(&stated, "thick-wall", Direction::BRANCHES.to_vec());
     let total = |m: &Muscle, direction| parts_of(m, 0.2, 0.1, direction).total();
     let half = 74.0 * 0.2_f64.sqrt();
@@ -158,47 +210,105 @@ fn a_friction_that_was_measured_is_not_unknown() {
 fn another_specimen_of_a_product_is_a_part() {
     let m = Muscle::prototype();
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
-    let theirs = Bench { laboratory: Some("Portland".into()), ..own.bench().unwrap().clone() };
+    let theirs = Bench {
+        laboratory: Some("Portland".into()),
+        ..own.bench().unwrap().clone()
+    };
     let theirs = m.clone().with_bench(theirs.sealed(&m));
     let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
-    let share = TRANSFER * ThickWall::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    let share = TRANSFER
+        * ThickWall::new(&m)
+            .force_n(&mut Workspace::new(), 0.2, 0.0)
+            .unwrap();
     assert_eq!(parts(&own).transfer, None);
-    assert_eq!(parts(&theirs), UncertaintyParts { transfer: Some(share), ..parts(&own) });
-    let (wider, without) = (theirs.with_section(31.0, 3.0).unwrap(), m.with_section(31.0, 3.0).unwrap());
+    assert_eq!(
+        parts(&theirs),
+        UncertaintyParts {
+            transfer: Some(share),
+            ..parts(&own)
+        }
+    );
+    let (wider, without) = (
+        theirs.with_section(31.0, 3.0).unwrap(),
+        m.with_section(31.0, 3.0).unwrap(),
+    );
     let found = parts(&wider);
     assert!(found.transfer.is_some() && found.fit.is_none());
-    assert_eq!(UncertaintyParts { transfer: None, ..found }, parts(&without));
+    assert_eq!(
+        UncertaintyParts {
+            transfer: None,
+            ..found
+        },
+        parts(&without)
+    );
     // So is one's own muscle with another diameter.
     assert_eq!(parts(&own.with_section(31.0, 3.0).unwrap()), found);
 }
 
-/// 13 · 30 mm · |1/260 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, 38 % at most, beside the parts of a muscle without a bench.
+/// 13 · 30 mm · |1/260 − (1/285 + 1/400)/2| mm⁻¹ of the blocked force by hand, 38 % at most, beside
+/// the parts of a muscle without a bench.
 #[test]
 fn another_length_of_an_identified_muscle_is_a_part() {
     let m = Muscle::prototype();
-    let of = |length_mm: f64| m.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
-    let bench = with_bench(&m, "thick-wall", vec![Direction::Mean]).bench().unwrap().clone();
-    let own = Bench { lengths_mm: vec![m.length_mm(), 400.0], ..bench };
+    let of = |length_mm: f64| {
+        m.with_tube(Tube {
+            length_mm,
+            ..m.tube().clone()
+        })
+        .unwrap()
+    };
+    let bench = with_bench(&m, "thick-wall", vec![Direction::Mean])
+        .bench()
+        .unwrap()
+        .clone();
+    let own = Bench {
+        lengths_mm: vec![m.length_mm(), 400.0],
+        ..bench
+    };
     let own = m.clone().with_bench(own.sealed(&m));
     let short = of(260.0).with_bench_of(&own);
     let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
     let (found, without) = (parts(&short), parts(&of(260.0)));
     let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
     let off = m.tube().outer_diameter_mm * (1.0 / 260.0 - inverse);
-    let blocked = ThickWall::new(&of(260.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    let blocked = ThickWall::new(&of(260.0))
+        .force_n(&mut Workspace::new(), 0.2, 0.0)
+        .unwrap();
     assert!((found.length_transfer.unwrap() / (13.0 * off * blocked) - 1.0).abs() < 1e-12);
-    let shortest = parts(&of(100.0).with_bench_of(&own)).length_transfer.unwrap();
-    let blocked = ThickWall::new(&of(100.0)).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
+    let shortest = parts(&of(100.0).with_bench_of(&own))
+        .length_transfer
+        .unwrap();
+    let blocked = ThickWall::new(&of(100.0))
+        .force_n(&mut Workspace::new(), 0.2, 0.0)
+        .unwrap();
     assert!((shortest / (0.38 * blocked) - 1.0).abs() < 1e-12);
-    assert_eq!(UncertaintyParts { length_transfer: None, ..found }, without);
-    assert!(short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty());
-    // At each length that was measured the fit counts, and nothing is warned of; a wall of another thickness is another muscle.
+    assert_eq!(
+        UncertaintyParts {
+            length_transfer: None,
+            ..found
+        },
+        without
+    );
+    assert!(
+        short.warnings().iter().any(|s| s.contains("another one")) && own.warnings().is_empty()
+    );
+    // At each length that was measured the fit counts, and nothing is warned of; a wall of another
+    // thickness is another muscle.
     for measured in [own.clone(), of(400.0).with_bench_of(&own)] {
-        assert_eq!((parts(&measured).length_transfer, parts(&measured).fit), (None, Some(5.0)));
+        assert_eq!(
+            (parts(&measured).length_transfer, parts(&measured).fit),
+            (None, Some(5.0))
+        );
         assert_eq!(measured.warnings(), [""; 0]);
     }
-    let thinner = Tube { wall_mm: 2.0, ..short.tube().clone() };
-    assert_eq!(parts(&short.with_tube(thinner).unwrap()).length_transfer, None);
+    let thinner = Tube {
+        wall_mm: 2.0,
+        ..short.tube().clone()
+    };
+    assert_eq!(
+        parts(&short.with_tube(thinner).unwrap()).length_transfer,
+        None
+    );
 }
 
 #[test]
@@ -208,13 +318,21 @@ fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
     // Another diameter.
     let other = own.with_section(31.0, 3.0).unwrap();
-    assert!(other.warnings().iter().any(|s| s.contains("[identified]")) && own.warnings().is_empty());
+    assert!(
+        other.warnings().iter().any(|s| s.contains("[identified]")) && own.warnings().is_empty()
+    );
     // And back again.
     assert_eq!(parts(&other.with_section(30.0, 3.0).unwrap()), parts(&own));
-    assert_eq!(parts(&with_bench(&m, "ideal", vec![Direction::Mean])), parts(&m));
+    assert_eq!(
+        parts(&with_bench(&m, "ideal", vec![Direction::Mean])),
+        parts(&m)
+    );
     // Identified with finite elements: the fit, and the model's distance from them.
     let by_elements = parts(&with_bench(&m, "fe", vec![Direction::Mean]));
-    assert_eq!((by_elements.fit, by_elements.formula), (Some(5.0), parts(&m).formula));
+    assert_eq!(
+        (by_elements.fit, by_elements.formula),
+        (Some(5.0), parts(&m).formula)
+    );
     // The shortening muscle alone was measured: the other branch is not known.
     let half = parts(&with_bench(&m, "thick-wall", vec![Direction::Contraction]));
     assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m).friction));
@@ -228,36 +346,78 @@ fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
 fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
     let m = Muscle::prototype();
     let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
-    let own = Bench { scatter_n: 1000.0, ..own.bench().unwrap().clone() }.sealed(&m);
+    let own = Bench {
+        scatter_n: 1000.0,
+        ..own.bench().unwrap().clone()
+    }
+    .sealed(&m);
     let own = m.clone().with_bench(own);
     for length_mm in [m.length_mm(), 200.0, 400.0] {
-        let muscle = own.with_tube(Tube { length_mm, ..m.tube().clone() }).unwrap();
-        for (p, e) in [(0.0, 0.0), (0.2, 0.1), (0.2, 0.22), (0.5, 0.0), (0.3, 0.4), (0.1, -0.1)] {
+        let muscle = own
+            .with_tube(Tube {
+                length_mm,
+                ..m.tube().clone()
+            })
+            .unwrap();
+        for (p, e) in [
+            (0.0, 0.0),
+            (0.2, 0.1),
+            (0.2, 0.22),
+            (0.5, 0.0),
+            (0.3, 0.4),
+            (0.1, -0.1),
+        ] {
             let found = parts_of(&muscle, p, e, Direction::Mean);
-            assert!(found.total() >= 1000.0 * (1.0 - 1e-12), "{length_mm} {p} {e}: {found:?}");
+            assert!(
+                found.total() >= 1000.0 * (1.0 - 1e-12),
+                "{length_mm} {p} {e}: {found:?}"
+            );
         }
     }
 }
 
-/// Axial equilibrium of rigid strands around rubber without stiffness: T cosθ = F + π r² P, r = r0 sinθ/sinθ0.
+/// Axial equilibrium of rigid strands around rubber without stiffness: T cosθ = F + π r² P, r = r0
+/// sinθ/sinθ0.
 #[test]
 fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let m = Muscle::prototype();
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
-    let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
-    let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
+    let m = m
+        .with_tube(Tube {
+            rubber,
+            ..m.tube().clone()
+        })
+        .unwrap();
+    let braid = Braid {
+        stiffness: BraidStiffness::Inextensible,
+        ..m.braid().clone()
+    };
     let m = m.with_braid(braid).unwrap();
     let (model, w, (p, e)) = (ThickWall::new(&m), &mut Workspace::new(), (0.3, 0.1));
-    let mean = Evaluation::new(&model, w, Direction::Mean).point(p, e).unwrap();
-    let on_branch_n = Evaluation::new(&model, w, Direction::Mean).on_branch_n(&mean).unwrap();
+    let mean = Evaluation::new(&model, w, Direction::Mean)
+        .point(p, e)
+        .unwrap();
+    let on_branch_n = Evaluation::new(&model, w, Direction::Mean)
+        .on_branch_n(&mean)
+        .unwrap();
     let force_n = mean.response.force_n;
     let cos = 0.9 * 28f64.to_radians().cos();
     let r = 15.0 * (1.0 - cos * cos).sqrt() / 28f64.to_radians().sin();
     let h = 0.085 * (force_n + std::f64::consts::PI * r * r * p);
     let (direction, friction_share) = (Direction::Contraction, m.friction_share());
-    let options = Options { direction, friction_share, ..Options::default() };
+    let options = Options {
+        direction,
+        friction_share,
+        ..Options::default()
+    };
     let branch = Evaluation::new(&model, w, options).point(p, e).unwrap();
-    assert!((force_n - branch.response.force_n - h).abs() < 1e-6 * h, "{branch:?} {h}");
-    assert_eq!(branch.uncertainty_parts_n.unwrap().friction_known, FrictionKnown::Estimated);
+    assert!(
+        (force_n - branch.response.force_n - h).abs() < 1e-6 * h,
+        "{branch:?} {h}"
+    );
+    assert_eq!(
+        branch.uncertainty_parts_n.unwrap().friction_known,
+        FrictionKnown::Estimated
+    );
     assert!((branch.uncertainty_n.unwrap() - on_branch_n).abs() < 1e-9);
 }

@@ -1,6 +1,9 @@
-//! The burst pressure: a closed form, the identity that defines it, and that the blocked muscle is the worst case.
+//! The burst pressure: a closed form, the identity that defines it, and that the blocked muscle is
+//! the worst case.
 
-use mckibben::analysis::{Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst};
+use mckibben::analysis::{
+    Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst,
+};
 use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube};
 use mckibben::random::{Random, rounds};
@@ -11,14 +14,28 @@ use std::f64::consts::PI;
 fn muscle(d: f64, s: f64, l: f64, angle_deg: f64, mu_mpa: f64, braid: Braid) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
     let tube = Tube::new(d, s, l, rubber);
-    Muscle::new(tube, Braid { angle_deg, ..braid }, Terminals::default(), None).unwrap()
+    Muscle::new(
+        tube,
+        Braid { angle_deg, ..braid },
+        Terminals::default(),
+        None,
+    )
+    .unwrap()
 }
 
 fn strands(count: u32, section: Option<(f64, f64)>, strength_n: f64) -> Braid {
-    let stiffness = if section.is_some() { BraidStiffness::OfStrands } else { BraidStiffness::Inextensible };
+    let stiffness = if section.is_some() {
+        BraidStiffness::OfStrands
+    } else {
+        BraidStiffness::Inextensible
+    };
     Braid {
         stiffness,
-        strands: Some(Strands { count, section, strength_n: Some(strength_n) }),
+        strands: Some(Strands {
+            count,
+            section,
+            strength_n: Some(strength_n),
+        }),
         ..Braid::paper()
     }
 }
@@ -26,39 +43,65 @@ fn strands(count: u32, section: Option<(f64, f64)>, strength_n: f64) -> Braid {
 /// Rigid strands, next to no rubber: T = P b² cosθ/(2π N n²).
 #[test]
 fn closed_form_of_rigid_strands_without_rubber() {
-    for (d, l, angle, count, strength) in [(20.0, 300.0, 24.0, 64, 30.0), (14.0, 200.0, 18.0, 96, 40.0)] {
+    for (d, l, angle, count, strength) in
+        [(20.0, 300.0, 24.0, 64, 30.0), (14.0, 200.0, 18.0, 96, 40.0)]
+    {
         let m = muscle(d, 0.5, l, angle, 1e-9, strands(count, None, strength));
         let (b, n) = (m.strand_length_mm(), m.turns());
         let theta = f64::to_radians(angle);
         let expected = strength * 2.0 * PI * f64::from(count) * n * n / (b * b * theta.cos());
         let pressure_mpa = burst(&ThickWall::new(&m)).unwrap().pressure_mpa().unwrap();
-        assert!((pressure_mpa / expected - 1.0).abs() < 1e-6, "{pressure_mpa} {expected}");
+        assert!(
+            (pressure_mpa / expected - 1.0).abs() < 1e-6,
+            "{pressure_mpa} {expected}"
+        );
     }
 }
 
-/// By every model: that of the strands' strength, whatever was computed before; of models without a tension that of the thick wall.
+/// By every model: that of the strands' strength, whatever was computed before; of models without a
+/// tension that of the thick wall.
 #[test]
 fn there_the_most_loaded_strand_carries_its_strength() {
-    let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, strands(96, Some((0.0491, 8500.0)), 40.0));
+    let m = muscle(
+        14.0,
+        2.0,
+        200.0,
+        22.0,
+        1.2,
+        strands(96, Some((0.0491, 8500.0)), 40.0),
+    );
     for kind in ModelKind::ALL {
         let Ok(model) = kind.build(&m) else { continue };
-        let Ok(failures) = burst(&*model) else { continue };
-        let Burst { strands: FailurePressure::At(pressure_mpa), from_thick_wall, .. } = failures else {
+        let Ok(failures) = burst(&*model) else {
+            continue;
+        };
+        let Burst {
+            strands: FailurePressure::At(pressure_mpa),
+            from_thick_wall,
+            ..
+        } = failures
+        else {
             panic!("{kind}: {failures:?}")
         };
         let w = &mut Workspace::new();
         // A formula for one muscle has no answer so far beyond its data, and no tension either.
-        let tension = model.response(w, pressure_mpa, 0.0).ok().and_then(|r| r.strand_tension_n);
+        let tension = model
+            .response(w, pressure_mpa, 0.0)
+            .ok()
+            .and_then(|r| r.strand_tension_n);
         assert_eq!(tension.is_none(), from_thick_wall, "{kind}");
         let tension = tension.unwrap_or_else(|| {
-            let thick = ThickWall::new(&m).response(&mut Workspace::new(), pressure_mpa, 0.0).unwrap();
+            let thick = ThickWall::new(&m)
+                .response(&mut Workspace::new(), pressure_mpa, 0.0)
+                .unwrap();
             thick.strand_tension_n.unwrap()
         });
         assert!((tension / 40.0 - 1.0).abs() < 1e-8, "{kind}: {tension}");
     }
 }
 
-/// T(P_b, ε) ≤ T(P_b, 0) for every contraction up to the free one, of random muscles with soft and rigid strands.
+/// T(P_b, ε) ≤ T(P_b, 0) for every contraction up to the free one, of random muscles with soft and
+/// rigid strands.
 #[test]
 fn no_contraction_loads_the_strands_more_than_none() {
     let mut random = Random(25);
@@ -68,13 +111,19 @@ fn no_contraction_loads_the_strands_more_than_none() {
         let wall = random.between(0.03, 0.3) * d;
         let (l, angle) = (d * random.between(4.0, 20.0), random.between(10.0, 40.0));
         let count = 2 * random.between(16.0, 100.0) as u32;
-        let section = (random.unit() < 0.8).then(|| (random.log(0.01, 0.5), random.log(1000.0, 1e5)));
+        let section =
+            (random.unit() < 0.8).then(|| (random.log(0.01, 0.5), random.log(1000.0, 1e5)));
         let braid = strands(count, section, random.log(5.0, 200.0));
         let m = muscle(d, wall, l, angle, random.log(0.05, 3.0), braid);
         let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
-        let Ok(failures) = burst(&model) else { continue };
-        let Some(p) = failures.pressure_mpa() else { continue };
-        let Ok(end) = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p) else {
+        let Ok(failures) = burst(&model) else {
+            continue;
+        };
+        let Some(p) = failures.pressure_mpa() else {
+            continue;
+        };
+        let Ok(end) = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p)
+        else {
             continue;
         };
         let mut tension = |e: f64| model.response(w, p, e).unwrap().strand_tension_n.unwrap();
@@ -95,23 +144,49 @@ fn what_is_not_stated_is_not_known() {
         FailurePressure::Unknown(why) => why.to_string().contains(what),
         _ => false,
     };
-    assert!(is_missing(burst_of(&Muscle::prototype()).strands, "`strands` (how many)"));
+    assert!(is_missing(
+        burst_of(&Muscle::prototype()).strands,
+        "`strands` (how many)"
+    ));
     assert_eq!(burst_of(&Muscle::prototype()).first(), None);
     let known = strands(96, Some((0.0491, 8500.0)), 40.0);
-    let without =
-        Braid { strands: known.strands.map(|s| Strands { strength_n: None, ..s }), ..known.clone() };
+    let without = Braid {
+        strands: known.strands.map(|s| Strands {
+            strength_n: None,
+            ..s
+        }),
+        ..known.clone()
+    };
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, without);
     assert!(is_missing(burst_of(&m).strands, "give `strand_strength`"));
     // Strands that hold more than any pressure: there is an answer, and no endless search.
-    let strong = Braid { strands: known.strands.map(|s| Strands { strength_n: Some(1e12), ..s }), ..known };
-    assert!(!is_missing(burst_of(&muscle(14.0, 2.0, 200.0, 22.0, 1.2, strong)).strands, "strand_strength"));
+    let strong = Braid {
+        strands: known.strands.map(|s| Strands {
+            strength_n: Some(1e12),
+            ..s
+        }),
+        ..known
+    };
+    assert!(!is_missing(
+        burst_of(&muscle(14.0, 2.0, 200.0, 22.0, 1.2, strong)).strands,
+        "strand_strength"
+    ));
 }
 
-/// A latex tube of 1/4 x 3/8 in in a sleeve of 3/8 in: the least of 2001 angles by an independent script.
+/// A latex tube of 1/4 x 3/8 in in a sleeve of 3/8 in: the least of 2001 angles by an independent
+/// script.
 #[test]
 fn the_tube_bulges_through_the_widest_opening() {
-    let tube = Tube::new(9.525, 1.5875, 200.0, Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.37 })));
-    let braid = library::find("flexo-overexpanded-0.38in").unwrap().on(9.525).unwrap();
+    let tube = Tube::new(
+        9.525,
+        1.5875,
+        200.0,
+        Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.37 })),
+    );
+    let braid = library::find("flexo-overexpanded-0.38in")
+        .unwrap()
+        .on(9.525)
+        .unwrap();
     let m = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
     let failures = burst(&ThickWall::new(&m)).unwrap();
     let mesh = failures.mesh.mpa().unwrap();
@@ -119,15 +194,24 @@ fn the_tube_bulges_through_the_widest_opening() {
     // Before its strands break; half of it is allowed, or what the fittings are rated for.
     assert_eq!(failures.first(), Some((FailureMode::Mesh, mesh)));
     assert!(failures.strands.mpa().unwrap() > mesh);
-    assert_eq!(failures.allowed(), Some((2.0 * mesh / SAFETY, Some(FailureMode::Mesh))));
-    let rated = Terminals { rated_pressure_mpa: Some(0.1), ..Terminals::default() };
+    assert_eq!(
+        failures.allowed(),
+        Some((2.0 * mesh / SAFETY, Some(FailureMode::Mesh)))
+    );
+    let rated = Terminals {
+        rated_pressure_mpa: Some(0.1),
+        ..Terminals::default()
+    };
     let m = Muscle::new(tube.clone(), braid.clone(), rated, None).unwrap();
     let failures = burst(&ThickWall::new(&m)).unwrap();
     assert_eq!(failures.allowed(), Some((0.1, None)));
     // Strands that touch leave no opening.
     let strands = braid.strands.map(|s| Strands { count: 2000, ..s });
     let m = Muscle::new(tube, Braid { strands, ..braid }, Terminals::default(), None).unwrap();
-    assert_eq!(burst(&ThickWall::new(&m)).unwrap().mesh, FailurePressure::None);
+    assert_eq!(
+        burst(&ThickWall::new(&m)).unwrap().mesh,
+        FailurePressure::None
+    );
 }
 
 /// Rigid strands, next to no rubber: F + π Ri² P = π P (Ro² (2 cot²θ − 1) + Ri²).
@@ -135,23 +219,38 @@ fn the_tube_bulges_through_the_widest_opening() {
 fn closed_form_of_clamps_that_let_go() {
     for (d, wall, angle, bears) in [(20.0, 0.5, 24.0, 300.0), (14.0, 2.0, 18.0, 150.0)] {
         let m = muscle(d, wall, 200.0, angle, 1e-9, strands(64, None, 1e9));
-        let ends = Terminals { pull_off_n: Some(bears), ..Terminals::default() };
+        let ends = Terminals {
+            pull_off_n: Some(bears),
+            ..Terminals::default()
+        };
         let m = Muscle::new(m.tube().clone(), m.braid().clone(), ends, None).unwrap();
         let cot2 = f64::to_radians(angle).tan().powi(-2);
         let (ro, ri) = (0.5 * d, 0.5 * d - wall);
         let expected = bears / (PI * (ro * ro * (2.0 * cot2 - 1.0) + ri * ri));
         let failures = burst(&ThickWall::new(&m)).unwrap();
         let (by, p) = failures.first().unwrap();
-        assert!(by == FailureMode::Ends && (p / expected - 1.0).abs() < 1e-6, "{p} {expected}");
+        assert!(
+            by == FailureMode::Ends && (p / expected - 1.0).abs() < 1e-6,
+            "{p} {expected}"
+        );
     }
 }
 
-/// The identity that defines it: the unloaded muscle has the stretch at break there. A wide angle never reaches it.
+/// The identity that defines it: the unloaded muscle has the stretch at break there. A wide angle
+/// never reaches it.
 #[test]
 fn the_rubber_tears_where_its_stretch_is_that_at_break() {
     let burst_of = |angle: f64, name: &str| {
-        let braid = Braid { angle_deg: angle, ..strands(96, Some((0.0491, 8500.0)), 1e6) };
-        let tube = Tube::new(10.0, 2.0, 200.0, mckibben::rubber::library::find(name).unwrap());
+        let braid = Braid {
+            angle_deg: angle,
+            ..strands(96, Some((0.0491, 8500.0)), 1e6)
+        };
+        let tube = Tube::new(
+            10.0,
+            2.0,
+            200.0,
+            mckibben::rubber::library::find(name).unwrap(),
+        );
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
         let bladder = burst(&ThickWall::new(&m)).unwrap().bladder;
         (m, bladder)
@@ -160,7 +259,9 @@ fn the_rubber_tears_where_its_stretch_is_that_at_break() {
     let (m, bladder) = burst_of(15.0, "rtv615");
     let p = bladder.mpa().unwrap();
     let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
-    let free = Evaluation::new(&model, w, Options::extrapolating()).free_contraction(p).unwrap();
+    let free = Evaluation::new(&model, w, Options::extrapolating())
+        .free_contraction(p)
+        .unwrap();
     let stretch = model.response(w, p, free).unwrap().max_stretch.unwrap();
     assert!((stretch - 2.93).abs() < 0.005, "{stretch}");
     assert_eq!(burst_of(40.0, "rtv615").1, FailurePressure::None);

@@ -8,8 +8,9 @@ use proptest::prelude::*;
 /// Anything, or pieces of quantities in any order.
 fn text() -> impl Strategy<Value = String> {
     let piece = prop::sample::select(vec![
-        "0", "1", "2.5", "-", "+", ".", "..", ":", ",", " ", "e", "E9", "e-400", "1e999", "mm", "bar", "µm",
-        "°", "N/mm²", "%", "nan", "inf", "in", "infinity", "\u{feff}", "٣", "1_000", "0x1", "\0",
+        "0", "1", "2.5", "-", "+", ".", "..", ":", ",", " ", "e", "E9", "e-400", "1e999", "mm",
+        "bar", "µm", "°", "N/mm²", "%", "nan", "inf", "in", "infinity", "\u{feff}", "٣", "1_000",
+        "0x1", "\0",
     ]);
     prop_oneof![
         any::<String>(),
@@ -84,13 +85,21 @@ fn hostile_files_are_refused_soon() {
         (0..n / 10).map(|i| format!("k{i} = 1\n")).collect(),
         (0..n / 10).map(|i| format!("[t{i}]\n")).collect(),
         "[[tube]]\n".repeat(n / 9),
-        format!("[tube.material]\nlaw = \"ogden\"\nmu = [{}]\nalpha = [1]", "1,".repeat(n / 2)),
+        format!(
+            "[tube.material]\nlaw = \"ogden\"\nmu = [{}]\nalpha = [1]",
+            "1,".repeat(n / 2)
+        ),
     ];
     for text in hostile {
         let start = std::time::Instant::now();
         let error = parse_muscle(&text).unwrap_err();
         let message = error.to_string();
         assert!(message.len() < 2000, "a message of {} bytes", message.len());
-        assert!(start.elapsed().as_secs() < 10, "{:?} … took {:?}", &text[..20], start.elapsed());
+        assert!(
+            start.elapsed().as_secs() < 10,
+            "{:?} … took {:?}",
+            &text[..20],
+            start.elapsed()
+        );
     }
 }

@@ -3,21 +3,44 @@ import { engine } from "../ask.js";
 import { choice, quantity } from "../controls.js";
 import { capital, el } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { CONTRACTION, ENDS, LOAD, MORE, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about } from "../state.js";
+import {
+  CONTRACTION,
+  ENDS,
+  LOAD,
+  MORE,
+  PRESSURE,
+  QUANTITIES,
+  STIFFNESS,
+  STRANDS,
+  about,
+} from "../state.js";
 import { braidName, partName } from "../words.js";
 import { niceUp } from "./round.js";
 
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
-const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
+const GROUPS = {
+  tube: "Tube",
+  braid: "Braid",
+  terminals: "Ends",
+  friction: "Friction",
+};
 const ORDER = Object.keys(GROUPS);
 
 /** @param {Store} store */
 export function controlsView(store) {
-  const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
+  const controls =
+    /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
   const make = (/** @type {Measure} */ spec) => {
-    const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
-      store.changed(spec.key, value, settled);
-    controls[spec.key] = quantity({ ...spec, value: muscle.value(spec.key), clears: Boolean(spec.group), change });
+    const change = (
+      /** @type {number | undefined} */ value,
+      /** @type {boolean} */ settled,
+    ) => store.changed(spec.key, value, settled);
+    controls[spec.key] = quantity({
+      ...spec,
+      value: muscle.value(spec.key),
+      clears: Boolean(spec.group),
+      change,
+    });
     return controls[spec.key].element;
   };
   const picks = choices(store);
@@ -25,7 +48,10 @@ export function controlsView(store) {
   const needed = el("div", {});
   const element = section(make, picks, needed);
   const homes = new Map(
-    STRANDS.map(({ key }) => [key, /** @type {HTMLElement} */ (controls[key].element.parentElement)]),
+    STRANDS.map(({ key }) => [
+      key,
+      /** @type {HTMLElement} */ (controls[key].element.parentElement),
+    ]),
   );
   const clear = () => Object.values(controls).forEach((c) => c.mark(""));
 
@@ -38,17 +64,29 @@ export function controlsView(store) {
   function revealAll() {
     const { file, said } = muscle.state;
     const stated = (/** @type {string} */ key) =>
-      said[key] !== undefined || muscle.wrong.has(key) || (file && muscle.value(key) !== undefined);
-    [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
+      said[key] !== undefined ||
+      muscle.wrong.has(key) ||
+      (file && muscle.value(key) !== undefined);
+    [...ENDS, ...MORE]
+      .filter(({ key }) => stated(key))
+      .forEach(({ key }) => reveal(key));
   }
-  store.on("sync", () => { sync(controls, picks); place(controls, needed, homes); });
+  store.on("sync", () => {
+    sync(controls, picks);
+    place(controls, needed, homes);
+  });
   store.on("answer", clear);
   store.on("problem", ({ problem, state }) => {
-    const lacks = muscle.missing().filter((key) => state.said[key] === undefined), key = about(problem);
+    const lacks = muscle
+        .missing()
+        .filter((key) => state.said[key] === undefined),
+      key = about(problem);
     clear();
     if (lacks.length)
       lacks.forEach((key) =>
-        controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or select a stiffness.`),
+        controls[key].mark(
+          `The source of ${state.said.braid} does not state it: measure it, or select a stiffness.`,
+        ),
       );
     else if (key) {
       controls[key].mark(problem.message);
@@ -56,19 +94,35 @@ export function controlsView(store) {
     }
   });
   store.on("facts", () => {
-    const { free_contraction: free, blocked_force_n: blocked } = store.facts.characteristics ?? {};
+    const { free_contraction: free, blocked_force_n: blocked } =
+      store.facts.characteristics ?? {};
     if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
-  engine().ask("parts-list", { kind: "rubbers" }).then(
-    (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)), () => {});
+  engine()
+    .ask("parts-list", { kind: "rubbers" })
+    .then(
+      (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
+      () => {},
+    );
   /** Sliders run around the muscle as it was opened, within its sleeve. */
   function anchor() {
-    const sleeve = muscle.sleeves.find(({ name }) => name === (muscle.state.said.braid ?? muscle.shown?.sleeve));
+    const sleeve = muscle.sleeves.find(
+      ({ name }) => name === (muscle.state.said.braid ?? muscle.shown?.sleeve),
+    );
     for (const [key, c] of Object.entries(controls))
-      c.anchor(...(key === "D" && sleeve ? [sleeve.least_diameter_mm, sleeve.largest_diameter_mm] : []));
+      c.anchor(
+        ...(key === "D" && sleeve
+          ? [sleeve.least_diameter_mm, sleeve.largest_diameter_mm]
+          : []),
+      );
   }
-  return { element, revealAll, anchor, braids: () => picks.braid.options(muscle.sleeves.map((s) => s.name)) };
+  return {
+    element,
+    revealAll,
+    anchor,
+    braids: () => picks.braid.options(muscle.sleeves.map((s) => s.name)),
+  };
 }
 
 /** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
@@ -76,36 +130,76 @@ function section(make, { rubber, braid, strands, held }, needed) {
   const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
     el("details", {}, el("summary", {}, name), ...list);
   const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)];
-  const tube = [...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), needed];
-  return el("section", { class: "controls", "aria-label": "Muscle" },
+  const tube = [
+    ...QUANTITIES.map(make),
+    rubber.element,
+    braid.element,
+    strands.element,
+    make(STIFFNESS),
+    needed,
+  ];
+  return el(
+    "section",
+    { class: "controls", "aria-label": "Muscle" },
     el("fieldset", { class: "state" }, el("legend", {}, "State"), ...state),
     el("fieldset", {}, el("legend", {}, "Tube and braid"), ...tube),
     group("Ends", ...ENDS.map(make)),
-    moreMeasures(make));
+    moreMeasures(make),
+  );
 }
 
 /** @param {Store} store */
 function choices(store) {
   const stiffness = () => Math.round(store.facts.stiffness_n_per_mm ?? 300);
   const load = () => Math.max(1, Math.round(store.point?.force_n ?? 100));
-  const names = /** @type {[string, string][]} */ ([["", ""], ["inextensible", "inextensible"],
-    ["paper", "braid (Antonelli 2018)"], ["k", "of this stiffness"]]);
+  const names = /** @type {[string, string][]} */ ([
+    ["", ""],
+    ["inextensible", "inextensible"],
+    ["paper", "braid (Antonelli 2018)"],
+    ["k", "of this stiffness"],
+  ]);
   return {
-    rubber: choice("Rubber", [["", ""]], "", (name) => store.changed("rubber", name, true)),
-    braid: choice("Braid", [["", ""]], "", (name) => store.changed("braid", name, true)),
-    strands: choice("Strands", names, "", (name) => store.changed("k", name === "k" ? stiffness() : name, true)),
-    held: choice("Hold", [["e", "contraction"], ["F", "load"]], "e",
-      (what) => store.changed("F", what === "F" ? load() : undefined, true)),
+    rubber: choice("Rubber", [["", ""]], "", (name) =>
+      store.changed("rubber", name, true),
+    ),
+    braid: choice("Braid", [["", ""]], "", (name) =>
+      store.changed("braid", name, true),
+    ),
+    strands: choice("Strands", names, "", (name) =>
+      store.changed("k", name === "k" ? stiffness() : name, true),
+    ),
+    held: choice(
+      "Hold",
+      [
+        ["e", "contraction"],
+        ["F", "load"],
+      ],
+      "e",
+      (what) => store.changed("F", what === "F" ? load() : undefined, true),
+    ),
   };
 }
 
 /** All other measures, by the tables of the muscle file. @param {(spec: Measure) => HTMLElement} make */
 function moreMeasures(make) {
-  const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort((a, b) => ORDER.indexOf(a) - ORDER.indexOf(b));
+  const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort(
+    (a, b) => ORDER.indexOf(a) - ORDER.indexOf(b),
+  );
   const box = (/** @type {string} */ group) =>
-    el("fieldset", {}, el("legend", {}, GROUPS[group] ?? capital(group)),
-      ...MORE.filter((m) => m.group === group).map((m) => el("div", {}, make(m))));
-  return el("details", {}, el("summary", {}, "More measures"), ...groups.map(box));
+    el(
+      "fieldset",
+      {},
+      el("legend", {}, GROUPS[group] ?? capital(group)),
+      ...MORE.filter((m) => m.group === group).map((m) =>
+        el("div", {}, make(m)),
+      ),
+    );
+  return el(
+    "details",
+    {},
+    el("summary", {}, "More measures"),
+    ...groups.map(box),
+  );
 }
 
 /**
@@ -113,15 +207,24 @@ function moreMeasures(make) {
  * @param {Record<string, ReturnType<typeof quantity>>} controls @param {ReturnType<typeof choices>} picks
  */
 function sync(controls, { rubber, braid, strands, held }) {
-  const { said, F } = muscle.state, { shown } = muscle;
+  const { said, F } = muscle.state,
+    { shown } = muscle;
   for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
   for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
-  const ofStrands = STRANDS.some(({ key }) => said[key] !== undefined) || said.strand_area_mm2 !== undefined;
-  if (said.rubber === undefined) rubber.first(partName(shown?.rubber) || "silicone (Antonelli 2018)");
+  const ofStrands =
+    STRANDS.some(({ key }) => said[key] !== undefined) ||
+    said.strand_area_mm2 !== undefined;
+  if (said.rubber === undefined)
+    rubber.first(partName(shown?.rubber) || "silicone (Antonelli 2018)");
   if (said.braid === undefined) braid.first(shown?.sleeve ?? "own angle");
   if (said.k === undefined)
-    strands.first(said.braid ? "of the sleeve" : ofStrands ? "of its strands" : braidName(shown?.braid)
-      || "braid (Antonelli 2018)");
+    strands.first(
+      said.braid
+        ? "of the sleeve"
+        : ofStrands
+          ? "of its strands"
+          : braidName(shown?.braid) || "braid (Antonelli 2018)",
+    );
   rubber.set(String(said.rubber ?? ""));
   braid.set(String(said.braid ?? ""));
   strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));
@@ -129,7 +232,9 @@ function sync(controls, { rubber, braid, strands, held }) {
   controls.F.element.hidden = F === undefined;
   controls.e.element.hidden = F !== undefined;
   // A named sleeve has its angle, and may need to be said what its strands are.
-  controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
+  controls.angle.enable(
+    !(said.braid ?? shown?.sleeve) || said.angle !== undefined,
+  );
   controls.k.element.hidden = typeof said.k !== "number";
 }
 
@@ -141,6 +246,7 @@ function place(controls, needed, homes) {
   const lacks = muscle.missing();
   for (const [key, home] of homes) {
     const to = lacks.includes(key) ? needed : home;
-    if (controls[key].element.parentElement !== to) to.append(controls[key].element);
+    if (controls[key].element.parentElement !== to)
+      to.append(controls[key].element);
   }
 }

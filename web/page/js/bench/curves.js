@@ -7,11 +7,24 @@ import { muscle } from "../muscle.js";
 import { onTheme } from "../theme.js";
 import { outside, unitName } from "../units.js";
 import { along } from "./along.js";
-import { FAMILY, OVERLAYS, familyOf, familySeries, overlay, ownOf, ownSeries, reachOf } from "./family.js";
+import {
+  FAMILY,
+  OVERLAYS,
+  familyOf,
+  familySeries,
+  overlay,
+  ownOf,
+  ownSeries,
+  reachOf,
+} from "./family.js";
 import { Points } from "./points.js";
 
 const TESTS = /** @type {[string, string][]} */ ([
-  ["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
+  ["isobaric", "Isobaric"],
+  ["isometric", "Isometric"],
+  ["isotonic", "Isotonic"],
+  ["along", "Along the muscle"],
+]);
 
 export class Curves {
   /** @param {Store} store */
@@ -19,21 +32,34 @@ export class Curves {
     this.store = store;
     const slot = () => new Slot({ lane: "curves" });
     this.slots = { family: slot(), own: slot(), over: slot(), exact: slot() };
-    /** @type {{ test: string, answer: CurveAnswer, top: number } | undefined} */ this.family = undefined;
-    /** @type {{ test: string, answer: CurveAnswer } | undefined} */ this.own = undefined;
+    /** @type {{ test: string, answer: CurveAnswer, top: number } | undefined} */ this.family =
+      undefined;
+    /** @type {{ test: string, answer: CurveAnswer } | undefined} */ this.own =
+      undefined;
     /** @type {CurveAnswer[]} */ this.overlays = [];
     /** What was asked last. */
     this.keys = { family: "", own: "", over: "" };
     this.timer = 0;
     /** Questions, and when the hand that moves gets curves again. */
     this.turn = this.due = 0;
-    this.over = overlayChoice(store, () => { this.ask(); store.settle(); });
-    const choose = (/** @type {string} */ test) => { store.look({ test }); this.draw(); this.ask(); };
+    this.over = overlayChoice(store, () => {
+      this.ask();
+      store.settle();
+    });
+    const choose = (/** @type {string} */ test) => {
+      store.look({ test });
+      this.draw();
+      this.ask();
+    };
     this.tab = tabs("Curves", TESTS, store.wanted.test, choose);
     /** @type {(x: number, y: number, settled: boolean) => void} */
     const drag = (x, _, settled) => this.dragged(x, settled);
     this.chart = new Chart("muscle-curves", { tools: this.tab.list, drag });
-    this.points = new Points(store, () => { this.keys.family = ""; this.ask(); this.draw(); });
+    this.points = new Points(store, () => {
+      this.keys.family = "";
+      this.ask();
+      this.draw();
+    });
     store.on("answer", (pumped) => {
       if (store.wanted.test === "along") this.draw();
       else this.mark();
@@ -47,22 +73,35 @@ export class Curves {
 
   /** The mark is dragged along its curve. @param {number} x @param {boolean} settled */
   dragged(x, settled) {
-    const { test } = this.store.wanted, pressure = Math.round((x / outside("pressure", 1)) * 1000) / 1000;
-    if (test === "isobaric") this.store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
-    if (test === "isometric" || test === "isotonic") this.store.changed("p", Math.max(0, pressure), settled);
+    const { test } = this.store.wanted,
+      pressure = Math.round((x / outside("pressure", 1)) * 1000) / 1000;
+    if (test === "isobaric")
+      this.store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
+    if (test === "isometric" || test === "isotonic")
+      this.store.changed("p", Math.max(0, pressure), settled);
   }
 
   /** Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes first. */
   soon() {
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.ask(), performance.now() > this.due ? 0 : 100);
+    this.timer = window.setTimeout(
+      () => this.ask(),
+      performance.now() > this.due ? 0 : 100,
+    );
   }
 
   ask() {
-    const { store } = this, { test } = store.wanted, turn = ++this.turn, began = performance.now();
+    const { store } = this,
+      { test } = store.wanted,
+      turn = ++this.turn,
+      began = performance.now();
     if (test === "along") return this.draw();
-    const { request, top } = familyOf(store, this.points.pressures()), fields = muscle.fields();
-    const mine = { ...ownOf(store, top), ...(friction() ? { both: true } : {}) };
+    const { request, top } = familyOf(store, this.points.pressures()),
+      fields = muscle.fields();
+    const mine = {
+      ...ownOf(store, top),
+      ...(friction() ? { both: true } : {}),
+    };
     this.due = Infinity;
     const done = () => {
       this.draw();
@@ -72,10 +111,24 @@ export class Curves {
       this.askOver(fields);
       this.points.ask();
     };
-    const own = () => this.once("own", mine, (answer) => { this.own = answer && { test, answer }; }, done);
+    const own = () =>
+      this.once(
+        "own",
+        mine,
+        (answer) => {
+          this.own = answer && { test, answer };
+        },
+        done,
+      );
     // Along a family only the mark and the own curve move. Both are drawn at once.
-    this.once("family", request, (answer) => { if (answer) this.family = { test, answer, top }; },
-      () => (turn === this.turn ? own() : this.draw()));
+    this.once(
+      "family",
+      request,
+      (answer) => {
+        if (answer) this.family = { test, answer, top };
+      },
+      () => (turn === this.turn ? own() : this.draw()),
+    );
   }
 
   /**
@@ -84,30 +137,54 @@ export class Curves {
    * @param {() => void} next
    */
   once(what, request, take, next) {
-    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (this.store.wanted.test);
-    const asked = { test, ...muscle.fields(), ...request }, key = JSON.stringify(asked);
+    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (
+      this.store.wanted.test
+    );
+    const asked = { test, ...muscle.fields(), ...request },
+      key = JSON.stringify(asked);
     if (key === this.keys[what]) return next();
     this.keys[what] = key;
-    this.slots[what].ask("curve", asked, (answer) => { take(answer); next(); }, () => {
-      this.keys[what] = "";
-      take();
-      next();
-    });
+    this.slots[what].ask(
+      "curve",
+      asked,
+      (answer) => {
+        take(answer);
+        next();
+      },
+      () => {
+        this.keys[what] = "";
+        take();
+        next();
+      },
+    );
   }
 
   /** @param {Record<string, unknown>} fields */
   askOver(fields) {
-    const { test, over } = this.store.wanted, contractions = reachOf(this.store, FAMILY);
+    const { test, over } = this.store.wanted,
+      contractions = reachOf(this.store, FAMILY);
     const names = test === "isobaric" ? over.split(",").filter(Boolean) : [];
     const key = JSON.stringify([names, fields, muscle.p, contractions]);
     if (key === this.keys.over) return;
     this.keys.over = key;
-    const found = /** @type {CurveAnswer[]} */ ([]), test_ = /** @type {const} */ ("isobaric");
-    const common = { test: test_, ...fields, extrapolate: true, pressures_mpa: [muscle.p], contractions };
+    const found = /** @type {CurveAnswer[]} */ ([]),
+      test_ = /** @type {const} */ ("isobaric");
+    const common = {
+      test: test_,
+      ...fields,
+      extrapolate: true,
+      pressures_mpa: [muscle.p],
+      contractions,
+    };
     const next = () => {
       if (this.keys.over !== key) return;
-      const model = names.shift(), take = (/** @type {CurveAnswer} */ answer) => { found.push(answer); next(); };
-      if (model) return this.slots.over.ask("curve", { ...common, model }, take, next);
+      const model = names.shift(),
+        take = (/** @type {CurveAnswer} */ answer) => {
+          found.push(answer);
+          next();
+        };
+      if (model)
+        return this.slots.over.ask("curve", { ...common, model }, take, next);
       this.overlays = found;
       this.draw();
     };
@@ -115,17 +192,33 @@ export class Curves {
   }
 
   draw() {
-    const { store, family, chart, points } = this, { test } = store.wanted;
+    const { store, family, chart, points } = this,
+      { test } = store.wanted;
     this.over.element.hidden = points.element.hidden = test !== "isobaric";
-    if (test === "along") { if (store.shape) chart.show(along(store.shape)); return chart.mark(); }
+    if (test === "along") {
+      if (store.shape) chart.show(along(store.shape));
+      return chart.mark();
+    }
     if (family?.test !== test) return;
-    const mine = this.own?.test === test ? this.own.answer : undefined, { top } = family;
-    const series = [...familySeries(family.answer, test, top, mine), ...(mine ? ownSeries(mine, test, top) : [])];
-    if (test === "isobaric") series.push(...this.overlays.map(overlay), ...points.series(top));
-    const [pressure, force] = [`pressure p [${unitName("pressure")}]`, `pull F [${unitName("force")}]`];
+    const mine = this.own?.test === test ? this.own.answer : undefined,
+      { top } = family;
+    const series = [
+      ...familySeries(family.answer, test, top, mine),
+      ...(mine ? ownSeries(mine, test, top) : []),
+    ];
+    if (test === "isobaric")
+      series.push(...this.overlays.map(overlay), ...points.series(top));
+    const [pressure, force] = [
+      `pressure p [${unitName("pressure")}]`,
+      `pull F [${unitName("force")}]`,
+    ];
     const ratio = "contraction ε [%]";
-    chart.show({ x: test === "isobaric" ? ratio : pressure, y: test === "isotonic" ? ratio : force, series,
-      exact: (s, x, take) => this.exact(s, x, take) });
+    chart.show({
+      x: test === "isobaric" ? ratio : pressure,
+      y: test === "isotonic" ? ratio : force,
+      series,
+      exact: (s, x, take) => this.exact(s, x, take),
+    });
     this.mark();
   }
 
@@ -134,22 +227,46 @@ export class Curves {
    * @param {Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
    */
   exact({ fixed }, x, take) {
-    const { test } = this.store.wanted, fields = muscle.fields(), { exact } = this.slots;
+    const { test } = this.store.wanted,
+      fields = muscle.fields(),
+      { exact } = this.slots;
     if (fixed === undefined) return;
     const pressure = x / outside("pressure", 1);
     if (test === "isotonic")
-      return exact.ask("contraction", { ...fields, force_n: fixed, pressure_mpa: pressure }, (a) =>
-        take(100 * a.contraction, a.contraction_uncertainty && 100 * a.contraction_uncertainty));
-    const at = test === "isobaric" ? { pressure_mpa: fixed, contraction: x / 100 } : { pressure_mpa: pressure,
-      contraction: fixed };
+      return exact.ask(
+        "contraction",
+        { ...fields, force_n: fixed, pressure_mpa: pressure },
+        (a) =>
+          take(
+            100 * a.contraction,
+            a.contraction_uncertainty && 100 * a.contraction_uncertainty,
+          ),
+      );
+    const at =
+      test === "isobaric"
+        ? { pressure_mpa: fixed, contraction: x / 100 }
+        : { pressure_mpa: pressure, contraction: fixed };
     exact.ask("force", { ...fields, ...at }, (a) =>
-      take(outside("force", a.force_n), a.uncertainty_n && outside("force", a.uncertainty_n)));
+      take(
+        outside("force", a.force_n),
+        a.uncertainty_n && outside("force", a.uncertainty_n),
+      ),
+    );
   }
 
   mark() {
-    const { store: { point, wanted: { test } }, chart } = this;
+    const {
+      store: {
+        point,
+        wanted: { test },
+      },
+      chart,
+    } = this;
     if (!point || test === "along") return chart.mark();
-    const [pull, pressure] = [outside("force", point.force_n), outside("pressure", point.pressure_mpa)];
+    const [pull, pressure] = [
+      outside("force", point.force_n),
+      outside("pressure", point.pressure_mpa),
+    ];
     const contraction = 100 * point.contraction;
     if (test === "isobaric") chart.mark(contraction, pull);
     else chart.mark(pressure, test === "isotonic" ? contraction : pull);
@@ -168,17 +285,37 @@ const friction = () => typeof muscle.shown?.friction_coefficient === "number";
 
 /** @param {Store} store @param {() => void} changed */
 function overlayChoice(store, changed) {
-  const boxes = OVERLAYS.map((name) => el("input", { type: "checkbox", id: `over-${name}`, onchange() {
-    store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(",");
-    changed();
-  } }));
+  const boxes = OVERLAYS.map((name) =>
+    el("input", {
+      type: "checkbox",
+      id: `over-${name}`,
+      onchange() {
+        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(
+          ",",
+        );
+        changed();
+      },
+    }),
+  );
   const dash = (/** @type {number} */ i) =>
-    el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` });
-  const labels = OVERLAYS.map((name, i) => el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)));
+    el("i", {
+      style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle`,
+    });
+  const labels = OVERLAYS.map((name, i) =>
+    el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)),
+  );
   return {
-    element: el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"),
-      ...labels),
+    element: el(
+      "div",
+      { class: "row small" },
+      el("span", { class: "soft" }, "Other models at this pressure:"),
+      ...labels,
+    ),
     /** @param {string[]} names */
-    set(names) { OVERLAYS.forEach((name, i) => { boxes[i].checked = names.includes(name); }); },
+    set(names) {
+      OVERLAYS.forEach((name, i) => {
+        boxes[i].checked = names.includes(name);
+      });
+    },
   };
 }

@@ -8,7 +8,8 @@ import { niceUp, twoDigits } from "./round.js";
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
-export const FAMILY = 13, FINE = 21;
+export const FAMILY = 13,
+  FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
 const steps = (count, end) => {
   const shares = Array.from({ length: count }, (_, i) => i / (count - 1));
@@ -17,7 +18,10 @@ const steps = (count, end) => {
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
-  const end = Math.max(0.1, (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08);
+  const end = Math.max(
+    0.1,
+    (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08,
+  );
   return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
 }
 
@@ -26,31 +30,57 @@ export function reachOf(store, count) {
  * @param {Store} store @param {number[]} measured
  */
 export function familyOf(store, measured) {
-  const { test } = store.wanted, contractions = reachOf(store, FAMILY);
-  const shown = outside("pressure", Math.max(muscle.p, 0.02)), step = niceUp(shown / 5);
-  const count = Math.ceil(shown / step - 1e-9), round = (/** @type {number} */ i) => Number((i * step).toPrecision(12));
-  const pressures = Array.from({ length: count }, (_, i) => inside("pressure", round(i + 1)));
-  const top = inside("pressure", count * step), over = steps(FAMILY, top);
+  const { test } = store.wanted,
+    contractions = reachOf(store, FAMILY);
+  const shown = outside("pressure", Math.max(muscle.p, 0.02)),
+    step = niceUp(shown / 5);
+  const count = Math.ceil(shown / step - 1e-9),
+    round = (/** @type {number} */ i) => Number((i * step).toPrecision(12));
+  const pressures = Array.from({ length: count }, (_, i) =>
+    inside("pressure", round(i + 1)),
+  );
+  const top = inside("pressure", count * step),
+    over = steps(FAMILY, top);
   if (test === "isobaric" && measured.length)
-    return { top: Math.max(top, ...measured), request: { pressures_mpa: measured, contractions } };
-  if (test === "isobaric") return { top, request: { pressures_mpa: pressures, contractions } };
-  if (test === "isometric") return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
+    return {
+      top: Math.max(top, ...measured),
+      request: { pressures_mpa: measured, contractions },
+    };
+  if (test === "isobaric")
+    return { top, request: { pressures_mpa: pressures, contractions } };
+  if (test === "isometric")
+    return {
+      top,
+      request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over },
+    };
   const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
-  const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, twoDigits(x * blocked)));
+  const forces = [0.1, 0.3, 0.5, 0.7].map((x) =>
+    Math.max(1, twoDigits(x * blocked)),
+  );
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The curve through the present state. @param {Store} store @param {number} top */
 export function ownOf(store, top) {
-  const { test } = store.wanted, over = steps(FINE, top);
-  if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
-  if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
-  return { forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)], pressures_mpa: over.slice(1) };
+  const { test } = store.wanted,
+    over = steps(FINE, top);
+  if (test === "isobaric")
+    return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
+  if (test === "isometric")
+    return { contractions: [muscle.e], pressures_mpa: over };
+  return {
+    forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)],
+    pressures_mpa: over.slice(1),
+  };
 }
 
 /** @param {number} fixed @param {string} test */
 const named = (fixed, test) =>
-  show(test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio", fixed, 3);
+  show(
+    test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio",
+    fixed,
+    3,
+  );
 
 /** Points of one curve as a series. @param {Point[]} list @param {string} test */
 function line(list, test) {
@@ -58,12 +88,24 @@ function line(list, test) {
   const ok = (/** @type {Point} */ q) => q.status === "ok";
   const x = list.map((q) => outside("pressure", q.pressure_mpa));
   if (test === "isotonic") {
-    const of = (/** @type {Point} */ q) => ("force_n" in q ? q.contraction_uncertainty : undefined);
+    const of = (/** @type {Point} */ q) =>
+      "force_n" in q ? q.contraction_uncertainty : undefined;
     const half = list.map((q) => (of(q) ? 100 * Number(of(q)) : null));
-    return { x, y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)), half };
+    return {
+      x,
+      y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)),
+      half,
+    };
   }
-  return { x, y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
-    half: list.map((q) => ("force_n" in q && q.uncertainty_n ? outside("force", q.uncertainty_n) : null)) };
+  return {
+    x,
+    y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
+    half: list.map((q) =>
+      "force_n" in q && q.uncertainty_n
+        ? outside("force", q.uncertainty_n)
+        : null,
+    ),
+  };
 }
 
 /**
@@ -75,10 +117,20 @@ export function familySeries(answer, test, top, own) {
   return answer.fixed.flatMap((fixed, i) => {
     if (own && Math.abs(own.fixed[0] - fixed) < 1e-9) return [];
     const name = named(fixed, test),
-      colour = test === "isobaric" ? pressureColour(fixed, top) : shade(i / answer.fixed.length);
+      colour =
+        test === "isobaric"
+          ? pressureColour(fixed, top)
+          : shade(i / answer.fixed.length);
     return [
-      /** @type {Series} */ ({ name, end: name, at: test === "isobaric" ? "start" : "end", colour,
-        smooth: true, fixed, ...line(answer.points.slice(i * count, (i + 1) * count), test) }),
+      /** @type {Series} */ ({
+        name,
+        end: name,
+        at: test === "isobaric" ? "start" : "end",
+        colour,
+        smooth: true,
+        fixed,
+        ...line(answer.points.slice(i * count, (i + 1) * count), test),
+      }),
     ];
   });
 }
@@ -89,18 +141,38 @@ export function familySeries(answer, test, top, own) {
  */
 export function ownSeries(answer, test, top) {
   const name = named(answer.fixed[0], test),
-    colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
-  const of = (/** @type {Point} */ q) => ("force_n" in q ? q.direction : undefined);
+    colour =
+      test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
+  const of = (/** @type {Point} */ q) =>
+    "force_n" in q ? q.direction : undefined;
   const branches = [...new Set(answer.points.map(of))];
   return branches.map((branch, i) => {
     const list = answer.points.filter((q) => of(q) === branch);
     const words =
-      branch === "contraction" ? " while it shortens" : branch === "elongation" ? " while it lengthens" : "";
-    const label = i ? {} : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
+      branch === "contraction"
+        ? " while it shortens"
+        : branch === "elongation"
+          ? " while it lengthens"
+          : "";
+    const label = i
+      ? {}
+      : {
+          end: name,
+          at: /** @type {"start" | "end"} */ (
+            test === "isobaric" ? "start" : "end"
+          ),
+        };
     const curve = line(list, test);
-    return /** @type {Series} */ ({ name: name + words, ...label, colour, strong: true,
-      smooth: true, fixed: branches.length > 1 ? undefined : answer.fixed[0],
-      dash: branch === "elongation" ? "dash" : "solid", ...curve });
+    return /** @type {Series} */ ({
+      name: name + words,
+      ...label,
+      colour,
+      strong: true,
+      smooth: true,
+      fixed: branches.length > 1 ? undefined : answer.fixed[0],
+      dash: branch === "elongation" ? "dash" : "solid",
+      ...curve,
+    });
   });
 }
 
@@ -108,6 +180,11 @@ export function ownSeries(answer, test, top) {
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   const { half, ...curve } = isobar(answer.points);
-  return /** @type {Series} */ ({ name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
-    dash: "dash", colour, smooth: true, ...curve });
+  return /** @type {Series} */ ({
+    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    dash: "dash",
+    colour,
+    smooth: true,
+    ...curve,
+  });
 }

@@ -11,14 +11,21 @@ import { tornadoView } from "./tornado.js";
 /** @param {Store} store */
 export function numbersView(store) {
   const element = el("section", { class: "numbers", "aria-label": "Numbers" });
-  const meters = el("div", {}), notes = el("ul", { class: "warnings" });
-  const parts = partsView(store), tornado = tornadoView(store), solve = solveView(store);
+  const meters = el("div", {}),
+    notes = el("ul", { class: "warnings" });
+  const parts = partsView(store),
+    tornado = tornadoView(store),
+    solve = solveView(store);
   /** @type {HTMLElement[]} */ const values = [];
   let noted = "";
-  const half = button("", () => {
-    parts.element.hidden = !parts.element.hidden;
-    half.setAttribute("aria-expanded", String(!parts.element.hidden));
-  }, { class: "bare", "aria-expanded": "false", title: "What the ± is made of" });
+  const half = button(
+    "",
+    () => {
+      parts.element.hidden = !parts.element.hidden;
+      half.setAttribute("aria-expanded", String(!parts.element.hidden));
+    },
+    { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
+  );
   const pull = el("span", {});
 
   function paint() {
@@ -31,13 +38,26 @@ export function numbersView(store) {
         values.push(value);
         return [el("dt", {}, name), value];
       });
-      const head = [el("dt", { class: "head" }, "Pull"), el("dd", { class: "head" }, pull, " ", half)];
+      const head = [
+        el("dt", { class: "head" }, "Pull"),
+        el("dd", { class: "head" }, pull, " ", half),
+      ];
       const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
-      element.replaceChildren(el("dl", {}, ...head, ...lines), parts.element, meters, notes, solve.element,
-        tornado.element, el("p", { class: "small soft" }, basis));
+      element.replaceChildren(
+        el("dl", {}, ...head, ...lines),
+        parts.element,
+        meters,
+        notes,
+        solve.element,
+        tornado.element,
+        el("p", { class: "small soft" }, basis),
+      );
     }
     const [value, uncertainty] = point.slack
-      ? ["slack", ""] : withUncertainty("force", point.force_n, point.uncertainty_n).split(/ (?=±)/);
+      ? ["slack", ""]
+      : withUncertainty("force", point.force_n, point.uncertainty_n).split(
+          / (?=±)/,
+        );
     put(pull, value);
     put(half, uncertainty ?? "");
     half.hidden = !uncertainty;
@@ -54,25 +74,46 @@ export function numbersView(store) {
 }
 
 /** @param {HTMLElement} element @param {string} text */
-const put = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+const put = (element, text) => {
+  if (element.textContent !== text) element.textContent = text;
+};
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
 function rows({ facts }, point) {
   const c = facts.characteristics;
-  return [["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)], ["Contraction", contraction(point)],
+  return [
+    ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
+    ["Contraction", contraction(point)],
     ["Bulged diameter", show("length", point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
-    ["Threshold pressure", show("pressure", facts.start, 3)], ["Blocked force", show("force", c?.blocked_force_n)],
+    ["Threshold pressure", show("pressure", facts.start, 3)],
+    ["Blocked force", show("force", c?.blocked_force_n)],
     ["Free contraction", show("ratio", c?.free_contraction, 3)],
-    ["Burst pressure", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
-    ["Allowed pressure", c?.allowed_pressure_mpa ? show("pressure", c.allowed_pressure_mpa, 3) : "not known"],
+    [
+      "Burst pressure",
+      c?.burst_pressure_mpa
+        ? show("pressure", c.burst_pressure_mpa, 3)
+        : "not known",
+    ],
+    [
+      "Allowed pressure",
+      c?.allowed_pressure_mpa
+        ? show("pressure", c.allowed_pressure_mpa, 3)
+        : "not known",
+    ],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
-    ["Air over the full stroke", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"]];
+    [
+      "Air over the full stroke",
+      c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–",
+    ],
+  ];
 }
 
 /** Of a held load the contraction has the ±. @param {NonNullable<Store["point"]>} point */
 function contraction(point) {
-  const half = /** @type {{ contraction_uncertainty?: number | null }} */ (point).contraction_uncertainty;
+  const half = /** @type {{ contraction_uncertainty?: number | null }} */ (
+    point
+  ).contraction_uncertainty;
   return muscle.F !== undefined && half
     ? withUncertainty("ratio", point.contraction, half)
     : show("ratio", point.contraction, 3);
@@ -81,9 +122,21 @@ function contraction(point) {
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function margins({ facts }, point) {
   const c = facts.characteristics;
-  return [meter("Stretch of the rubber", point.max_stretch, facts.fitted_to_stretch, (x) => number(x, 3), 1),
-    meter("Pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
-    meter("Contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3))].filter((m) => m !== null);
+  return [
+    meter(
+      "Stretch of the rubber",
+      point.max_stretch,
+      facts.fitted_to_stretch,
+      (x) => number(x, 3),
+      1,
+    ),
+    meter("Pull", point.force_n, c?.blocked_force_n, (x) =>
+      show("force", x, 3),
+    ),
+    meter("Contraction", point.contraction, c?.free_contraction, (x) =>
+      show("ratio", x, 3),
+    ),
+  ].filter((m) => m !== null);
 }
 
 /**
@@ -92,18 +145,39 @@ function margins({ facts }, point) {
  * @param {(x: number) => string} text
  */
 function meter(name, value, limit, text, from = 0) {
-  if (value === undefined || value === null || limit === undefined || limit === null || limit <= from) return null;
-  const share = (value - from) / (limit - from), width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
-  const words = el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`));
-  return el("div", { class: share > 1 ? "meter over" : "meter" }, words,
-    el("i", {}, el("b", { style: `width:${width}%` })));
+  if (
+    value === undefined ||
+    value === null ||
+    limit === undefined ||
+    limit === null ||
+    limit <= from
+  )
+    return null;
+  const share = (value - from) / (limit - from),
+    width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
+  const words = el(
+    "span",
+    {},
+    name,
+    el("span", {}, `${text(value)} of ${text(limit)}`),
+  );
+  return el(
+    "div",
+    { class: share > 1 ? "meter over" : "meter" },
+    words,
+    el("i", {}, el("b", { style: `width:${width}%` })),
+  );
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */
 function warned({ facts }, point) {
   const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
   const unknown = muscle.unknown.map(([key]) => key).join(", ");
-  const list = new Set([...own, ...(point.warnings ?? []), ...muscle.wrong.values(),
-    unknown && `Not understood in the address: ${unknown}`]);
+  const list = new Set([
+    ...own,
+    ...(point.warnings ?? []),
+    ...muscle.wrong.values(),
+    unknown && `Not understood in the address: ${unknown}`,
+  ]);
   return [...list].filter(Boolean).map((w) => capital(inWords(w)));
 }

@@ -21,23 +21,38 @@ export class Points {
     this.words = el("span", {});
     this.said = el("div", {});
     // The shear modulus that fits them best becomes the muscle's.
-    const fit = job("Fit the rubber", "identify", async () => measured.file && this.request(measured.file),
+    const fit = job(
+      "Fit the rubber",
+      "identify",
+      async () => measured.file && this.request(measured.file),
       async ({ muscle_file: file }) => {
         await muscle.take(file);
         store.tell("sync");
         store.ask();
         store.follow();
         store.settle();
-      });
+      },
+    );
     const remove = button("Remove the points", () => measured.set(undefined));
-    this.line = el("div", { class: "row small", hidden: true }, this.words, fit.element, remove);
+    this.line = el(
+      "div",
+      { class: "row small", hidden: true },
+      this.words,
+      fit.element,
+      remove,
+    );
     this.element = el("div", { class: "points" }, this.line, this.said);
     onMeasured(() => this.read());
   }
 
   /** The question of an identification. @param {{ name: string, text: string }} table */
   request(table) {
-    return { ...muscle.fields(), data: [table], columns: measured.columns, free: ["modulus"] };
+    return {
+      ...muscle.fields(),
+      data: [table],
+      columns: measured.columns,
+      free: ["modulus"],
+    };
   }
 
   /** The points themselves, once for a table. */
@@ -46,43 +61,74 @@ export class Points {
     this.key = "";
     this.said.replaceChildren();
     this.line.hidden = !of;
-    const take = (/** @type {import("../measured.js").Point[]} */ list) => { this.list = list; this.changed(); };
+    const take = (/** @type {import("../measured.js").Point[]} */ list) => {
+      this.list = list;
+      this.changed();
+    };
     if (!of) return take([]);
-    this.slots.read.ask("identify", this.request(of), ({ points }) => {
-      take(points.filter((q) => q.measured === "force"));
-    }, (problem) => {
-      this.said.replaceChildren(problemBox(problem));
-      take([]);
-    });
+    this.slots.read.ask(
+      "identify",
+      this.request(of),
+      ({ points }) => {
+        take(points.filter((q) => q.measured === "force"));
+      },
+      (problem) => {
+        this.said.replaceChildren(problemBox(problem));
+        take([]);
+      },
+    );
   }
 
   /** How far the muscle is from them now. */
   ask() {
     const data = measured.file;
     if (!data) return;
-    const request = { ...muscle.fields(), data: [data], columns: measured.columns, models: ["fe"], extrapolate: true };
+    const request = {
+      ...muscle.fields(),
+      data: [data],
+      columns: measured.columns,
+      models: ["fe"],
+      extrapolate: true,
+    };
     const next = JSON.stringify(request);
     if (next === this.key) return;
     this.key = next;
-    this.slots.compare.ask("compare", request, ({ models: [m], points: count }) => {
-      if (!m || m.rms_n === null || m.rms_n === undefined) return;
-      const residuals = `${show("force", m.rms_n, 3)} rms, ${show("force", m.max_n, 3)} the largest`;
-      this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
-    }, (problem) => { this.key = ""; this.said.replaceChildren(problemBox(problem)); });
+    this.slots.compare.ask(
+      "compare",
+      request,
+      ({ models: [m], points: count }) => {
+        if (!m || m.rms_n === null || m.rms_n === undefined) return;
+        const residuals = `${show("force", m.rms_n, 3)} rms, ${show("force", m.max_n, 3)} the largest`;
+        this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
+      },
+      (problem) => {
+        this.key = "";
+        this.said.replaceChildren(problemBox(problem));
+      },
+    );
   }
 
   /** Pressures of the isobars to draw: some of them, where the points have too many. */
   pressures() {
-    const all = [...new Set(this.list.map((q) => q.pressure_mpa))].sort((a, b) => a - b).filter((p) => p > 0);
+    const all = [...new Set(this.list.map((q) => q.pressure_mpa))]
+      .sort((a, b) => a - b)
+      .filter((p) => p > 0);
     if (all.length <= MOST) return all;
-    return Array.from({ length: MOST }, (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))]);
+    return Array.from(
+      { length: MOST },
+      (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))],
+    );
   }
 
   /** @param {number} top the pressure that has the last colour @returns {Series[]} */
   series(top) {
     return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
-      const at = this.list.filter((q) => q.pressure_mpa === p), name = `measured at ${show("pressure", p, 3)}`;
-      const [x, y] = [at.map((q) => 100 * q.contraction), at.map((q) => outside("force", q.force_n))];
+      const at = this.list.filter((q) => q.pressure_mpa === p),
+        name = `measured at ${show("pressure", p, 3)}`;
+      const [x, y] = [
+        at.map((q) => 100 * q.contraction),
+        at.map((q) => outside("force", q.force_n)),
+      ];
       return { name, mode: "markers", colour: pressureColour(p, top), x, y };
     });
   }

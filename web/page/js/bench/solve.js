@@ -5,36 +5,74 @@ import { isAbort } from "../engine/problem.js";
 import { form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.js";
+import {
+  CONTRACTION,
+  PRESSURE,
+  QUANTITIES,
+  fields,
+  point,
+  say,
+} from "../state.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
 
 /** Secants at most, and as near as this, as a share of the wanted pull. */
-const MOST = 12, NEAR = 2e-4;
+const MOST = 12,
+  NEAR = 2e-4;
 
 /** @param {Store} store */
 export function solveView(store) {
-  const choices = [PRESSURE, CONTRACTION, ...QUANTITIES.filter((m) => m.key !== "L")];
-  const asked = form([{ key: "what", field: "what", label: "Solve for", value: PRESSURE.key,
-    options: choices.map((m) => [m.key, m.label]) },
-  { key: "pull", field: "force_n", label: "Wanted pull", kind: "force", hint: "500 N" }], () => solve());
+  const choices = [
+    PRESSURE,
+    CONTRACTION,
+    ...QUANTITIES.filter((m) => m.key !== "L"),
+  ];
+  const asked = form(
+    [
+      {
+        key: "what",
+        field: "what",
+        label: "Solve for",
+        value: PRESSURE.key,
+        options: choices.map((m) => [m.key, m.label]),
+      },
+      {
+        key: "pull",
+        field: "force_n",
+        label: "Wanted pull",
+        kind: "force",
+        hint: "500 N",
+      },
+    ],
+    () => solve(),
+  );
   const said = el("p", { class: "small", role: "status" });
-  const element = el("details", {}, el("summary", {}, "Solve for a wanted pull"), asked.element,
-    button("Solve", () => solve()), said);
+  const element = el(
+    "details",
+    {},
+    el("summary", {}, "Solve for a wanted pull"),
+    asked.element,
+    button("Solve", () => solve()),
+    said,
+  );
   let ends = new AbortController();
 
   async function solve() {
     ends.abort();
-    const { signal } = (ends = new AbortController()), { what, force_n: force } = await asked.read() ?? {};
+    const { signal } = (ends = new AbortController()),
+      { what, force_n: force } = (await asked.read()) ?? {};
     if (force === undefined || signal.aborted) return;
     said.textContent = "…";
     try {
-      const measure = /** @type {Measure} */ (choices.find((m) => m.key === what));
+      const measure = /** @type {Measure} */ (
+        choices.find((m) => m.key === what)
+      );
       const value = await solved(measure, force, signal);
       said.textContent = `${measure.label} ${show(measure.kind, value, 4)} gives ${show("force", force, 4)}.`;
       store.changed(measure.key, value, true);
     } catch (problem) {
-      if (!signal.aborted) said.textContent = inWords(/** @type {Error} */ (problem).message);
+      if (!signal.aborted)
+        said.textContent = inWords(/** @type {Error} */ (problem).message);
     }
   }
   atEnd(() => ends.abort());
@@ -43,18 +81,44 @@ export function solveView(store) {
 
 /** @param {Measure} measure @param {number} force @param {AbortSignal} signal @returns {Promise<number>} */
 async function solved(measure, force, signal) {
-  const { state } = muscle, options = /** @type {const} */ ({ lane: "side", signal });
+  const { state } = muscle,
+    options = /** @type {const} */ ({ lane: "side", signal });
   const asked = { ...muscle.fields(), force_n: force };
   // The command has an inverse of its own for both.
   if (measure.key === "p")
-    return (await engine().ask("pressure", { ...asked, contraction: state.e }, options)).pressure_mpa;
+    return (
+      await engine().ask(
+        "pressure",
+        { ...asked, contraction: state.e },
+        options,
+      )
+    ).pressure_mpa;
   if (measure.key === "e")
-    return (await engine().ask("contraction", { ...asked, pressure_mpa: state.p }, options)).contraction;
+    return (
+      await engine().ask(
+        "contraction",
+        { ...asked, pressure_mpa: state.p },
+        options,
+      )
+    ).contraction;
   const over = async (/** @type {number} */ value) => {
     const changed = say({ ...state, F: undefined }, measure.key, value);
-    return (await engine().ask("force", { ...fields(changed), ...point(changed) }, options)).force_n - force;
+    return (
+      (
+        await engine().ask(
+          "force",
+          { ...fields(changed), ...point(changed) },
+          options,
+        )
+      ).force_n - force
+    );
   };
-  return root(over, Number(muscle.value(measure.key)), measure, NEAR * Math.abs(force));
+  return root(
+    over,
+    Number(muscle.value(measure.key)),
+    measure,
+    NEAR * Math.abs(force),
+  );
 }
 
 /**
@@ -62,27 +126,43 @@ async function solved(measure, force, signal) {
  * then secants that keep it between (Illinois).
  * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure @param {number} near
  */
-async function root(of, from, { low = 0, high = 1, around, label, kind }, near) {
+async function root(
+  of,
+  from,
+  { low = 0, high = 1, around, label, kind },
+  near,
+) {
   // A muscle that cannot be has no value.
-  const at = async (/** @type {number} */ x) => ({ x, f: await of(x).catch((problem) => {
-    if (isAbort(problem)) throw problem;
-    return NaN;
-  }) });
-  const start = await at(from), ends = around ? [0.3 * from, 3 * from] : [low, high];
-  let a = start, b = start;
+  const at = async (/** @type {number} */ x) => ({
+    x,
+    f: await of(x).catch((problem) => {
+      if (isAbort(problem)) throw problem;
+      return NaN;
+    }),
+  });
+  const start = await at(from),
+    ends = around ? [0.3 * from, 3 * from] : [low, high];
+  let a = start,
+    b = start;
   for (const share of [0.12, 0.3, 0.5, 0.75, 1]) {
-    const both = await Promise.all(ends.map((end) => at(from + share * (end - from))));
+    const both = await Promise.all(
+      ends.map((end) => at(from + share * (end - from))),
+    );
     b = both.find(({ f }) => f * start.f <= 0) ?? start;
     if (b !== start || Math.abs(start.f) <= near) break;
   }
   if (b === start && !(Math.abs(start.f) <= near))
-    throw new Error(`No ${label.toLowerCase()} between ${show(kind, ends[0])} and ${show(kind, ends[1])} gives this `
-      + "pull with all else as it is.");
+    throw new Error(
+      `No ${label.toLowerCase()} between ${show(kind, ends[0])} and ${show(kind, ends[1])} gives this ` +
+        "pull with all else as it is.",
+    );
   for (let i = 0; i < MOST && Math.abs(b.f) > near; i++) {
     const next = await at((a.x * b.f - b.x * a.f) / (b.f - a.f));
     a = next.f * b.f > 0 ? { ...a, f: a.f / 2 } : b;
     b = next;
   }
   if (Math.abs(b.f) <= near) return b.x;
-  throw new Error(`The search did not converge in ${MOST} steps: give a value that is nearer to the wanted one.`);
+  throw new Error(
+    `The search did not converge in ${MOST} steps: give a value that is nearer to the wanted one.`,
+  );
 }

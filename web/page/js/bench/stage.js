@@ -12,20 +12,36 @@ import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
 
 /** What colours the muscle: field, name, kind of its unit. */
-const SHOWN = /** @type {[string, string, string][]} */ ([["max_stretch", "Largest stretch", ""],
-  ["hoop_stretch", "Hoop stretch", ""], ["stress_hoop_mpa", "Hoop stress", "pressure"],
+const SHOWN = /** @type {[string, string, string][]} */ ([
+  ["max_stretch", "Largest stretch", ""],
+  ["hoop_stretch", "Hoop stretch", ""],
+  ["stress_hoop_mpa", "Hoop stress", "pressure"],
   ["stress_axial_mpa", "Axial stress", "pressure"],
   ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"],
-  ["strand_tension_n", "Tension of a strand", "force"], ["strand_angle_deg", "Angle of the strands", "angle"]]);
+  ["strand_tension_n", "Tension of a strand", "force"],
+  ["strand_angle_deg", "Angle of the strands", "angle"],
+]);
 const HINT =
   "Drag to turn; drag the right end to contract; Ctrl and wheel, or two fingers, to zoom; double-click to reset";
 
 /** @param {Store} store @param {HTMLElement} busy */
 export function stageView(store, busy) {
-  const said = el("p", { class: "say" }), scale = el("div", { class: "bar" }), legend = el("div", { class: "legend" });
-  const stage = el("div", { class: "stage", title: HINT }, said, scale, legend, busy);
-  const dial = gauge(stage, (pressure, settled) => store.changed("p", pressure, settled));
-  let scaled = 0, legendKey = "";
+  const said = el("p", { class: "say" }),
+    scale = el("div", { class: "bar" }),
+    legend = el("div", { class: "legend" });
+  const stage = el(
+    "div",
+    { class: "stage", title: HINT },
+    said,
+    scale,
+    legend,
+    busy,
+  );
+  const dial = gauge(stage, (pressure, settled) =>
+    store.changed("p", pressure, settled),
+  );
+  let scaled = 0,
+    legendKey = "";
   /** As long as it says at every zoom. */
   const paintScale = () => {
     const perPixel = view.millimetresPerPixel;
@@ -33,32 +49,55 @@ export function stageView(store, busy) {
     scaled = perPixel;
     const step = niceUp(80 * perPixel * 0.6);
     const line = el("span", {
-      style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` });
+      style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
+    });
     scale.replaceChildren(line, show("length", step, 3));
   };
-  const drawn = () => { paintScale(); measures.paint(); };
+  const drawn = () => {
+    paintScale();
+    measures.paint();
+  };
   const view = new View(stage, { drawn, contract: contracting(store) });
   const measures = dimensions(stage, store, () => view);
-  const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), store.wanted.show,
-    (name) => store.look({ show: name }));
-  const cut = button("Cut open", () => store.look({ cut: store.wanted.cut ? "" : "1" }), { "aria-pressed": false });
+  const colour = choice(
+    "Colour",
+    SHOWN.map(([name, text]) => [name, text]),
+    store.wanted.show,
+    (name) => store.look({ show: name }),
+  );
+  const cut = button(
+    "Cut open",
+    () => store.look({ cut: store.wanted.cut ? "" : "1" }),
+    { "aria-pressed": false },
+  );
   const pump = pumping(store);
-  const measure = button("Dimensions", () => {
-    const on = measure.getAttribute("aria-pressed") !== "true";
-    measure.setAttribute("aria-pressed", String(on));
-    measures.show(on);
-  }, { "aria-pressed": "true" });
+  const measure = button(
+    "Dimensions",
+    () => {
+      const on = measure.getAttribute("aria-pressed") !== "true";
+      measure.setAttribute("aria-pressed", String(on));
+      measures.show(on);
+    },
+    { "aria-pressed": "true" },
+  );
 
   function paint() {
     const { shape, point } = store;
     if (!shape) return;
-    const [name, words, kind] = SHOWN.find(([f]) => f === store.wanted.show && shape.arrays[f]) ?? SHOWN[0];
+    const [name, words, kind] =
+      SHOWN.find(([f]) => f === store.wanted.show && shape.arrays[f]) ??
+      SHOWN[0];
     const [low, high] = store.ranges?.[name] ?? reach(shape.arrays[name]);
     colour.set(name);
     cut.setAttribute("aria-pressed", String(Boolean(store.wanted.cut)));
     view.cut = Boolean(store.wanted.cut);
-    view.set(shape, { field: name, low, high, restLength: shape.muscle.length_mm,
-      restRadius: shape.muscle.outer_diameter_mm / 2 });
+    view.set(shape, {
+      field: name,
+      low,
+      high,
+      restLength: shape.muscle.length_mm,
+      restRadius: shape.muscle.outer_diameter_mm / 2,
+    });
     if (!point) return;
     paintLegend(words, kind, low, high);
     said.replaceChildren(...sentence(shape, point));
@@ -68,31 +107,63 @@ export function stageView(store, busy) {
   /** @param {string} words @param {string} kind @param {number} low @param {number} high */
   function paintLegend(words, kind, low, high) {
     const end = (/** @type {number} */ x) =>
-      kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3);
+      kind === "N/mm"
+        ? `${number(x, 3)} N/mm`
+        : kind
+          ? show(kind, x, 3)
+          : number(x, 3);
     const key = `${words} ${end(low)} ${end(high)}`;
     if (key === legendKey) return;
     legendKey = key;
-    const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
+    const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(
+      ",",
+    );
     const bar = el("i", { style: `background:linear-gradient(90deg,${ramp})` });
-    legend.replaceChildren(el("span", {}, words), bar, el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
+    legend.replaceChildren(
+      el("span", {}, words),
+      bar,
+      el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))),
+    );
   }
 
-  for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
+  for (const event of /** @type {const} */ (["answer", "look", "ranges"]))
+    store.on(event, paint);
   store.on("changed", pump.stop);
   return {
-    stage, tools: el("div", { class: "row" }, colour.element, cut, measure, pump.button),
+    stage,
+    tools: el(
+      "div",
+      { class: "row" },
+      colour.element,
+      cut,
+      measure,
+      pump.button,
+    ),
     /** In other units. */
-    units() { scaled = 0; legendKey = ""; paint(); paintScale(); measures.paint(); },
+    units() {
+      scaled = 0;
+      legendKey = "";
+      paint();
+      paintScale();
+      measures.paint();
+    },
   };
 }
 
 /** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
 function sentence(shape, point) {
   if (point.slack)
-    return [el("b", {}, "Slack"), el("br"),
-      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`];
+    return [
+      el("b", {}, "Slack"),
+      el("br"),
+      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`,
+    ];
   const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
-  return [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), at];
+  return [
+    el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)),
+    el("br"),
+    at,
+  ];
 }
 
 /** The end of the muscle is dragged. @param {Store} store */
@@ -100,15 +171,32 @@ function contracting(store) {
   let from = /** @type {number | undefined} */ (undefined);
   return (/** @type {number} */ share, /** @type {boolean} */ settled) => {
     from ??= Number(store.shape?.shape_contraction);
-    const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (from + share)) / 1000));
+    const to = Math.min(
+      0.9,
+      Math.max(-0.1, Math.round(1000 * (from + share)) / 1000),
+    );
     if (settled) from = undefined;
     store.changed("e", to, settled);
   };
 }
 
 /** The pressure rises, the muscle shortens, and both go back. @param {Store} store */
-const pumping = (store) => playing("Pump", (share) => {
-  const { p, e } = muscle, part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x)), t = 3 * share;
-  store.ask(share < 1 ? { pressure_mpa: p * (part(t) - part(t - 2)), contraction: e * (part(t - 1) - part(t - 2)) }
-    : undefined);
-}, () => 4500, "Fills it, lets it shorten, and lets go");
+const pumping = (store) =>
+  playing(
+    "Pump",
+    (share) => {
+      const { p, e } = muscle,
+        part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x)),
+        t = 3 * share;
+      store.ask(
+        share < 1
+          ? {
+              pressure_mpa: p * (part(t) - part(t - 2)),
+              contraction: e * (part(t - 1) - part(t - 2)),
+            }
+          : undefined,
+      );
+    },
+    () => 4500,
+    "Fills it, lets it shorten, and lets go",
+  );

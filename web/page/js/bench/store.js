@@ -27,7 +27,8 @@ export class Store {
   constructor(busy) {
     this.wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
     /** @type {Shape | undefined} */ this.shape = undefined;
-    /** The same where it is of the present muscle. @type {Shape | undefined} */ this.point = undefined;
+    /** The same where it is of the present muscle. @type {Shape | undefined} */ this.point =
+      undefined;
     /** @type {Facts} */ this.facts = {};
     /**
      * Ends of the colour scales, by field: of the muscle up to its supply.
@@ -35,17 +36,30 @@ export class Store {
      */
     this.ranges = undefined;
     this.rangesKey = "";
-    /** The last problem, until there is an answer. @type {Problem | undefined} */ this.problem = undefined;
-    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners = new Map();
-    this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot(), start: new Slot(), range: new Slot() };
+    /** The last problem, until there is an answer. @type {Problem | undefined} */ this.problem =
+      undefined;
+    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners =
+      new Map();
+    this.slots = {
+      state: new Slot({ lane: "state", busy }),
+      fact: new Slot(),
+      start: new Slot(),
+      range: new Slot(),
+    };
     this.timers = { follow: 0, start: 0 };
     atEnd(() => Object.values(this.timers).forEach(clearTimeout));
   }
 
   /** @template {Event} E @param {E} what @param {(more: Told[E]) => void} tell */
-  on(what, tell) { this.listeners.set(what, [...(this.listeners.get(what) ?? []), tell]); }
+  on(what, tell) {
+    this.listeners.set(what, [...(this.listeners.get(what) ?? []), tell]);
+  }
   /** @template {Event} E @param {E} what @param {Told[E]} [more] */
-  tell(what, more) { this.listeners.get(what)?.forEach((tell) => tell(/** @type {never} */ (more))); }
+  tell(what, more) {
+    this.listeners
+      .get(what)
+      ?.forEach((tell) => tell(/** @type {never} */ (more)));
+  }
 
   /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
   changed(key, value, settled) {
@@ -54,8 +68,10 @@ export class Store {
     this.tell("sync");
     this.ask();
     clearTimeout(this.timers.follow);
-    if (settled) { this.settle(); this.follow(); }
-    else this.timers.follow = window.setTimeout(() => this.follow(), 120);
+    if (settled) {
+      this.settle();
+      this.follow();
+    } else this.timers.follow = window.setTimeout(() => this.follow(), 120);
   }
 
   /** @param {Partial<Store["wanted"]>} wish */
@@ -67,23 +83,34 @@ export class Store {
 
   settle() {
     const { test, show, cut, over } = this.wanted;
-    const own = { test: test === "isobaric" ? "" : test, show: show === "max_stretch" ? "" : show, cut, over };
+    const own = {
+      test: test === "isobaric" ? "" : test,
+      show: show === "max_stretch" ? "" : show,
+      cut,
+      over,
+    };
     muscle.place("muscle", own);
   }
 
   /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
   ask(shown) {
-    const { state } = muscle, request = { ...muscle.fields(), ...(shown ?? pointOf(state)) };
-    this.slots.state.ask("shape", request, (answer) => {
-      this.shape = this.point = /** @type {Shape} */ (answer);
-      this.problem = undefined;
-      if (muscle.state === state) this.take(state, this.point);
-      this.tell("answer", shown !== undefined);
-    }, (problem) => {
-      this.problem = problem;
-      this.point = undefined;
-      this.tell("problem", { problem, state });
-    });
+    const { state } = muscle,
+      request = { ...muscle.fields(), ...(shown ?? pointOf(state)) };
+    this.slots.state.ask(
+      "shape",
+      request,
+      (answer) => {
+        this.shape = this.point = /** @type {Shape} */ (answer);
+        this.problem = undefined;
+        if (muscle.state === state) this.take(state, this.point);
+        this.tell("answer", shown !== undefined);
+      },
+      (problem) => {
+        this.problem = problem;
+        this.point = undefined;
+        this.tell("problem", { problem, state });
+      },
+    );
   }
 
   /** @param {State} state @param {Shape} answer */
@@ -100,12 +127,24 @@ export class Store {
   /** What comes after: P′, and what the muscle does at this pressure. */
   follow() {
     const { state } = muscle;
-    this.slots.fact.ask("check", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
-      this.facts = { ...answer, start: this.facts.start, said: this.facts.said };
-      if (muscle.state.said === state.said) { muscle.shown = answer; this.tell("sync"); }
-      this.tell("facts");
-      this.range();
-    }, () => {});
+    this.slots.fact.ask(
+      "check",
+      { ...muscle.fields(), pressure_mpa: state.p },
+      (answer) => {
+        this.facts = {
+          ...answer,
+          start: this.facts.start,
+          said: this.facts.said,
+        };
+        if (muscle.state.said === state.said) {
+          muscle.shown = answer;
+          this.tell("sync");
+        }
+        this.tell("facts");
+        this.range();
+      },
+      () => {},
+    );
     // Of a load the contraction is known with its shape.
     if (state.F === undefined) this.starts();
   }
@@ -113,16 +152,34 @@ export class Store {
   /** P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more than a shape. */
   starts() {
     const { state } = muscle;
-    const request = { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e };
-    this.slots.start.ask("force", request, ({ start_pressure_mpa: start, warnings, uncertainty_words: words }) => {
-      this.facts = { ...this.facts, start, said: { state, warnings: /** @type {string[]} */ (warnings), words } };
-      this.tell("facts");
-    }, () => { this.facts = { ...this.facts, start: undefined }; });
+    const request = {
+      ...muscle.fields(),
+      pressure_mpa: state.p,
+      contraction: state.e,
+    };
+    this.slots.start.ask(
+      "force",
+      request,
+      ({ start_pressure_mpa: start, warnings, uncertainty_words: words }) => {
+        this.facts = {
+          ...this.facts,
+          start,
+          said: { state, warnings: /** @type {string[]} */ (warnings), words },
+        };
+        this.tell("facts");
+      },
+      () => {
+        this.facts = { ...this.facts, start: undefined };
+      },
+    );
   }
 
   /** The pressure that the colours reach to: that of the gauge, or the one that the muscle may have. */
   supply() {
-    const allowed = this.facts.characteristics?.allowed_pressure_mpa ?? this.facts.rated_pressure_mpa ?? Infinity;
+    const allowed =
+      this.facts.characteristics?.allowed_pressure_mpa ??
+      this.facts.rated_pressure_mpa ??
+      Infinity;
     const usual = Math.min(PRESSURE.high, allowed);
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
@@ -131,19 +188,26 @@ export class Store {
    * Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply.
    */
   range() {
-    const fields = muscle.fields(), supply = this.supply(), key = JSON.stringify([fields, supply]);
+    const fields = muscle.fields(),
+      supply = this.supply(),
+      key = JSON.stringify([fields, supply]);
     if (key === this.rangesKey) return;
     this.rangesKey = key;
-    const states = [{ pressure_mpa: supply, contraction: 0 }, { pressure_mpa: supply, force_n: 0 },
-      { pressure_mpa: supply / 10, contraction: 0 }];
+    const states = [
+      { pressure_mpa: supply, contraction: 0 },
+      { pressure_mpa: supply, force_n: 0 },
+      { pressure_mpa: supply / 10, contraction: 0 },
+    ];
     const found = /** @type {Record<string, [number, number]>} */ ({});
     const done = () => {
       if (this.rangesKey !== key) return;
-      const at = states.shift(), take = (/** @type {object} */ answer) => {
-        widen(found, /** @type {Shape} */ (answer));
-        done();
-      };
-      if (at) return this.slots.range.ask("shape", { ...fields, ...at }, take, done);
+      const at = states.shift(),
+        take = (/** @type {object} */ answer) => {
+          widen(found, /** @type {Shape} */ (answer));
+          done();
+        };
+      if (at)
+        return this.slots.range.ask("shape", { ...fields, ...at }, take, done);
       this.ranges = Object.keys(found).length ? found : undefined;
       this.tell("ranges");
     };
@@ -154,7 +218,8 @@ export class Store {
 /** @param {Record<string, [number, number]>} found @param {Shape} shape */
 function widen(found, { arrays }) {
   for (const [field, list] of Object.entries(arrays)) {
-    const [low, high] = reach(list), before = found[field] ?? [Infinity, -Infinity];
+    const [low, high] = reach(list),
+      before = found[field] ?? [Infinity, -Infinity];
     found[field] = [Math.min(low, before[0]), Math.max(high, before[1])];
   }
 }

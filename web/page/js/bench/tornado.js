@@ -3,7 +3,14 @@ import { engine } from "../ask.js";
 import { el } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import { CONTRACTION, PRESSURE, QUANTITIES, fields, point, say } from "../state.js";
+import {
+  CONTRACTION,
+  PRESSURE,
+  QUANTITIES,
+  fields,
+  point,
+  say,
+} from "../state.js";
 import { number, outside, show, unitName } from "../units.js";
 
 /** Changes, by keys of measures. @type {Record<string, number>} */
@@ -13,35 +20,67 @@ const REST = 250;
 
 /** @param {Store} store */
 export function tornadoView(store) {
-  const bars = el("div", { class: "tornado" }), words = el("p", { class: "small soft" });
-  const element = el("details", {}, el("summary", {}, "What a small change does"), bars, words);
-  let of = "", timer = 0, ends = new AbortController();
+  const bars = el("div", { class: "tornado" }),
+    words = el("p", { class: "small soft" });
+  const element = el(
+    "details",
+    {},
+    el("summary", {}, "What a small change does"),
+    bars,
+    words,
+  );
+  let of = "",
+    timer = 0,
+    ends = new AbortController();
 
   async function start() {
-    const { state } = muscle, { point: at } = store;
-    const key = JSON.stringify([state, ...["force", "length", "pressure"].map(unitName)]);
+    const { state } = muscle,
+      { point: at } = store;
+    const key = JSON.stringify([
+      state,
+      ...["force", "length", "pressure"].map(unitName),
+    ]);
     if (!element.open || !at || at.slack || key === of) return;
     of = key;
     ends.abort();
     const { signal } = (ends = new AbortController());
     words.textContent = "Computing …";
-    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter((m) =>
-      (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined));
+    const list = /** @type {Measure[]} */ ([
+      ...QUANTITIES,
+      PRESSURE,
+      CONTRACTION,
+    ]).filter(
+      (m) =>
+        (m.key !== "angle" || !muscle.shown?.sleeve) &&
+        !(m.key === "e" && state.F !== undefined),
+    );
     /** @type {[Measure, number[]][]} */ const found = [];
     for (const m of list) {
-      const value = muscle.value(m.key) ?? NaN, changes = [];
+      const value = muscle.value(m.key) ?? NaN,
+        changes = [];
       for (const sign of [-1, 1]) {
-        const changed = say({ ...state, F: undefined, e: at.contraction }, m.key, value + sign * STEPS[m.key]);
+        const changed = say(
+          { ...state, F: undefined, e: at.contraction },
+          m.key,
+          value + sign * STEPS[m.key],
+        );
         const request = { ...fields(changed), ...point(changed) };
-        const answer = await engine().ask("force", request, { signal }).catch(() => undefined);
+        const answer = await engine()
+          .ask("force", request, { signal })
+          .catch(() => undefined);
         if (signal.aborted) return;
         if (answer) changes.push(answer.force_n - at.force_n);
       }
       if (changes.length) found.push([m, changes]);
     }
-    const size = (/** @type {number[]} */ changes) => Math.max(...changes.map(Math.abs));
+    const size = (/** @type {number[]} */ changes) =>
+      Math.max(...changes.map(Math.abs));
     found.sort(([, a], [, b]) => size(b) - size(a));
-    bars.replaceChildren(...found.map(([m, changes]) => bar(m, changes, Math.max(1e-9, size(found[0][1])))));
+    bars.replaceChildren(
+      ...found.map(([m, changes]) =>
+        bar(m, changes, Math.max(1e-9, size(found[0][1]))),
+      ),
+    );
     words.textContent = `Change of the pull of ${show("force", at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
 
@@ -54,19 +93,37 @@ export function tornadoView(store) {
   };
   element.addEventListener("toggle", start);
   store.on("changed", soon);
-  store.on("answer", () => { if (element.open && of === "") soon(); });
-  atEnd(() => { clearTimeout(timer); ends.abort(); });
+  store.on("answer", () => {
+    if (element.open && of === "") soon();
+  });
+  atEnd(() => {
+    clearTimeout(timer);
+    ends.abort();
+  });
   return { element };
 }
 
 /** @param {Measure} m @param {number[]} changes @param {number} reach */
 function bar(m, changes, reach) {
-  const step = STEPS[m.key], text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
+  const step = STEPS[m.key],
+    text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
   const signed = (/** @type {number} */ v) =>
     `${v < 0 ? "−" : "+"}${number(outside("force", Math.abs(v)), 2)} ${unitName("force")}`;
-  const piece = (/** @type {number} */ v, /** @type {number} */ i) => el("b", { class: i ? "more" : "less",
-    style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%` });
-  const label = el("span", {}, m.label, el("span", { class: "soft" }, ` ± ${text}`));
-  const value = el("span", {}, changes.length === 2 ? changes.map(signed).join(", ") : "–");
+  const piece = (/** @type {number} */ v, /** @type {number} */ i) =>
+    el("b", {
+      class: i ? "more" : "less",
+      style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%`,
+    });
+  const label = el(
+    "span",
+    {},
+    m.label,
+    el("span", { class: "soft" }, ` ± ${text}`),
+  );
+  const value = el(
+    "span",
+    {},
+    changes.length === 2 ? changes.map(signed).join(", ") : "–",
+  );
   return el("div", {}, label, value, el("i", {}, ...changes.map(piece)));
 }

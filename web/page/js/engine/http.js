@@ -5,9 +5,13 @@ import { Problem, gone } from "./problem.js";
 const API = new URL("../../api/", import.meta.url);
 
 export class Engine {
-  get about() { return "mckibben serve"; }
+  get about() {
+    return "mckibben serve";
+  }
   /** Without its server there is no answer: nothing is kept. */
-  get files() { return /** @type {string[]} */ ([]); }
+  get files() {
+    return /** @type {string[]} */ ([]);
+  }
 
   /**
    * Without progress of long work; the signal ends it.
@@ -16,15 +20,24 @@ export class Engine {
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { signal } = {}) {
-    const headers = { "content-type": "application/json", accept: "application/octet-stream" };
+    const headers = {
+      "content-type": "application/json",
+      accept: "application/octet-stream",
+    };
     try {
-      const answer = await fetch(new URL(command, API),
-        { method: "POST", signal, body: JSON.stringify(request), headers });
+      const answer = await fetch(new URL(command, API), {
+        method: "POST",
+        signal,
+        body: JSON.stringify(request),
+        headers,
+      });
       if (answer.ok) return unpack(await answer.arrayBuffer()).answer;
       throw new Problem((await answer.json()).error);
     } catch (error) {
       if (signal?.aborted) throw new DOMException("cancelled", "AbortError");
-      throw error instanceof Problem ? error : gone("the server cannot be reached");
+      throw error instanceof Problem
+        ? error
+        : gone("the server cannot be reached");
     }
   }
 }

@@ -3,10 +3,19 @@
 import { Problem, gone } from "./problem.js";
 
 /** Commands of the small module; its one model is `fe`, and it reads no files of loads. */
-const LIVE = ["force", "pressure", "contraction", "curve", "shape", "check", "measures", "quantities", "units"];
+const LIVE = [
+  "force",
+  "pressure",
+  "contraction",
+  "curve",
+  "shape",
+  "check",
+  "measures",
+  "quantities",
+  "units",
+];
 /** What it lists. */
 const LISTED = ["sleeves", "rubbers", "models"];
-
 
 /** @typedef {ConstructorParameters<typeof Problem>[0]} Said */
 /** What a worker answers: how far it is, an answer, a problem, or its end. */
@@ -24,7 +33,8 @@ class Lane {
   constructor(module) {
     this.module = module;
     /** @type {Worker | undefined} */ this.worker = undefined;
-    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open = [];
+    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open =
+      [];
     this.next = 1;
   }
 
@@ -32,7 +42,9 @@ class Lane {
     if (this.worker) return this.worker;
     const module = await this.module();
     if (this.worker) return this.worker;
-    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    const worker = new Worker(new URL("./worker.js", import.meta.url), {
+      type: "module",
+    });
     worker.postMessage({ module });
     worker.onmessage = ({ data }) => this.take(data);
     worker.onerror = (event) => this.end(event.message || "the worker ended");
@@ -48,9 +60,16 @@ class Lane {
     try {
       const worker = await this.start();
       // It may have been given up meanwhile.
-      if (this.open[0] === first) worker.postMessage({ id: first.id, command: first.command, request: first.request });
+      if (this.open[0] === first)
+        worker.postMessage({
+          id: first.id,
+          command: first.command,
+          request: first.request,
+        });
     } catch (problem) {
-      this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(problem)));
+      this.open
+        .splice(0)
+        .forEach((asked) => this.close(asked, () => asked.reject(problem)));
     }
   }
 
@@ -70,15 +89,20 @@ class Lane {
     this.open.shift();
     this.go();
     const { problem, answer } = data;
-    this.close(asked,
-      () => (problem ? asked.reject(new Problem(problem)) : asked.resolve(/** @type {never} */ (answer))));
+    this.close(asked, () =>
+      problem
+        ? asked.reject(new Problem(problem))
+        : asked.resolve(/** @type {never} */ (answer)),
+    );
   }
 
   /** The worker is given up; the next question starts another. @param {string} why */
   end(why) {
     this.worker?.terminate();
     this.worker = undefined;
-    this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
+    this.open
+      .splice(0)
+      .forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
   }
 
   /** @param {string} command @param {object} request @param {How} how */
@@ -86,8 +110,17 @@ class Lane {
     signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
       /** @type {Asked} */
-      const asked = { id: this.next++, command, request: JSON.stringify(request), resolve, reject, signal, progress,
-        posted: false, stop: () => {} };
+      const asked = {
+        id: this.next++,
+        command,
+        request: JSON.stringify(request),
+        resolve,
+        reject,
+        signal,
+        progress,
+        posted: false,
+        stop: () => {},
+      };
       asked.stop = () => {
         const at = this.open.indexOf(asked);
         if (at < 0) return;
@@ -113,14 +146,17 @@ function loaded(name) {
   return () => {
     const load = async () => {
       const answer = await fetch(new URL(`../../${name}`, import.meta.url));
-      if (!answer.ok) throw gone(`${name}: ${answer.status} ${answer.statusText}`);
+      if (!answer.ok)
+        throw gone(`${name}: ${answer.status} ${answer.statusText}`);
       return answer.headers.get("content-type")?.startsWith("application/wasm")
         ? WebAssembly.compileStreaming(answer)
         : WebAssembly.compile(await answer.arrayBuffer());
     };
     module ??= load().catch((error) => {
       module = undefined;
-      throw error instanceof Problem ? error : gone(String(error.message ?? error));
+      throw error instanceof Problem
+        ? error
+        : gone(String(error.message ?? error));
     });
     return module;
   };
@@ -128,15 +164,27 @@ function loaded(name) {
 
 export class Engine {
   constructor() {
-    if (typeof WebAssembly !== "object") throw gone("this browser does not support WebAssembly");
-    const live = loaded("live.wasm"), whole = loaded("whole.wasm");
-    this.lanes = { state: new Lane(live), read: new Lane(live), side: new Lane(live), curves: new Lane(live),
-      whole: new Lane(whole), job: new Lane(whole) };
+    if (typeof WebAssembly !== "object")
+      throw gone("this browser does not support WebAssembly");
+    const live = loaded("live.wasm"),
+      whole = loaded("whole.wasm");
+    this.lanes = {
+      state: new Lane(live),
+      read: new Lane(live),
+      side: new Lane(live),
+      curves: new Lane(live),
+      whole: new Lane(whole),
+      job: new Lane(whole),
+    };
   }
 
-  get about() { return "WebAssembly in this browser"; }
+  get about() {
+    return "WebAssembly in this browser";
+  }
   /** What it needs without a network. */
-  get files() { return ["live.wasm", "whole.wasm"]; }
+  get files() {
+    return ["live.wasm", "whole.wasm"];
+  }
 
   /**
    * Answers a request; the signal ends it.
@@ -144,9 +192,19 @@ export class Engine {
    * @param {How} [how] @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", ...how } = {}) {
-    const of = /** @type {{ model?: string, load_tables?: object[], kind?: string }} */ (request);
-    const known = LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
-    const small = known && (of.model ?? "fe") === "fe" && !of.load_tables?.length;
-    return this.lanes[small || lane === "job" ? lane : "whole"].ask(command, request, how);
+    const of =
+      /** @type {{ model?: string, load_tables?: object[], kind?: string }} */ (
+        request
+      );
+    const known =
+      LIVE.includes(command) ||
+      (command === "parts-list" && LISTED.includes(of.kind ?? ""));
+    const small =
+      known && (of.model ?? "fe") === "fe" && !of.load_tables?.length;
+    return this.lanes[small || lane === "job" ? lane : "whole"].ask(
+      command,
+      request,
+      how,
+    );
   }
 }

@@ -9,7 +9,8 @@ import { unpack } from "./packed.js";
 let engine;
 /** @type {Promise<void> | undefined} */ let ready;
 let current = 0;
-const encoder = new TextEncoder(), decoder = new TextDecoder();
+const encoder = new TextEncoder(),
+  decoder = new TextDecoder();
 
 /**
  * @param {string} command @param {string} request
@@ -22,8 +23,14 @@ function ask(command, request) {
   input.set(a);
   input.set(b, a.length);
   const wrong = engine.ask(a.length);
-  const bytes = new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length()).slice();
-  return wrong ? { problem: JSON.parse(decoder.decode(bytes)) } : unpack(bytes.buffer);
+  const bytes = new Uint8Array(
+    engine.memory.buffer,
+    engine.answer(),
+    engine.answer_length(),
+  ).slice();
+  return wrong
+    ? { problem: JSON.parse(decoder.decode(bytes)) }
+    : unpack(bytes.buffer);
 }
 
 /** @param {WebAssembly.Module} module */
@@ -32,7 +39,9 @@ async function begin(module) {
     progress: (/** @type {number} */ done, /** @type {number} */ total) =>
       self.postMessage({ id: current, done, total }),
   };
-  engine = /** @type {typeof engine} */ ((await WebAssembly.instantiate(module, { host })).exports);
+  engine = /** @type {typeof engine} */ (
+    (await WebAssembly.instantiate(module, { host })).exports
+  );
   engine.start();
 }
 
@@ -46,10 +55,19 @@ self.onmessage = async ({ data }) => {
   current = data.id;
   try {
     const { problem, answer, buffers } = ask(data.command, data.request);
-    self.postMessage({ id: data.id, problem, answer }, { transfer: buffers ?? [] });
+    self.postMessage(
+      { id: data.id, problem, answer },
+      { transfer: buffers ?? [] },
+    );
   } catch (error) {
     // A trap: the instance cannot be used any more; its last words stand where the answer would.
-    const words = decoder.decode(new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length()));
+    const words = decoder.decode(
+      new Uint8Array(
+        engine.memory.buffer,
+        engine.answer(),
+        engine.answer_length(),
+      ),
+    );
     self.postMessage({ id: data.id, dead: words || String(error) });
   }
 };

@@ -17,16 +17,26 @@ function withoutNetwork() {
   const keep = button("Make all places available offline", async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
-    const wrong = await keepAll().then(() => "", (problem) => `That failed: ${problem.message}`);
+    const wrong = await keepAll().then(
+      () => "",
+      (problem) => `That failed: ${problem.message}`,
+    );
     await say();
     if (wrong) text.textContent = wrong;
     keep.disabled = false;
   });
-  const element = el("div", { hidden: true }, el("h2", {}, "Without a network"), el("p", { class: "row" }, text, keep));
+  const element = el(
+    "div",
+    { hidden: true },
+    el("h2", {}, "Without a network"),
+    el("p", { class: "row" }, text, keep),
+  );
   const say = async () => {
     const all = await isKept();
     keep.hidden = all;
-    text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
+    text.textContent = all
+      ? "Every place works."
+      : "The muscle works; the other places need more.";
     element.hidden = false;
   };
   // Where the browser keeps nothing there is nothing to say.
@@ -35,66 +45,150 @@ function withoutNetwork() {
 }
 
 /** @typedef {Commands["validate"]["answer"]["cases"][number]} Case */
-const percent = (/** @type {number | null | undefined} */ x) => (x == null ? "–" : `${number(100 * x, 3)} %`);
-const value = (/** @type {Case} */ c) => [number(c.reference, 5), number(c.ours, 5), number(c.error, 2)];
+const percent = (/** @type {number | null | undefined} */ x) =>
+  x == null ? "–" : `${number(100 * x, 3)} %`;
+const value = (/** @type {Case} */ c) => [
+  number(c.reference, 5),
+  number(c.ours, 5),
+  number(c.error, 2),
+];
 /**
  * Tables of the cases, each of one kind of number: kind and measure of its cases, title, headings and cells.
  * @type {[Case["kind"], Case["measure"], string, string[], (c: Case) => string[]][]}
  */
 const TABLES = [
-  ["verification", "value", "Verification: exact solutions and identities", ["exact", "computed", "error"], value],
-  ["validation", "rms", "Validation: pull of measured muscles", ["rms residual", "blocked force", "rms / blocked force"],
-    (c) => [show("force", c.ours, 3), show("force", c.reference, 4), percent(c.error)]],
-  ["validation", "share", "Validation: the ± of the pull", ["points within the ±", "nominal"],
-    (c) => [percent(c.ours), percent(c.reference)]],
-  ["validation", "value", "Validation: other quantities", ["measured", "computed", "error"], value],
+  [
+    "verification",
+    "value",
+    "Verification: exact solutions and identities",
+    ["exact", "computed", "error"],
+    value,
+  ],
+  [
+    "validation",
+    "rms",
+    "Validation: pull of measured muscles",
+    ["rms residual", "blocked force", "rms / blocked force"],
+    (c) => [
+      show("force", c.ours, 3),
+      show("force", c.reference, 4),
+      percent(c.error),
+    ],
+  ],
+  [
+    "validation",
+    "share",
+    "Validation: the ± of the pull",
+    ["points within the ±", "nominal"],
+    (c) => [percent(c.ours), percent(c.reference)],
+  ],
+  [
+    "validation",
+    "value",
+    "Validation: other quantities",
+    ["measured", "computed", "error"],
+    value,
+  ],
 ];
 
 /** @type {Mount} */
 export const mount = (main) => {
   const cases = el("div", {});
   const models = el("div", {});
-  const check = job("Compute them here", "validate", async () => ({}), (answer) => {
-    keepFile(CHECKED, true);
-    cases.replaceChildren(...TABLES.flatMap(([kind, measure, title, head, cells]) => {
-      const list = answer.cases.filter((c) => c.kind === kind && c.measure === measure);
-      const rows = list.map((c) => [c.name, c.source ?? "", ...cells(c), c.ok ? "holds" : "fails"]);
-      return [el("h3", {}, title), table(["case", "source", ...head, ""], rows, { text: [0, 1, head.length + 2],
-        label: title })];
-    }));
-  });
+  const check = job(
+    "Compute them here",
+    "validate",
+    async () => ({}),
+    (answer) => {
+      keepFile(CHECKED, true);
+      cases.replaceChildren(
+        ...TABLES.flatMap(([kind, measure, title, head, cells]) => {
+          const list = answer.cases.filter(
+            (c) => c.kind === kind && c.measure === measure,
+          );
+          const rows = list.map((c) => [
+            c.name,
+            c.source ?? "",
+            ...cells(c),
+            c.ok ? "holds" : "fails",
+          ]);
+          return [
+            el("h3", {}, title),
+            table(["case", "source", ...head, ""], rows, {
+              text: [0, 1, head.length + 2],
+              label: title,
+            }),
+          ];
+        }),
+      );
+    },
+  );
   main.replaceChildren(
-    el("div", { class: "prose" }, el("h2", {}, "What this is"),
-      el("p", {},
-        "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This "
-          + "page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, "
-          + "elastic strands, bonded ends) at every step of a slider, and shows the results."),
-      el("p", {}, "Your data stay on your computer: ",
-        `the engine is ${engine().about}. Your muscle and your settings are in the address of the page; what you `
-          + `typed and opened is kept in this tab until you close it.`), el("h2", {}, "Accuracy"),
-      el("p", {},
-        "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to "
-          + "batch and few are known; it becomes smaller when you identify your own rubber in Measurements. The "
-          + "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the "
-          + "history of the rubber and the friction between strands only if the muscle file states them."),
+    el(
+      "div",
+      { class: "prose" },
+      el("h2", {}, "What this is"),
+      el(
+        "p",
+        {},
+        "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This " +
+          "page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, " +
+          "elastic strands, bonded ends) at every step of a slider, and shows the results.",
+      ),
+      el(
+        "p",
+        {},
+        "Your data stay on your computer: ",
+        `the engine is ${engine().about}. Your muscle and your settings are in the address of the page; what you ` +
+          `typed and opened is kept in this tab until you close it.`,
+      ),
+      el("h2", {}, "Accuracy"),
+      el(
+        "p",
+        {},
+        "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to " +
+          "batch and few are known; it becomes smaller when you identify your own rubber in Measurements. The " +
+          "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the " +
+          "history of the rubber and the friction between strands only if the muscle file states them.",
+      ),
       withoutNetwork(),
-      el("h2", {}, "Verification and validation"), check.element),
+      el("h2", {}, "Verification and validation"),
+      check.element,
+    ),
     cases,
     el("div", { class: "prose" }, el("h2", {}, "Models")),
     models,
-    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"),
-      el("p", {},
+    el(
+      "div",
+      { class: "prose" },
+      el("h2", {}, "Sources and licence"),
+      el(
+        "p",
+        {},
         "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
-        DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")),
-      el("p", { class: "small soft" },
-        "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.")),
+        DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it."),
+      ),
+      el(
+        "p",
+        { class: "small soft" },
+        "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.",
+      ),
+    ),
   );
   const ranBefore = () => Boolean(fileOf(CHECKED));
-  engine().ask("parts-list", { kind: "models" }).then(
-    (answer) => models.replaceChildren(table(["model", "what it is"],
-      answer.models.map((m) => [m.name, m.description]), { text: [0, 1], label: "models" })),
-    () => {},
-  );
+  engine()
+    .ask("parts-list", { kind: "models" })
+    .then(
+      (answer) =>
+        models.replaceChildren(
+          table(
+            ["model", "what it is"],
+            answer.models.map((m) => [m.name, m.description]),
+            { text: [0, 1], label: "models" },
+          ),
+        ),
+      () => {},
+    );
   return {
     async load(params) {
       await muscle.read(params);

@@ -7,48 +7,110 @@ import { pack } from "../deflate.js";
 import { button, capital, dim, el, problemBox } from "../dom.js";
 import { form, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
-import { QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
+import {
+  QUANTITIES,
+  STIFFNESS,
+  STIFFNESS_NAMES,
+  STRANDS,
+  missing,
+  shownValue,
+  side as asked,
+} from "../state.js";
 import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
 import { View } from "../view3d.js";
 import { braidName, partName } from "../words.js";
 
-const MODELS = /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford",
-  "force-balance", "tondu-lopez"].map((m) => [m, m]));
+const MODELS = /** @type {[string, string][]} */ (
+  [
+    "fe",
+    "universal",
+    "thick-wall",
+    "ideal",
+    "paper",
+    "chou-hannaford",
+    "force-balance",
+    "tondu-lopez",
+  ].map((m) => [m, m])
+);
 
 /** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
 function sideForm(name, ask) {
-  const measure = (/** @type {Measure} */ { key, field, label, kind }, more = {}) =>
-    ({ key: name + key, field, label, kind, ...more });
-  const model = { key: `${name}model`, field: "model", label: "Model", options: MODELS,
-    value: name === "b" ? "thick-wall" : "fe" };
-  const fields = form(name === "a" ? [model] : [model, ...QUANTITIES.map((m) => measure(m)),
-    { key: `${name}rubber`, field: "rubber", label: "Rubber" },
-    { key: `${name}braid`, field: "braid", label: "Braid" },
-    measure(STIFFNESS, { or: STIFFNESS_NAMES }),
-    ...STRANDS.map((m) => measure(m, { hidden: true })),
-    { key: `${name}p`, field: "pressure_mpa", label: "Pressure", kind: "pressure" },
-    { key: `${name}e`, field: "contraction", label: "Contraction", kind: "ratio" }], ask);
+  const measure = (
+    /** @type {Measure} */ { key, field, label, kind },
+    more = {},
+  ) => ({ key: name + key, field, label, kind, ...more });
+  const model = {
+    key: `${name}model`,
+    field: "model",
+    label: "Model",
+    options: MODELS,
+    value: name === "b" ? "thick-wall" : "fe",
+  };
+  const fields = form(
+    name === "a"
+      ? [model]
+      : [
+          model,
+          ...QUANTITIES.map((m) => measure(m)),
+          { key: `${name}rubber`, field: "rubber", label: "Rubber" },
+          { key: `${name}braid`, field: "braid", label: "Braid" },
+          measure(STIFFNESS, { or: STIFFNESS_NAMES }),
+          ...STRANDS.map((m) => measure(m, { hidden: true })),
+          {
+            key: `${name}p`,
+            field: "pressure_mpa",
+            label: "Pressure",
+            kind: "pressure",
+          },
+          {
+            key: `${name}e`,
+            field: "contraction",
+            label: "Contraction",
+            kind: "ratio",
+          },
+        ],
+    ask,
+  );
   fields.element.addEventListener("change", ask);
   return fields;
 }
 
 /** One of both. @param {string} name @param {{ ask: () => void, paint: () => void }} act */
 function sideOf(name, { ask, paint }) {
-  const fields = sideForm(name, ask), stage = el("div", { class: "stage", style: "height:220px" }),
-    which = el("p", { class: "small soft" }), said = el("div", {});
+  const fields = sideForm(name, ask),
+    stage = el("div", { class: "stage", style: "height:220px" }),
+    which = el("p", { class: "small soft" }),
+    said = el("div", {});
   const view = new View(stage);
-  const point = new Slot(), shape = new Slot({ lane: "state" }), curve = new Slot({ lane: "curves" });
-  const back = button("The same muscle again", () => take(""), { hidden: true });
+  const point = new Slot(),
+    shape = new Slot({ lane: "state" }),
+    curve = new Slot({ lane: "curves" });
+  const back = button("The same muscle again", () => take(""), {
+    hidden: true,
+  });
   const take = async (/** @type {string} */ text) => {
     await pack(text);
     side.file = text;
     ask();
   };
-  const box = name === "b" && el("details", {}, el("summary", {}, "Another muscle"),
-    fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)), back);
-  const element = el("section", { "aria-label": name.toUpperCase() },
-    el("h2", {}, name === "a" ? "A: the muscle" : "B: with changes"), stage, said, which,
-    el("div", { class: "controls" }, fields.element, box));
+  const box =
+    name === "b" &&
+    el(
+      "details",
+      {},
+      el("summary", {}, "Another muscle"),
+      fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)),
+      back,
+    );
+  const element = el(
+    "section",
+    { "aria-label": name.toUpperCase() },
+    el("h2", {}, name === "a" ? "A: the muscle" : "B: with changes"),
+    stage,
+    said,
+    which,
+    el("div", { class: "controls" }, fields.element, box),
+  );
   const stale = (/** @type {boolean} */ on) => dim([stage, which], on);
   const side = {
     name,
@@ -59,42 +121,81 @@ function sideOf(name, { ask, paint }) {
     family: /** @type {Commands["curve"]["answer"] | undefined} */ (undefined),
     async ask() {
       // What a sleeve needs beside its name has a field.
-      const braid = fields.text(`${name}braid`), k = fields.text(`${name}k`);
-      const lacks = braid ? missing({ said: { braid, ...(k ? { k } : {}) } }, muscle.sleeves) : [];
-      for (const { key } of STRANDS) fields.shown(name + key, lacks.includes(key));
+      const braid = fields.text(`${name}braid`),
+        k = fields.text(`${name}k`);
+      const lacks = braid
+        ? missing({ said: { braid, ...(k ? { k } : {}) } }, muscle.sleeves)
+        : [];
+      for (const { key } of STRANDS)
+        fields.shown(name + key, lacks.includes(key));
       back.hidden = !side.file;
       const read = await fields.read();
       if (!read) return stale(true);
-      const { muscle: of, model, pressure_mpa, contraction } = asked(muscle.state, side.file, read);
-      point.ask("force", { ...of, model, contraction, pressure_mpa, extrapolate: true }, (answer) => {
-        side.answer = answer;
-        stale(false);
-        said.replaceChildren(warnings(answer.warnings));
-        paint();
-      }, (problem) => {
-        side.answer = undefined;
-        stale(true);
-        fields.at(problem);
-        said.replaceChildren(problemBox(problem));
-        paint();
-      });
-      shape.ask("shape", { ...of, contraction, pressure_mpa }, (answer) => view.stretched(answer), () => {});
+      const {
+        muscle: of,
+        model,
+        pressure_mpa,
+        contraction,
+      } = asked(muscle.state, side.file, read);
+      point.ask(
+        "force",
+        { ...of, model, contraction, pressure_mpa, extrapolate: true },
+        (answer) => {
+          side.answer = answer;
+          stale(false);
+          said.replaceChildren(warnings(answer.warnings));
+          paint();
+        },
+        (problem) => {
+          side.answer = undefined;
+          stale(true);
+          fields.at(problem);
+          said.replaceChildren(problemBox(problem));
+          paint();
+        },
+      );
+      shape.ask(
+        "shape",
+        { ...of, contraction, pressure_mpa },
+        (answer) => view.stretched(answer),
+        () => {},
+      );
       const drawn = (/** @type {typeof side.family} */ answer) => {
         side.family = answer;
         paint();
       };
-      curve.ask("curve", { ...of, model, test: "isobaric", pressures_mpa: [pressure_mpa], extrapolate: true }, drawn,
-        () => drawn(undefined));
+      curve.ask(
+        "curve",
+        {
+          ...of,
+          model,
+          test: "isobaric",
+          pressures_mpa: [pressure_mpa],
+          extrapolate: true,
+        },
+        drawn,
+        () => drawn(undefined),
+      );
     },
     /** Which muscle it is, and what its fields say where nothing is typed into them. */
     usual() {
       which.textContent = side.answer ? muscle.line(side.answer.muscle) : "";
-      const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
-        fields.usual(name + key, side.file ? "as in its file" : text ?? "");
+      const put = (
+        /** @type {string} */ key,
+        /** @type {string | null | undefined} */ text,
+      ) =>
+        fields.usual(name + key, side.file ? "as in its file" : (text ?? ""));
       for (const m of QUANTITIES) {
-        const value = shownValue(muscle.state, muscle.shown, m), sleeve = m.key === "angle"
-          && fields.text(`${name}braid`);
-        put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
+        const value = shownValue(muscle.state, muscle.shown, m),
+          sleeve = m.key === "angle" && fields.text(`${name}braid`);
+        put(
+          m.key,
+          sleeve
+            ? "of the sleeve"
+            : value === undefined
+              ? ""
+              : show(m.kind, value),
+        );
       }
       put("rubber", partName(muscle.shown?.rubber));
       put("braid", muscle.shown?.sleeve ?? "own angle");
@@ -109,7 +210,11 @@ function sideOf(name, { ask, paint }) {
 /** Rows of the numbers. @type {[string, (x: Commands["force"]["answer"]) => string][]} */
 const ROWS = [
   ["model", (x) => x.model],
-  ["pull", (x) => (x.slack ? "slack" : withUncertainty("force", x.force_n, x.uncertainty_n))],
+  [
+    "pull",
+    (x) =>
+      x.slack ? "slack" : withUncertainty("force", x.force_n, x.uncertainty_n),
+  ],
   ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
   ["bulged diameter", (x) => show("length", x.bulged_diameter_mm)],
   ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
@@ -119,33 +224,73 @@ const ROWS = [
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })), [, b] = sides;
-  const chart = new Chart("compare", { tools: el("h2", {}, "Pull over contraction") }), numbers = el("div", {});
-  main.replaceChildren(el("div", { class: "pair" }, el("div", {}, sides[0].element, numbers, chart.element),
-    b.element));
+  const sides = ["a", "b"].map((name) =>
+      sideOf(name, { ask: () => ask(), paint: () => paint() }),
+    ),
+    [, b] = sides;
+  const chart = new Chart("compare", {
+      tools: el("h2", {}, "Pull over contraction"),
+    }),
+    numbers = el("div", {});
+  main.replaceChildren(
+    el(
+      "div",
+      { class: "pair" },
+      el("div", {}, sides[0].element, numbers, chart.element),
+      b.element,
+    ),
+  );
 
   async function ask() {
     sides.forEach((side) => side.usual());
-    muscle.place("compare", { ...Object.assign({}, ...sides.map((s) => s.fields.texts())), bfile: b.file });
+    muscle.place("compare", {
+      ...Object.assign({}, ...sides.map((s) => s.fields.texts())),
+      bfile: b.file,
+    });
     await Promise.all(sides.map((side) => side.ask()));
   }
   function paint() {
     sides.forEach((side) => side.usual());
-    const rows = ROWS.map(([name, of]) => [capital(name), ...sides.map(({ answer }) => (answer ? of(answer) : "–"))]);
-    numbers.replaceChildren(table(["", "A", "B"], rows, { label: "both in numbers" }));
-    const series = sides.flatMap(({ name, family }, i) => (family
-      ? [{ name: `${name.toUpperCase()}: ${family.model}`, end: name.toUpperCase(), colour: KINDS[i], smooth: true,
-        dash: /** @type {"dash" | "solid"} */ (i ? "dash" : "solid"), ...isobar(family.points) }]
-      : []));
-    chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series });
+    const rows = ROWS.map(([name, of]) => [
+      capital(name),
+      ...sides.map(({ answer }) => (answer ? of(answer) : "–")),
+    ]);
+    numbers.replaceChildren(
+      table(["", "A", "B"], rows, { label: "both in numbers" }),
+    );
+    const series = sides.flatMap(({ name, family }, i) =>
+      family
+        ? [
+            {
+              name: `${name.toUpperCase()}: ${family.model}`,
+              end: name.toUpperCase(),
+              colour: KINDS[i],
+              smooth: true,
+              dash: /** @type {"dash" | "solid"} */ (i ? "dash" : "solid"),
+              ...isobar(family.points),
+            },
+          ]
+        : [],
+    );
+    chart.show({
+      x: "contraction ε [%]",
+      y: `pull F [${unitName("force")}]`,
+      series,
+    });
   }
   onUnits(paint);
   return {
     async load(params) {
-      await muscle.read(params, [...sides.flatMap((s) => s.fields.keys), "bfile"]);
+      await muscle.read(params, [
+        ...sides.flatMap((s) => s.fields.keys),
+        "bfile",
+      ]);
       for (const side of sides) side.fields.set(params);
       b.file = params.get("bfile") ?? "";
-      b.fields.options("bbraid", muscle.sleeves.map((s) => s.name));
+      b.fields.options(
+        "bbraid",
+        muscle.sleeves.map((s) => s.name),
+      );
       await ask();
     },
   };

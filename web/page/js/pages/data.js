@@ -18,33 +18,72 @@ const CONSTANTS = "constants";
 function identifiedView(answer) {
   const rows = answer.parameters.map((p) => {
     const half = p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–";
-    return [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, half,
-      p.identifiable ? "" : "not identifiable from these data"];
+    return [
+      p.name,
+      `${number(p.value, 5)} ${p.unit ?? ""}`,
+      half,
+      p.identifiable ? "" : "not identifiable from these data",
+    ];
   });
   return [
     el("h2", {}, "Identified"),
-    table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
-    el("p", {}, `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`),
+    table(["constant", "value", "95 %", ""], rows, {
+      text: [0, 3],
+      label: "constants",
+    }),
+    el(
+      "p",
+      {},
+      `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`,
+    ),
     warnings(answer.warnings),
-    muscleButtons(answer.muscle_file, "See it move", "Download the muscle", "identified"),
+    muscleButtons(
+      answer.muscle_file,
+      "See it move",
+      "Download the muscle",
+      "identified",
+    ),
   ];
 }
 
 /** Errors of the models. @param {Commands["compare"]["answer"]["models"]} models */
 const errorTable = (models) => {
-  const force = (/** @type {number | null | undefined} */ f) => show("force", f, 3);
-  const rows = models.map((m) => [m.model, force(m.rms_n), force(m.max_n), force(m.mean_n), String(m.points)]);
-  return table(["model", "rms", "largest", "mean", "points"], rows, { label: "errors of the models" });
+  const force = (/** @type {number | null | undefined} */ f) =>
+    show("force", f, 3);
+  const rows = models.map((m) => [
+    m.model,
+    force(m.rms_n),
+    force(m.max_n),
+    force(m.mean_n),
+    String(m.points),
+  ]);
+  return table(["model", "rms", "largest", "mean", "points"], rows, {
+    label: "errors of the models",
+  });
 };
 
 /** What is asked of the table. @type {Field[]} */
 export const FIELDS = [
-  { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
-  { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
+  {
+    key: "free",
+    field: "free",
+    label: "Free constants",
+    words: true,
+    hint: "modulus; or mu, braid.angle",
+  },
+  {
+    key: "models",
+    field: "models",
+    label: "Models",
+    words: true,
+    value: "fe, thick-wall, ideal",
+  },
 ];
-const HINT = "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
-const BEGIN = "Drop a table of measured points. The figure compares it with the models of the muscle above. "
-  + "Then you can identify its constants.";
+const HINT =
+  "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
+const BEGIN =
+  "Drop a table of measured points. The figure compares it with the models of the muscle above. " +
+  "Then you can identify its constants.";
 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
@@ -56,15 +95,31 @@ class DataPage {
     this.data = measured.file;
     this.what = form(FIELDS, () => this.#look());
     this.columns = columnChoice(() => this.#look());
-    this.understood = el("div", {}, ...(this.data ? [] : [el("p", { class: "soft" }, BEGIN), this.#begins()]));
+    this.understood = el(
+      "div",
+      {},
+      ...(this.data ? [] : [el("p", { class: "soft" }, BEGIN), this.#begins()]),
+    );
     this.errors = el("div", {});
     this.found = el("div", {});
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
-    this.identify = job("Identify", "identify", () => this.#request(), (answer) => this.#identified(answer),
-      { shown: [this.found, this.fitted.element] });
-    main.replaceChildren(bench("Data", this.#controls(), [this.understood, this.errors, this.figures.element,
-      this.found, this.fitted.element]));
+    this.identify = job(
+      "Identify",
+      "identify",
+      () => this.#request(),
+      (answer) => this.#identified(answer),
+      { shown: [this.found, this.fitted.element] },
+    );
+    main.replaceChildren(
+      bench("Data", this.#controls(), [
+        this.understood,
+        this.errors,
+        this.figures.element,
+        this.found,
+        this.fitted.element,
+      ]),
+    );
     // Figures are drawn by the engine in the units that are asked for.
     onUnits(() => {
       this.#paint();
@@ -74,26 +129,53 @@ class DataPage {
   }
 
   #controls() {
-    return [el("h2", {}, "Measured points"),
-      fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => this.#take(name, text)),
-      el("p", { class: "small soft" }, HINT), this.columns.element, this.what.element,
-      el("div", { class: "row" }, button("Compare", () => this.#look())), this.identify.element];
+    return [
+      el("h2", {}, "Measured points"),
+      fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
+        this.#take(name, text),
+      ),
+      el("p", { class: "small soft" }, HINT),
+      this.columns.element,
+      this.what.element,
+      el(
+        "div",
+        { class: "row" },
+        button("Compare", () => this.#look()),
+      ),
+      this.identify.element,
+    ];
   }
 
   /** What there is to begin with: an example, and muscles that were measured. */
   #begins() {
     const fail = (/** @type {unknown} */ why) => this.#fail(why);
-    return el("div", {}, gallery(fail, undefined, GALLERY.filter(({ data }) => data)), library(fail, () => {}));
+    return el(
+      "div",
+      {},
+      gallery(
+        fail,
+        undefined,
+        GALLERY.filter(({ data }) => data),
+      ),
+      library(fail, () => {}),
+    );
   }
 
   async #request() {
     const read = await this.what.read();
     if (!this.data || !read) {
-      this.found.replaceChildren(el("p", { class: "soft" }, "Open a table first."));
+      this.found.replaceChildren(
+        el("p", { class: "soft" }, "Open a table first."),
+      );
       return undefined;
     }
-    return { ...muscle.fields(), data: [this.data], columns: this.columns.value(), free: read.free ?? [],
-      figure: unitName("pressure") };
+    return {
+      ...muscle.fields(),
+      data: [this.data],
+      columns: this.columns.value(),
+      free: read.free ?? [],
+      figure: unitName("pressure"),
+    };
   }
 
   /** @param {Commands["identify"]["answer"]} answer */
@@ -105,8 +187,15 @@ class DataPage {
   }
 
   /** @param {unknown} why */
-  #fail(why) { this.understood.replaceChildren(problemBox(why)); }
-  #place() { muscle.place("data", { ...this.what.texts(), columns: this.columns.text() }); }
+  #fail(why) {
+    this.understood.replaceChildren(problemBox(why));
+  }
+  #place() {
+    muscle.place("data", {
+      ...this.what.texts(),
+      columns: this.columns.text(),
+    });
+  }
 
   /** @param {string} name @param {string} text */
   async #take(name, text) {
@@ -119,32 +208,50 @@ class DataPage {
     this.fitted.show(undefined);
     await this.#look();
   }
-  #begin() { if (this.data) this.columns.offer(headings(this.data.text)); }
+  #begin() {
+    if (this.data) this.columns.offer(headings(this.data.text));
+  }
 
   async #look() {
-    const read = await this.what.read(), { data } = this;
+    const read = await this.what.read(),
+      { data } = this;
     if (!data || !read || !this.understood.isConnected) return;
     this.#place();
     const columns = this.columns.value();
     measured.set(data, columns);
-    this.#looking.ask("compare", { ...muscle.fields(), data: [data], columns, models: read.models, extrapolate: true,
-      figure: unitName("pressure") }, (answer) => {
-      this.#compared = answer;
-      this.#paint();
-      dim([this.errors, this.figures.element], false);
-      this.figures.show(answer.figure);
-    }, (why) => {
-      this.#fail(why);
-      if (why.kind === "data") this.columns.open();
-      dim([this.errors, this.figures.element], true);
-    });
+    this.#looking.ask(
+      "compare",
+      {
+        ...muscle.fields(),
+        data: [data],
+        columns,
+        models: read.models,
+        extrapolate: true,
+        figure: unitName("pressure"),
+      },
+      (answer) => {
+        this.#compared = answer;
+        this.#paint();
+        dim([this.errors, this.figures.element], false);
+        this.figures.show(answer.figure);
+      },
+      (why) => {
+        this.#fail(why);
+        if (why.kind === "data") this.columns.open();
+        dim([this.errors, this.figures.element], true);
+      },
+    );
   }
 
   #paint() {
-    const compared = this.#compared, known = this.#known;
+    const compared = this.#compared,
+      known = this.#known;
     if (compared && this.data) {
       const u = compared.understood?.[0] ?? compared.understood;
-      const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
+      const said = [
+        ...(measured.said ? [measured.said] : []),
+        ...(compared.warnings ?? []),
+      ];
       const line = `${this.data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
       this.understood.replaceChildren(el("p", {}, line), warnings(said));
       this.errors.replaceChildren(errorTable(compared.models));

@@ -19,14 +19,47 @@ export const TITLE = [
 ];
 /** Where a form for controllers is fitted. @type {Field[]} */
 export const BOX = [
-  { key: "target", field: "target", label: "Target", value: "c", options: [["c", "c"]] },
-  { key: "supply", field: "pressure_mpa", label: "Pressure of the supply", kind: "pressure" },
-  { key: "elow", field: "contraction_low", label: "Contraction from", kind: "ratio", hint: "-5 %" },
-  { key: "ehigh", field: "contraction_high", label: "Contraction to", kind: "ratio", hint: "free contraction" },
+  {
+    key: "target",
+    field: "target",
+    label: "Target",
+    value: "c",
+    options: [["c", "c"]],
+  },
+  {
+    key: "supply",
+    field: "pressure_mpa",
+    label: "Pressure of the supply",
+    kind: "pressure",
+  },
+  {
+    key: "elow",
+    field: "contraction_low",
+    label: "Contraction from",
+    kind: "ratio",
+    hint: "-5 %",
+  },
+  {
+    key: "ehigh",
+    field: "contraction_high",
+    label: "Contraction to",
+    kind: "ratio",
+    hint: "free contraction",
+  },
 ];
 /** @type {Field[]} */
-export const ELEMENTS = [{ key: "elements", field: "model", label: "Model", value: "fe",
-  options: [["fe", "fe: axisymmetric, quick"], ["fe3d", "fe3d: three-dimensional, with input deck"]] }];
+export const ELEMENTS = [
+  {
+    key: "elements",
+    field: "model",
+    label: "Model",
+    value: "fe",
+    options: [
+      ["fe", "fe: axisymmetric, quick"],
+      ["fe3d", "fe3d: three-dimensional, with input deck"],
+    ],
+  },
+];
 
 /**
  * One kind of files: a form, and work whose answer it shows.
@@ -36,103 +69,222 @@ export const ELEMENTS = [{ key: "elements", field: "model", label: "Model", valu
  * @param {(answer: Commands[K]["answer"]) => (Node | string)[] | Promise<(Node | string)[]>} shown
  */
 function card(title, about, fields, [label, command], request, shown) {
-  const asked = form(fields, () => go.run()), done = el("div", {});
-  const go = job(label, command, async () => {
-    const read = await asked.read();
-    done.replaceChildren();
-    return read && request(read);
-  }, async (answer) => done.replaceChildren(...await shown(answer)), { fields: asked });
-  return { form: asked, element: el("section", { class: "card-of-files", "aria-label": title }, el("h2", {}, title),
-    el("p", { class: "soft" }, about), asked.element, go.element, done) };
+  const asked = form(fields, () => go.run()),
+    done = el("div", {});
+  const go = job(
+    label,
+    command,
+    async () => {
+      const read = await asked.read();
+      done.replaceChildren();
+      return read && request(read);
+    },
+    async (answer) => done.replaceChildren(...(await shown(answer))),
+    { fields: asked },
+  );
+  return {
+    form: asked,
+    element: el(
+      "section",
+      { class: "card-of-files", "aria-label": title },
+      el("h2", {}, title),
+      el("p", { class: "soft" }, about),
+      asked.element,
+      go.element,
+      done,
+    ),
+  };
 }
 
 /** The muscle at its pressure, where it has one. */
-const atPressure = () => ({ pressure_mpa: muscle.p || undefined, ...muscle.fields() });
+const atPressure = () => ({
+  pressure_mpa: muscle.p || undefined,
+  ...muscle.fields(),
+});
 
-const report = () => card("Report",
-  "Title block, state, curves, drawing, margins of safety, and a sheet for the first bench test.", TITLE,
-  ["Make the report", "build"],
-  (read) => ({ ...atPressure(), contraction: muscle.e, name: muscle.name, ...read, report: true,
-    units: ["pressure", "force", "length"].map(unitName).join(",") }),
-  async (answer) => {
-    const html = await withViewer(answer.files.find(({ name }) => name === "report.html")?.text ?? "");
-    const name = fileName(muscle.name, "-report.html"), save = () => download(name, html, "text/html");
-    return [warnings(answer.warnings), el("p", {}, button(`Save ${name}`, save, { class: "main" }), " ",
-      el("span", { class: "soft" }, `${number(html.length / 1e3, 3)} kB; open it in a browser, and print it there.`))];
-  });
+const report = () =>
+  card(
+    "Report",
+    "Title block, state, curves, drawing, margins of safety, and a sheet for the first bench test.",
+    TITLE,
+    ["Make the report", "build"],
+    (read) => ({
+      ...atPressure(),
+      contraction: muscle.e,
+      name: muscle.name,
+      ...read,
+      report: true,
+      units: ["pressure", "force", "length"].map(unitName).join(","),
+    }),
+    async (answer) => {
+      const html = await withViewer(
+        answer.files.find(({ name }) => name === "report.html")?.text ?? "",
+      );
+      const name = fileName(muscle.name, "-report.html"),
+        save = () => download(name, html, "text/html");
+      return [
+        warnings(answer.warnings),
+        el(
+          "p",
+          {},
+          button(`Save ${name}`, save, { class: "main" }),
+          " ",
+          el(
+            "span",
+            { class: "soft" },
+            `${number(html.length / 1e3, 3)} kB; open it in a browser, and print it there.`,
+          ),
+        ),
+      ];
+    },
+  );
 
 /** Cut list, drawing, plugs, steps and test sheet. */
-const workshop = () => card("Workshop",
-  "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.", [],
-  ["Make the build sheet", "build"], atPressure, (answer) => {
-    const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) => show("pressure", p, 3));
-    const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
-    return [el("p", {}, cut), warnings(answer.warnings), filesView(answer.files, fileName(muscle.name, "-build"))];
-  });
+const workshop = () =>
+  card(
+    "Workshop",
+    "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
+    [],
+    ["Make the build sheet", "build"],
+    atPressure,
+    (answer) => {
+      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
+        (p) => show("pressure", p, 3),
+      );
+      const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
+      return [
+        el("p", {}, cut),
+        warnings(answer.warnings),
+        filesView(answer.files, fileName(muscle.name, "-build")),
+      ];
+    },
+  );
 
 /** Errors of an export, as shares of the blocked force. @param {Commands["export"]["answer"]} answer */
 function errorLine(answer) {
   const share = (/** @type {number} */ x) => `${number(100 * x, 2)} %`;
-  return `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force `
-    + `${show("force", answer.blocked_force_n)}, up to `
-    + `${show("pressure", answer.supply_pressure_mpa, 3)} and ${show("ratio", answer.contraction_high, 3)}; volume `
-    + `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}, whose own ± is `
-    + `${show("force", answer.uncertainty_n, 2)}.`;
+  return (
+    `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force ` +
+    `${show("force", answer.blocked_force_n)}, up to ` +
+    `${show("pressure", answer.supply_pressure_mpa, 3)} and ${show("ratio", answer.contraction_high, 3)}; volume ` +
+    `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}, whose own ± is ` +
+    `${show("force", answer.uncertainty_n, 2)}.`
+  );
 }
 
 /** Code. */
-const code = () => card("Controllers and simulators",
-  "One closed form of pull and volume, fitted to the finite elements, in the language of its host.", BOX,
-  ["Export", "export"],
-  (read) => ({ ...atPressure(), ...read, target: read.target,
-    name: muscle.called ? fileName(muscle.called, "").replace(/\W/g, "_") : undefined }),
-  (answer) => [el("p", {}, `Error: ${errorLine(answer)}`), warnings(answer.warnings),
-    filesView(answer.files, `${answer.name}-${answer.target}`)]);
+const code = () =>
+  card(
+    "Controllers and simulators",
+    "One closed form of pull and volume, fitted to the finite elements, in the language of its host.",
+    BOX,
+    ["Export", "export"],
+    (read) => ({
+      ...atPressure(),
+      ...read,
+      target: read.target,
+      name: muscle.called
+        ? fileName(muscle.called, "").replace(/\W/g, "_")
+        : undefined,
+    }),
+    (answer) => [
+      el("p", {}, `Error: ${errorLine(answer)}`),
+      warnings(answer.warnings),
+      filesView(answer.files, `${answer.name}-${answer.target}`),
+    ],
+  );
 
 /** The deformed muscle for other programs. */
-const elements = () => card("Finite elements",
-  "The deformed muscle at the present pressure and contraction for ParaView (VTU). fe3d also writes the input deck of "
-    + "the test for CalculiX and Abaqus.", ELEMENTS, ["Compute", "simulate"],
-  ({ model }) => ({ ...muscle.fields(), test: "isometric", model, two_sided: true, pressures_mpa: [muscle.p],
-    contractions: [muscle.e], vtu: true, deck: model === "fe3d" }),
-  (answer) => {
-    const deck = answer.deck
-      ? [{ name: "muscle.inp", about: "mesh, material, loads and steps for CalculiX and Abaqus", text: answer.deck }]
-      : [];
-    return [warnings([...answer.notes, ...answer.warnings]),
-      filesView([...(answer.files ?? []), ...deck], fileName(muscle.name, `-${answer.model}`))];
-  });
+const elements = () =>
+  card(
+    "Finite elements",
+    "The deformed muscle at the present pressure and contraction for ParaView (VTU). fe3d also writes the input deck of " +
+      "the test for CalculiX and Abaqus.",
+    ELEMENTS,
+    ["Compute", "simulate"],
+    ({ model }) => ({
+      ...muscle.fields(),
+      test: "isometric",
+      model,
+      two_sided: true,
+      pressures_mpa: [muscle.p],
+      contractions: [muscle.e],
+      vtu: true,
+      deck: model === "fe3d",
+    }),
+    (answer) => {
+      const deck = answer.deck
+        ? [
+            {
+              name: "muscle.inp",
+              about: "mesh, material, loads and steps for CalculiX and Abaqus",
+              text: answer.deck,
+            },
+          ]
+        : [];
+      return [
+        warnings([...answer.notes, ...answer.warnings]),
+        filesView(
+          [...(answer.files ?? []), ...deck],
+          fileName(muscle.name, `-${answer.model}`),
+        ),
+      ];
+    },
+  );
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const cards = [report(), workshop(), code(), elements()], box = cards[2].form, forms = cards.map((c) => c.form);
-  const about = el("p", { class: "small soft" }), element = el("div", { class: "cards-of-files" },
-    ...cards.map((c) => c.element));
+  const cards = [report(), workshop(), code(), elements()],
+    box = cards[2].form,
+    forms = cards.map((c) => c.form);
+  const about = el("p", { class: "small soft" }),
+    element = el(
+      "div",
+      { class: "cards-of-files" },
+      ...cards.map((c) => c.element),
+    );
   /** @type {readonly Target[]} */ let targets = [];
   let target = "";
   box.element.prepend(about);
   main.replaceChildren(element);
-  const place = () => muscle.place("files", Object.assign({}, ...forms.map((f) => f.texts())));
+  const place = () =>
+    muscle.place("files", Object.assign({}, ...forms.map((f) => f.texts())));
   function paint() {
     const one = targets.find(({ name }) => name === box.text("target"));
-    about.textContent = one ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.` : "";
+    about.textContent = one
+      ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.`
+      : "";
     box.usual("supply", muscle.p ? show("pressure", muscle.p) : "");
   }
-  const changed = () => { paint(); place(); };
-  element.addEventListener("change", changed);
-  engine().ask("export-list", {}).then((answer) => {
-    targets = answer.targets;
-    box.options("target", targets.map(({ name }) => name));
-    if (target) box.put("target", target);
+  const changed = () => {
     paint();
-  }, () => {});
+    place();
+  };
+  element.addEventListener("change", changed);
+  engine()
+    .ask("export-list", {})
+    .then(
+      (answer) => {
+        targets = answer.targets;
+        box.options(
+          "target",
+          targets.map(({ name }) => name),
+        );
+        if (target) box.put("target", target);
+        paint();
+      },
+      () => {},
+    );
   onUnits(changed);
   return {
     async load(params) {
       // At once: what is chosen while the muscle is read counts.
       forms.forEach((f) => f.set(params));
       target = params.get("target") ?? "";
-      await muscle.read(params, forms.flatMap((f) => f.keys));
+      await muscle.read(
+        params,
+        forms.flatMap((f) => f.keys),
+      );
       paint();
     },
   };

@@ -1,7 +1,12 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
 import { button, download, el } from "../dom.js";
 import { bench, form, job } from "../form.js";
-import { PUBLISHED, errorsView, figuresView, surfaces } from "../formula-view.js";
+import {
+  PUBLISHED,
+  errorsView,
+  figuresView,
+  surfaces,
+} from "../formula-view.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { onUnits } from "../units.js";
@@ -32,54 +37,128 @@ const COMPUTED = /** @type {const} */ ("campaign");
 
 /** How a formula is fitted. @type {Field[]} */
 export const HOW = [
-  { key: "method", field: "method", label: "Method",
-    options: [["paper", "seven steps (Antonelli 2018)"], ["global", "one least-squares problem"]], value: "paper" },
-  { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
-  { key: "at", field: "at", label: "Maps at", kind: "pressure", value: "2.5 bar" },
+  {
+    key: "method",
+    field: "method",
+    label: "Method",
+    options: [
+      ["paper", "seven steps (Antonelli 2018)"],
+      ["global", "one least-squares problem"],
+    ],
+    value: "paper",
+  },
+  {
+    key: "hold",
+    field: "hold_out_mm",
+    label: "Diameters kept out",
+    kind: "length",
+    list: true,
+    hint: "45 mm",
+  },
+  {
+    key: "at",
+    field: "at",
+    label: "Maps at",
+    kind: "pressure",
+    value: "2.5 bar",
+  },
 ];
 
 /** @type {Mount} */
 export const mount = (main) => {
   /** @type {Commands["plan"]["answer"] | undefined} */ let made;
-  /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula = PUBLISHED;
-  const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace",
-    "aria-label": "Plan (TOML)", spellcheck: "false" });
+  /** @type {import("../formula-view.js").File | typeof PUBLISHED} */ let formula =
+    PUBLISHED;
+  const plan = el("textarea", {
+    rows: 20,
+    style: "width:100%;font:13px ui-monospace,monospace",
+    "aria-label": "Plan (TOML)",
+    spellcheck: "false",
+  });
   plan.value = fileOf("plan") ?? PLAN;
-  plan.addEventListener("input", () => keepFile("plan", plan.value === PLAN ? undefined : plan.value));
+  plan.addEventListener("input", () =>
+    keepFile("plan", plan.value === PLAN ? undefined : plan.value),
+  );
   const how = form(HOW, () => (made ? fit.run() : paint()));
-  const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {}), shown = surfaces();
+  const table1 = el("p", { class: "small" }),
+    errors = el("div", {}),
+    figures = el("div", {}),
+    shown = surfaces();
   const about = { fields: how, shown: [errors, shown.element, figures] };
-  const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }),
+  const campaign = job(
+    "Compute the plan",
+    "plan",
+    async () => ({ plan: { name: "page.toml", text: plan.value } }),
     (answer) => {
       made = answer;
       keepFile(COMPUTED, plan.value);
-      table1.replaceChildren(`${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `,
-        button("Download the table", () => download(answer.table.name, answer.table.text, "text/csv")));
+      table1.replaceChildren(
+        `${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `,
+        button("Download the table", () =>
+          download(answer.table.name, answer.table.text, "text/csv"),
+        ),
+      );
       fit.run();
-    }, about);
-  const fit = job("Fit", "fit", async () => {
-    if (!made) {
-      errors.replaceChildren(el("p", { class: "soft" }, "Compute the plan first."));
-      return undefined;
-    }
-    const read = await how.read();
-    if (!read) return undefined;
-    place();
-    return { table: made.table, method: read.method, hold_out_mm: read.hold_out_mm ?? [], figures: true };
-  }, (answer) => {
-    const { figures: drawn, tables, ...file } = answer;
-    formula = file;
-    errors.replaceChildren(...errorsView(file));
-    figures.replaceChildren(...figuresView(drawn));
-    paint();
-  }, about);
-  main.replaceChildren(bench("Campaign", [el("h2", {}, "Campaign"),
-    el("p", { class: "small soft" },
-      "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018)."), plan,
-    campaign.element, table1, how.element, fit.element], [errors, shown.element, figures]));
-  errors.append(el("h2", {}, PUBLISHED.name), el("p", { class: "soft" },
-    "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run "
-      + "while you watch."));
+    },
+    about,
+  );
+  const fit = job(
+    "Fit",
+    "fit",
+    async () => {
+      if (!made) {
+        errors.replaceChildren(
+          el("p", { class: "soft" }, "Compute the plan first."),
+        );
+        return undefined;
+      }
+      const read = await how.read();
+      if (!read) return undefined;
+      place();
+      return {
+        table: made.table,
+        method: read.method,
+        hold_out_mm: read.hold_out_mm ?? [],
+        figures: true,
+      };
+    },
+    (answer) => {
+      const { figures: drawn, tables, ...file } = answer;
+      formula = file;
+      errors.replaceChildren(...errorsView(file));
+      figures.replaceChildren(...figuresView(drawn));
+      paint();
+    },
+    about,
+  );
+  main.replaceChildren(
+    bench(
+      "Campaign",
+      [
+        el("h2", {}, "Campaign"),
+        el(
+          "p",
+          { class: "small soft" },
+          "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018).",
+        ),
+        plan,
+        campaign.element,
+        table1,
+        how.element,
+        fit.element,
+      ],
+      [errors, shown.element, figures],
+    ),
+  );
+  errors.append(
+    el("h2", {}, PUBLISHED.name),
+    el(
+      "p",
+      { class: "soft" },
+      "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run " +
+        "while you watch.",
+    ),
+  );
 
   const place = () => muscle.place("formula", how.texts());
   async function paint() {

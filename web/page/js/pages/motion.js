@@ -8,7 +8,14 @@ import { bench, form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
-import { figures, isJoint, pressureChart, stateAt, stateLine, wayChart } from "../motion-view.js";
+import {
+  figures,
+  isJoint,
+  pressureChart,
+  stateAt,
+  stateLine,
+  wayChart,
+} from "../motion-view.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
@@ -19,13 +26,46 @@ import { View } from "../view3d.js";
 const DRIVE = "drive";
 /** @type {Field[]} */
 export const STEP = [
-  { key: "to", field: "pressure_mpa", label: "Step to", kind: "pressure", value: "3 bar" },
-  { key: "supply", field: "supply_mpa", label: "Supply", kind: "pressure", value: "6 bar" },
+  {
+    key: "to",
+    field: "pressure_mpa",
+    label: "Step to",
+    kind: "pressure",
+    value: "3 bar",
+  },
+  {
+    key: "supply",
+    field: "supply_mpa",
+    label: "Supply",
+    kind: "pressure",
+    value: "6 bar",
+  },
   { key: "valve", field: "valve", label: "Valve", value: "0.5 L/(s bar)" },
   { key: "load", field: "load", label: "Load", value: "mass:10kg" },
-  { key: "damping", field: "damping_n_s_per_m", label: "Damping", kind: "damping", value: "200 N s/m" },
-  { key: "until", field: "until_s", label: "Until", kind: "time", value: "2 s" },
-  { key: "model", field: "model", label: "Model", options: [["fe", "fe"], ["universal", "universal"]], value: "fe" },
+  {
+    key: "damping",
+    field: "damping_n_s_per_m",
+    label: "Damping",
+    kind: "damping",
+    value: "200 N s/m",
+  },
+  {
+    key: "until",
+    field: "until_s",
+    label: "Until",
+    kind: "time",
+    value: "2 s",
+  },
+  {
+    key: "model",
+    field: "model",
+    label: "Model",
+    options: [
+      ["fe", "fe"],
+      ["universal", "universal"],
+    ],
+    value: "fe",
+  },
 ];
 const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
@@ -34,8 +74,14 @@ const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
  * @param {string} text @param {string} file @param {string | undefined} model
  */
 async function driven(text, file, model) {
-  const drive = { name: "drive.toml", text }, of = stated(text);
-  if (!of.has(".joint")) return { drive, muscle: { name: of.get(".muscle") ?? "muscle.toml", text: file }, model };
+  const drive = { name: "drive.toml", text },
+    of = stated(text);
+  if (!of.has(".joint"))
+    return {
+      drive,
+      muscle: { name: of.get(".muscle") ?? "muscle.toml", text: file },
+      model,
+    };
   const joint = new JointWords();
   await joint.read(new URLSearchParams(wordsOf("joint")));
   return { drive, ...joint.request(file), model };
@@ -43,58 +89,112 @@ async function driven(text, file, model) {
 
 /** The muscle in space at every time of a run, and the time that is shown. */
 function player() {
-  const stage = el("div", { class: "stage" }), clock = el("p", { class: "say" });
+  const stage = el("div", { class: "stage" }),
+    clock = el("p", { class: "say" });
   stage.append(clock);
-  const view = new View(stage), slot = new Slot({ lane: "state" });
+  const view = new View(stage),
+    slot = new Slot({ lane: "state" });
   /** @type {Run | undefined} */ let run;
-  const slider = el("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Time", oninput: () => {
-    play.stop();
-    at(Number(slider.value) / 1000);
-  } });
-  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    value: 0,
+    "aria-label": "Time",
+    oninput: () => {
+      play.stop();
+      at(Number(slider.value) / 1000);
+    },
+  });
+  const play = playing(
+    "Play",
+    at,
+    () => 1000 * (run?.series.time_s.at(-1) ?? 1),
+  );
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
     if (!run) return;
-    const times = run.series.time_s, i = Math.min(times.length - 1, Math.round(share * (times.length - 1)));
+    const times = run.series.time_s,
+      i = Math.min(times.length - 1, Math.round(share * (times.length - 1)));
     slider.value = String(1000 * share);
     slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
-    clock.replaceChildren(el("b", {}, `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
-    slot.ask("shape", { ...muscle.fields(), ...stateAt(run, i) }, (shape) => view.stretched(shape), () => {});
+    clock.replaceChildren(
+      el("b", {}, `${times[i].toFixed(2)} s`),
+      el("br"),
+      stateLine(run, i),
+    );
+    slot.ask(
+      "shape",
+      { ...muscle.fields(), ...stateAt(run, i) },
+      (shape) => view.stretched(shape),
+      () => {},
+    );
   }
-  return { stage, row: el("div", { class: "row" }, play.button, el("span", { style: "flex:1" }, slider)),
+  return {
+    stage,
+    row: el(
+      "div",
+      { class: "row" },
+      play.button,
+      el("span", { style: "flex:1" }, slider),
+    ),
     show(/** @type {Run} */ found) {
       run = found;
       play.start();
-    }, again: () => at(Number(slider.value) / 1000) };
+    },
+    again: () => at(Number(slider.value) / 1000),
+  };
 }
 
-const CLOSED = "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
-const EXAMPLES = [["lift 10 kg and lower it", "drive.toml"], ["turn the joint", "elbow-drive.toml"]];
+const CLOSED =
+  "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
+const EXAMPLES = [
+  ["lift 10 kg and lower it", "drive.toml"],
+  ["turn the joint", "elbow-drive.toml"],
+];
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
 function driveBox(take) {
-  const words = el("p", { class: "small soft" }), said = el("div", {});
-  const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-  const leave = button("Close the drive file", () => take(""), { hidden: true });
-  const samples = EXAMPLES.map(([text, name]) => button(text, () => example(name).then(take).catch(fail)));
-  const element = el("details", {}, el("summary", {}, "Drive file and examples"), words,
+  const words = el("p", { class: "small soft" }),
+    said = el("div", {});
+  const fail = (/** @type {unknown} */ problem) =>
+    said.replaceChildren(problemBox(problem));
+  const leave = button("Close the drive file", () => take(""), {
+    hidden: true,
+  });
+  const samples = EXAMPLES.map(([text, name]) =>
+    button(text, () => example(name).then(take).catch(fail)),
+  );
+  const element = el(
+    "details",
+    {},
+    el("summary", {}, "Drive file and examples"),
+    words,
     el("p", { class: "row small" }, "Examples:", ...samples),
-    fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)), leave, said);
+    fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)),
+    leave,
+    said,
+  );
   return {
     element,
     /** @param {string} drive */
     show(drive) {
       leave.hidden = !drive;
-      words.textContent = drive ? "A drive file is open: it states supply, valve, load and commands." : CLOSED;
+      words.textContent = drive
+        ? "A drive file is open: it states supply, valve, load and commands."
+        : CLOSED;
     },
   };
 }
 
 /** Pressure and way over time. */
 function chartsOf() {
-  const pressure = new Chart("motion-pressure", { tools: el("h2", {}, "Pressure over time") });
-  const title = el("h2", {}), way = new Chart("motion-contraction", { tools: title });
+  const pressure = new Chart("motion-pressure", {
+    tools: el("h2", {}, "Pressure over time"),
+  });
+  const title = el("h2", {}),
+    way = new Chart("motion-contraction", { tools: title });
   return {
     element: el("div", { class: "charts" }, pressure.element, way.element),
     /** @param {Run} run */
@@ -110,19 +210,32 @@ function chartsOf() {
 export const mount = (main) => {
   /** @type {Run | undefined} */ let run;
   let drive = "";
-  const fields = form(STEP, () => go.run()), shown = player();
+  const fields = form(STEP, () => go.run()),
+    shown = player();
   const charts = chartsOf();
   const numbers = el("div", {});
   const box = driveBox((text) => take(text));
   const title = el("h2", {}, "A step on a valve");
-  const go = job("Run", "motion", request, (answer) => {
-    run = answer;
-    paint();
-    shown.show(run);
-  }, { fields, shown: [shown.stage, numbers, charts.element] });
-  main.replaceChildren(bench("Step", [title, fields.element, go.element, numbers, box.element],
-    [shown.stage, shown.row, charts.element]));
-  const place = () => muscle.place("motion", { ...fields.texts(), [DRIVE]: drive });
+  const go = job(
+    "Run",
+    "motion",
+    request,
+    (answer) => {
+      run = answer;
+      paint();
+      shown.show(run);
+    },
+    { fields, shown: [shown.stage, numbers, charts.element] },
+  );
+  main.replaceChildren(
+    bench(
+      "Step",
+      [title, fields.element, go.element, numbers, box.element],
+      [shown.stage, shown.row, charts.element],
+    ),
+  );
+  const place = () =>
+    muscle.place("motion", { ...fields.texts(), [DRIVE]: drive });
 
   async function request() {
     const read = await fields.read();
@@ -144,7 +257,9 @@ export const mount = (main) => {
   function offer() {
     for (const key of STEP_KEYS) fields.shown(key, !drive);
     box.show(drive);
-    title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
+    title.textContent = drive
+      ? "Commands of a drive file"
+      : "A step on a valve";
   }
 
   function paint() {

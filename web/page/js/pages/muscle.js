@@ -10,39 +10,76 @@ import { onUnits, withUncertainty } from "../units.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const busy = el("div", { class: "busy" }), said = el("div", {});
+  const busy = el("div", { class: "busy" }),
+    said = el("div", {});
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
-  const stage = stageView(store, busy), curves = new Curves(store), numbers = numbersView(store);
-  main.replaceChildren(el("div", { class: "bench" }, controls.element,
-    el("div", { class: "middle" }, stage.stage, stage.tools, curves.chart.element, curves.points.element,
-      curves.over.element),
-    el("div", { class: "side" }, said, numbers.element)));
+  const stage = stageView(store, busy),
+    curves = new Curves(store),
+    numbers = numbersView(store);
+  main.replaceChildren(
+    el(
+      "div",
+      { class: "bench" },
+      controls.element,
+      el(
+        "div",
+        { class: "middle" },
+        stage.stage,
+        stage.tools,
+        curves.chart.element,
+        curves.points.element,
+        curves.over.element,
+      ),
+      el("div", { class: "side" }, said, numbers.element),
+    ),
+  );
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) => dim([stage.stage, numbers.element, curves.chart.element], on);
+  const stale = (on) =>
+    dim([stage.stage, numbers.element, curves.chart.element], on);
   store.on("answer", (pumped) => {
     said.replaceChildren();
     stale(false);
     const { point } = store;
-    if (!pumped && point) say(`Pull ${withUncertainty("force", point.force_n, point.uncertainty_n)}`);
+    if (!pumped && point)
+      say(
+        `Pull ${withUncertainty("force", point.force_n, point.uncertainty_n)}`,
+      );
   });
   store.on("problem", ({ problem }) => {
     const again = button("Try again", () => store.ask(), { class: "main" });
-    const old = el("p", { class: "small soft" },
-      "The page shows the last result, which is for another muscle or state.");
-    said.replaceChildren(problemBox(problem), store.shape ? old : "", problem.kind === "engine" ? again : "");
+    const old = el(
+      "p",
+      { class: "small soft" },
+      "The page shows the last result, which is for another muscle or state.",
+    );
+    said.replaceChildren(
+      problemBox(problem),
+      store.shape ? old : "",
+      problem.kind === "engine" ? again : "",
+    );
     stale(true);
   });
-  onUnits(() => { stage.units(); numbers.paint(); curves.draw(); store.settle(); });
+  onUnits(() => {
+    stage.units();
+    numbers.paint();
+    curves.draw();
+    store.settle();
+  });
 
   return {
     async load(params) {
       await muscle.read(params, OWN);
       controls.braids();
-      const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, { test: word("test", "isobaric"), show: word("show", "max_stretch"), cut: word("cut"),
-        over: word("over") });
+      const word = (/** @type {string} */ key, usual = "") =>
+        params.get(key) ?? usual;
+      Object.assign(store.wanted, {
+        test: word("test", "isobaric"),
+        show: word("show", "max_stretch"),
+        cut: word("cut"),
+        over: word("over"),
+      });
       curves.load();
       store.tell("sync");
       controls.anchor();

@@ -13,8 +13,12 @@ import { inWords } from "../words.js";
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
 const LISTED = /** @type {Kind[]} */ (["tubes", "sleeves", "rubbers"]);
-const KINDS = /** @type {[string, string][]} */ ([["tubes", "Tubes"], ["sleeves", "Sleeves"], ["rubbers", "Rubbers"],
-  ["muscles", "Measured muscles"]]);
+const KINDS = /** @type {[string, string][]} */ ([
+  ["tubes", "Tubes"],
+  ["sleeves", "Sleeves"],
+  ["rubbers", "Rubbers"],
+  ["muscles", "Measured muscles"],
+]);
 /** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
 /**
  * A row: the name, cells, the words that a filter looks at, its outer or possible diameters, and what it says of the
@@ -22,70 +26,151 @@ const KINDS = /** @type {[string, string][]} */ ([["tubes", "Tubes"], ["sleeves"
  * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number, said: Said }} Row
  */
 
-const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
+const estimate = (/** @type {string} */ text) =>
+  el("span", { class: "estimated" }, text);
 /** A source that may be long. @param {string | null | undefined} source @param {string | null | undefined} [note] */
 const source = (source, note) =>
-  el("details", { class: "small" }, el("summary", {}, "Source"), [source, note].filter(Boolean).join(" "));
+  el(
+    "details",
+    { class: "small" },
+    el("summary", {}, "Source"),
+    [source, note].filter(Boolean).join(" "),
+  );
 
 /** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
 const LISTS = {
   tubes: {
-    head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
+    head: [
+      "tube",
+      "",
+      "inside",
+      "outside",
+      "wall",
+      "rubber",
+      "made",
+      "price",
+      "rated",
+      "source",
+    ],
     text: [0, 5, 6, 7, 9],
-    rows: ({ tubes }) => tubes.map((t) => ({
-      name: t.name,
-      low: t.outer_diameter_mm,
-      high: t.outer_diameter_mm,
-      words: [t.name, t.rubber, t.source, t.note, t.is_cast ? "cast" : "sold"].join(" "),
-      said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
-      cells: [t.name, show("length", t.inner_diameter_mm), show("length", t.outer_diameter_mm),
-        show("length", t.wall_mm, 3), t.rubber, t.is_cast ? "cast" : "sold", t.price ?? "–",
-        t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–", source(t.source, t.note)],
-    })),
+    rows: ({ tubes }) =>
+      tubes.map((t) => ({
+        name: t.name,
+        low: t.outer_diameter_mm,
+        high: t.outer_diameter_mm,
+        words: [
+          t.name,
+          t.rubber,
+          t.source,
+          t.note,
+          t.is_cast ? "cast" : "sold",
+        ].join(" "),
+        said: {
+          D: t.outer_diameter_mm,
+          s: Number(t.wall_mm.toPrecision(12)),
+          rubber: t.rubber,
+        },
+        cells: [
+          t.name,
+          show("length", t.inner_diameter_mm),
+          show("length", t.outer_diameter_mm),
+          show("length", t.wall_mm, 3),
+          t.rubber,
+          t.is_cast ? "cast" : "sold",
+          t.price ?? "–",
+          t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–",
+          source(t.source, t.note),
+        ],
+      })),
   },
   sleeves: {
-    head: ["sleeve", "", "what it is", "material", "for diameters", "angle from", "strands", "estimated", "source"],
+    head: [
+      "sleeve",
+      "",
+      "what it is",
+      "material",
+      "for diameters",
+      "angle from",
+      "strands",
+      "estimated",
+      "source",
+    ],
     text: [0, 2, 3, 7, 8],
-    rows: ({ sleeves }) => sleeves.map((s) => ({
-      name: s.name,
-      low: s.least_diameter_mm,
-      high: s.largest_diameter_mm,
-      words: [s.name, s.title, s.material, s.source].join(" "),
-      said: { braid: s.name },
-      cells: [s.name, s.title, s.material,
-        `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
-        show("angle", s.least_angle_deg, 3), s.strands ? String(s.strands) : estimate("estimated"),
-        s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing", source(s.source)],
-    })),
+    rows: ({ sleeves }) =>
+      sleeves.map((s) => ({
+        name: s.name,
+        low: s.least_diameter_mm,
+        high: s.largest_diameter_mm,
+        words: [s.name, s.title, s.material, s.source].join(" "),
+        said: { braid: s.name },
+        cells: [
+          s.name,
+          s.title,
+          s.material,
+          `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
+          show("angle", s.least_angle_deg, 3),
+          s.strands ? String(s.strands) : estimate("estimated"),
+          s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing",
+          source(s.source),
+        ],
+      })),
   },
   rubbers: {
-    head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
+    head: [
+      "rubber",
+      "",
+      "what it is",
+      "law",
+      "shear modulus",
+      "breaks at",
+      "source",
+    ],
     text: [0, 2, 3, 6],
-    rows: ({ rubbers }) => rubbers.map((r) => ({
-      name: r.name,
-      low: 0,
-      high: Infinity,
-      words: [r.name, r.title, r.law, r.source].join(" "),
-      said: { rubber: r.name },
-      cells: [r.name, r.title, r.law, show("modulus", r.shear_modulus_mpa, 3),
-        r.max_strain ? show("ratio", r.max_strain, 3) : estimate("not measured"), source(r.source)],
-    })),
+    rows: ({ rubbers }) =>
+      rubbers.map((r) => ({
+        name: r.name,
+        low: 0,
+        high: Infinity,
+        words: [r.name, r.title, r.law, r.source].join(" "),
+        said: { rubber: r.name },
+        cells: [
+          r.name,
+          r.title,
+          r.law,
+          show("modulus", r.shear_modulus_mpa, 3),
+          r.max_strain
+            ? show("ratio", r.max_strain, 3)
+            : estimate("not measured"),
+          source(r.source),
+        ],
+      })),
   },
 };
 
 /** What of a sleeve no seller states. @param {{ missing: string, stiffness_factor?: number | null }} s */
 function estimated({ missing, stiffness_factor: factor }) {
-  const what = missing.split(" ").filter(Boolean).map((word) =>
-    inWords(`\`${word}\``).replaceAll("`", "").replaceAll("_", " ")
-  ).join(", ");
-  return capital([what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""].filter(Boolean).join("; "));
+  const what = missing
+    .split(" ")
+    .filter(Boolean)
+    .map((word) =>
+      inWords(`\`${word}\``).replaceAll("`", "").replaceAll("_", " "),
+    )
+    .join(", ");
+  return capital(
+    [what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""]
+      .filter(Boolean)
+      .join("; "),
+  );
 }
 
 /** Whether all words occur. @param {Row} row @param {string} find */
 function fitsFilter(row, find) {
   const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
   const words = `${row.words} ${cells}`.toLowerCase();
-  return find.toLowerCase().split(/[\s,]+/).every((word) => words.includes(word));
+  return find
+    .toLowerCase()
+    .split(/[\s,]+/)
+    .every((word) => words.includes(word));
 }
 
 /** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
@@ -123,28 +208,51 @@ export const mount = (main) => {
     state.kind = name;
     changed();
   });
-  const find = el("input", { type: "text", id: "parts-find", autocomplete: "off", spellcheck: "false",
-    placeholder: "latex, silicone, 10 mm", oninput: () => {
+  const find = el("input", {
+    type: "text",
+    id: "parts-find",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "latex, silicone, 10 mm",
+    oninput: () => {
       state.find = find.value.trim();
       changed();
-    } });
-  const fits = check("parts-fits", "fits the muscle's diameter", () => changed());
+    },
+  });
+  const fits = check("parts-fits", "fits the muscle's diameter", () =>
+    changed(),
+  );
   const cast = check("parts-sold", "sold only", () => changed());
-  const list = el("div", { class: "parts-list" }), count = el("p", { class: "small soft", role: "status" }),
+  const list = el("div", { class: "parts-list" }),
+    count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
-  const line = el("div", { class: "parts-filter" }, kind.element, filter, find, fits.row, cast.row);
+  const line = el(
+    "div",
+    { class: "parts-filter" },
+    kind.element,
+    filter,
+    find,
+    fits.row,
+    cast.row,
+  );
   main.replaceChildren(line, count, list);
 
-  const place = () => muscle.place("parts", { kind: state.kind === "tubes" ? "" : state.kind, find: state.find,
-    fits: fits.box.checked ? "1" : "", sold: cast.box.checked ? "1" : "" });
+  const place = () =>
+    muscle.place("parts", {
+      kind: state.kind === "tubes" ? "" : state.kind,
+      find: state.find,
+      fits: fits.box.checked ? "1" : "",
+      sold: cast.box.checked ? "1" : "",
+    });
   function changed() {
     place();
     paint();
   }
 
   const matches = (/** @type {Row} */ row) =>
-    fitsFilter(row, state.find) && !(fits.box.checked && state.kind === "sleeves" && !isFor(row))
-    && !(cast.box.checked && state.kind === "tubes" && /\bcast$/.test(row.words));
+    fitsFilter(row, state.find) &&
+    !(fits.box.checked && state.kind === "sleeves" && !isFor(row)) &&
+    !(cast.box.checked && state.kind === "tubes" && /\bcast$/.test(row.words));
 
   function paint() {
     if (!parts) return;
@@ -152,24 +260,40 @@ export const mount = (main) => {
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
     if (find.disabled) {
-      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
-      return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem)), () => {}));
+      count.textContent =
+        "Muscles whose pulls were measured. Open one: it becomes the muscle.";
+      return list.replaceChildren(
+        library(
+          (problem) => list.replaceChildren(problemBox(problem)),
+          () => {},
+        ),
+      );
     }
-    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)], all = rows(parts),
+    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)],
+      all = rows(parts),
       shown = all.filter(matches);
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
-    const put = (/** @type {Row} */ row) => button("Put into the muscle", () => take(row),
-      { "aria-label": `Put into the muscle: ${row.name}` });
-    const cells = shown.map((row) => [row.cells[0], put(row), ...row.cells.slice(1)]);
+    const put = (/** @type {Row} */ row) =>
+      button("Put into the muscle", () => take(row), {
+        "aria-label": `Put into the muscle: ${row.name}`,
+      });
+    const cells = shown.map((row) => [
+      row.cells[0],
+      put(row),
+      ...row.cells.slice(1),
+    ]);
     list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }
 
   /** @param {Row} row */
   async function take(row) {
-    if (!await putInto(row)) return;
+    if (!(await putInto(row))) return;
     place();
     paint();
-    notice(`${row.name} is in the muscle now.`, el("a", { href: address("muscle", muscle.params()) }, "See it move"));
+    notice(
+      `${row.name} is in the muscle now.`,
+      el("a", { href: address("muscle", muscle.params()) }, "See it move"),
+    );
   }
 
   onUnits(() => {
@@ -182,14 +306,21 @@ export const mount = (main) => {
       const asked = params.get("kind") ?? "tubes";
       state.kind = KINDS.some(([name]) => name === asked) ? asked : "tubes";
       kind.set(state.kind);
-      if (document.activeElement !== find) find.value = params.get("find") ?? "";
+      if (document.activeElement !== find)
+        find.value = params.get("find") ?? "";
       state.find = find.value.trim();
       fits.box.checked = params.has("fits");
       cast.box.checked = params.has("sold");
       try {
         if (!parts) {
-          const kinds = await Promise.all(LISTED.map((kind) => engine().ask("parts-list", { kind })));
-          parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
+          const kinds = await Promise.all(
+            LISTED.map((kind) => engine().ask("parts-list", { kind })),
+          );
+          parts = {
+            ...kinds[0],
+            sleeves: kinds[1].sleeves,
+            rubbers: kinds[2].rubbers,
+          };
         }
         paint();
       } catch (problem) {

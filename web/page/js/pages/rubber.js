@@ -13,54 +13,125 @@ import { number, onUnits, show } from "../units.js";
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {Field[]} */
 export const FIELDS = [
-  { key: "laws", field: "laws", label: "Laws", words: true, hint: "all that the points determine" },
-  { key: "set", field: "set", label: "Constants of the table", words: true,
-    hint: "area=8mm2, gauge_length=25mm, mode=planar" },
-  { key: "upto", field: "up_to_stretch", label: "Up to a stretch of", kind: "number", hint: "all points" },
-  { key: "stable", field: "stable", label: "In a muscle", value: "",
-    options: [["", "fit as the points are"], ["yes", "only what stays stable"]] },
-  { key: "called", field: "name", label: "Name of the rubber", hint: "that of the table" },
+  {
+    key: "laws",
+    field: "laws",
+    label: "Laws",
+    words: true,
+    hint: "all that the points determine",
+  },
+  {
+    key: "set",
+    field: "set",
+    label: "Constants of the table",
+    words: true,
+    hint: "area=8mm2, gauge_length=25mm, mode=planar",
+  },
+  {
+    key: "upto",
+    field: "up_to_stretch",
+    label: "Up to a stretch of",
+    kind: "number",
+    hint: "all points",
+  },
+  {
+    key: "stable",
+    field: "stable",
+    label: "In a muscle",
+    value: "",
+    options: [
+      ["", "fit as the points are"],
+      ["yes", "only what stays stable"],
+    ],
+  },
+  {
+    key: "called",
+    field: "name",
+    label: "Name of the rubber",
+    hint: "that of the table",
+  },
 ];
-const BEGIN = "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a "
-  + "specimen. The page fits the laws that the points determine and recommends one that is stable in a muscle.";
+const BEGIN =
+  "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a " +
+  "specimen. The page fits the laws that the points determine and recommends one that is stable in a muscle.";
 
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
   const constant = (/** @type {Law["parameters"][number]} */ p) => {
-    const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "";
+    const half = p.standard_error
+      ? ` ± ${number(1.96 * p.standard_error, 2)}`
+      : "";
     return `${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
-  const best = answer.laws.find(({ name, stable }) => name === answer.recommended && stable);
-  const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
+  const best = answer.laws.find(
+    ({ name, stable }) => name === answer.recommended && stable,
+  );
+  const fitted = law.constrained
+    ? "kept stable"
+    : law.stable
+      ? ""
+      : "unstable in a muscle";
   const taken = law === best ? "recommended" : fitted;
-  return [law.name, law.parameters.map(constant).join(", "), show("modulus", law.shear_modulus_mpa, 3),
-    show("modulus", law.rms_mpa, 2), number(law.r_squared, 5), taken];
+  return [
+    law.name,
+    law.parameters.map(constant).join(", "),
+    show("modulus", law.shear_modulus_mpa, 3),
+    show("modulus", law.rms_mpa, 2),
+    number(law.r_squared, 5),
+    taken,
+  ];
 }
 
 /** @type {Mount} */
 export const mount = (main) => {
   /** @type {Answer | undefined} */ let found;
   let data = fileOf("rubber");
-  const fields = form(FIELDS, () => fit.run()), figures = new Figures("rubber");
-  const understood = el("p", { class: "soft" }, BEGIN), laws = el("div", {});
-  const fit = job("Fit", "rubber", async () => {
-    const read = await fields.read();
-    if (!read) return undefined;
-    place();
-    if (!data) {
-      understood.textContent = BEGIN;
-      return undefined;
-    }
-    const { stable, ...rest } = read, file = { name: "muscle.toml", text: await muscle.file() };
-    return { ...rest, stable: stable === "yes", data: [data], muscle: file, figure: true };
-  }, (answer) => {
-    found = answer;
-    paint();
-    figures.show(answer.figure);
-  }, { fields, shown: [laws, figures.element] });
-  main.replaceChildren(bench("Rubber test", [el("h2", {}, "Rubber test"),
-    fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) => take(name, text)), fields.element, fit.element],
-  [understood, laws, figures.element]));
+  const fields = form(FIELDS, () => fit.run()),
+    figures = new Figures("rubber");
+  const understood = el("p", { class: "soft" }, BEGIN),
+    laws = el("div", {});
+  const fit = job(
+    "Fit",
+    "rubber",
+    async () => {
+      const read = await fields.read();
+      if (!read) return undefined;
+      place();
+      if (!data) {
+        understood.textContent = BEGIN;
+        return undefined;
+      }
+      const { stable, ...rest } = read,
+        file = { name: "muscle.toml", text: await muscle.file() };
+      return {
+        ...rest,
+        stable: stable === "yes",
+        data: [data],
+        muscle: file,
+        figure: true,
+      };
+    },
+    (answer) => {
+      found = answer;
+      paint();
+      figures.show(answer.figure);
+    },
+    { fields, shown: [laws, figures.element] },
+  );
+  main.replaceChildren(
+    bench(
+      "Rubber test",
+      [
+        el("h2", {}, "Rubber test"),
+        fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
+          take(name, text),
+        ),
+        fields.element,
+        fit.element,
+      ],
+      [understood, laws, figures.element],
+    ),
+  );
   const place = () => muscle.place("rubber", fields.texts());
 
   /** @param {string} name @param {string} text */
@@ -71,14 +142,42 @@ export const mount = (main) => {
   }
   function paint() {
     if (!found) return;
-    const answer = found, file = answer.muscle_file;
-    understood.textContent = `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a `
-      + `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
-    const head = ["law", "constants (± 95 %)", "shear modulus", "rms", "R²", ""];
-    laws.replaceChildren(el("h2", {}, answer.recommended ? `Recommended: ${answer.recommended}` : "No law is stable"),
-      table(head, answer.laws.map((law) => row(law, answer)), { text: [0, 1, 5], label: "laws of the rubber" }),
+    const answer = found,
+      file = answer.muscle_file;
+    understood.textContent =
+      `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
+      `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
+    const head = [
+      "law",
+      "constants (± 95 %)",
+      "shear modulus",
+      "rms",
+      "R²",
+      "",
+    ];
+    laws.replaceChildren(
+      el(
+        "h2",
+        {},
+        answer.recommended
+          ? `Recommended: ${answer.recommended}`
+          : "No law is stable",
+      ),
+      table(
+        head,
+        answer.laws.map((law) => row(law, answer)),
+        { text: [0, 1, 5], label: "laws of the rubber" },
+      ),
       warnings([...answer.warnings, ...answer.failed]),
-      file ? muscleButtons(file, "Put the rubber into the muscle", "Save the muscle with it", muscle.name) : "");
+      file
+        ? muscleButtons(
+            file,
+            "Put the rubber into the muscle",
+            "Save the muscle with it",
+            muscle.name,
+          )
+        : "",
+    );
   }
   onUnits(() => {
     paint();

@@ -8,7 +8,14 @@ import { bench, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
-import { CONTRACTION, MEASURES, PRESSURE, fields, point, say } from "../state.js";
+import {
+  CONTRACTION,
+  MEASURES,
+  PRESSURE,
+  fields,
+  point,
+  say,
+} from "../state.js";
 import { number, onUnits, outside, show, unitName } from "../units.js";
 import { inWords } from "../words.js";
 
@@ -19,22 +26,60 @@ import { inWords } from "../words.js";
  * @type {{ key: string, label: string, kind: Kind, of: keyof Answer, half?: keyof Answer }[]}
  */
 const RESULTS = [
-  { key: "F", label: "pull", kind: "force", of: "force_n", half: "uncertainty_n" },
+  {
+    key: "F",
+    label: "pull",
+    kind: "force",
+    of: "force_n",
+    half: "uncertainty_n",
+  },
   { key: "k", label: "stiffness", kind: "stiffness", of: "stiffness_n_per_mm" },
-  { key: "e", label: "contraction", kind: "ratio", of: "contraction", half: "contraction_uncertainty" },
-  { key: "b", label: "bulged diameter", kind: "length", of: "bulged_diameter_mm" },
+  {
+    key: "e",
+    label: "contraction",
+    kind: "ratio",
+    of: "contraction",
+    half: "contraction_uncertainty",
+  },
+  {
+    key: "b",
+    label: "bulged diameter",
+    kind: "length",
+    of: "bulged_diameter_mm",
+  },
   { key: "V", label: "volume of the cavity", kind: "volume", of: "volume_mm3" },
-  { key: "l", label: "largest stretch of the rubber", kind: "number", of: "max_stretch" },
-  { key: "T", label: "tension of all strands", kind: "force", of: "braid_tension_n" },
+  {
+    key: "l",
+    label: "largest stretch of the rubber",
+    kind: "number",
+    of: "max_stretch",
+  },
+  {
+    key: "T",
+    label: "tension of all strands",
+    kind: "force",
+    of: "braid_tension_n",
+  },
 ];
-const POINTS = 21, MOST = 201;
+const POINTS = 21,
+  MOST = 201;
 
 /** @param {Measure} measure @returns {[number, number]} the range where none is typed */
-function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximum = Infinity }) {
-  if (key === PRESSURE.key || key === CONTRACTION.key) return [low, key === "e" ? 0.3 : high];
-  const now = muscle.value(key) ?? (Number.isFinite(high) ? (low + high) / 2 : 1);
-  const ends = now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
-  const at = (/** @type {number} */ v) => Number(Math.min(maximum, Math.max(minimum, v)).toPrecision(3));
+function usualRange({
+  key,
+  low = 0,
+  high = Infinity,
+  minimum = -Infinity,
+  maximum = Infinity,
+}) {
+  if (key === PRESSURE.key || key === CONTRACTION.key)
+    return [low, key === "e" ? 0.3 : high];
+  const now =
+    muscle.value(key) ?? (Number.isFinite(high) ? (low + high) / 2 : 1);
+  const ends =
+    now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
+  const at = (/** @type {number} */ v) =>
+    Number(Math.min(maximum, Math.max(minimum, v)).toPrecision(3));
   return [at(ends[0]), at(ends[1])];
 }
 
@@ -43,7 +88,8 @@ export const mount = (main) => {
   const asked = { x: "p", y: "F" };
   /** @type {Row[]} */ let rows = [];
   /** @type {Measure[]} */ let measures = [PRESSURE, CONTRACTION];
-  let ends = new AbortController(), range = form([], () => run());
+  let ends = new AbortController(),
+    range = form([], () => run());
   atEnd(() => ends.abort());
   const measure = () => measures.find(({ key }) => key === asked.x) ?? PRESSURE;
   const what = choice("Over", [["p", PRESSURE.label]], "p", (key) => {
@@ -51,48 +97,96 @@ export const mount = (main) => {
     ask();
     run();
   });
-  const result = choice("Result", RESULTS.map(({ key, label }) => [key, capital(label)]), "F", (key) => {
-    asked.y = key;
-    place();
-    paint();
+  const result = choice(
+    "Result",
+    RESULTS.map(({ key, label }) => [key, capital(label)]),
+    "F",
+    (key) => {
+      asked.y = key;
+      place();
+      paint();
+    },
+  );
+  const box = el("div", {}),
+    said = el("div", {}),
+    title = el("h2", {}, "Sweep");
+  const bar = el("progress", {
+    hidden: true,
+    "aria-label": "Progress of the sweep",
   });
-  const box = el("div", {}), said = el("div", {}), title = el("h2", {}, "Sweep");
-  const bar = el("progress", { hidden: true, "aria-label": "Progress of the sweep" });
   const chart = new Chart("sweep", { tools: title, tall: true });
-  main.replaceChildren(bench("Measure and range", [what.element, box, result.element,
-    el("p", { class: "row" }, button("Compute", () => run(), { class: "main" }), bar)], [said, chart.element]));
+  main.replaceChildren(
+    bench(
+      "Measure and range",
+      [
+        what.element,
+        box,
+        result.element,
+        el(
+          "p",
+          { class: "row" },
+          button("Compute", () => run(), { class: "main" }),
+          bar,
+        ),
+      ],
+      [said, chart.element],
+    ),
+  );
 
   /** Fields of the range of this measure. */
   function ask() {
     const { kind } = measure();
-    range = form([{ key: "from", field: "from", label: "From", kind }, { key: "to", field: "to", label: "To", kind },
-      { key: "points", field: "points", label: "Points", kind: "number", hint: String(POINTS) }], () => run());
+    range = form(
+      [
+        { key: "from", field: "from", label: "From", kind },
+        { key: "to", field: "to", label: "To", kind },
+        {
+          key: "points",
+          field: "points",
+          label: "Points",
+          kind: "number",
+          hint: String(POINTS),
+        },
+      ],
+      () => run(),
+    );
     box.replaceChildren(range.element);
     usual();
   }
   function usual() {
-    const { kind } = measure(), at = usualRange(measure());
+    const { kind } = measure(),
+      at = usualRange(measure());
     ["from", "to"].forEach((key, i) => range.usual(key, show(kind, at[i], 3)));
   }
-  const place = () => muscle.place("sweep", { ...range.texts(), x: asked.x === "p" ? "" : asked.x,
-    y: asked.y === "F" ? "" : asked.y });
+  const place = () =>
+    muscle.place("sweep", {
+      ...range.texts(),
+      x: asked.x === "p" ? "" : asked.x,
+      y: asked.y === "F" ? "" : asked.y,
+    });
 
   /** The values, or nothing where a text cannot be read. */
   async function values() {
     const read = await range.read();
     if (!read) return undefined;
-    const [low, high] = usualRange(measure()), from = read.from ?? low, to = read.to ?? high;
+    const [low, high] = usualRange(measure()),
+      from = read.from ?? low,
+      to = read.to ?? high;
     const count = Math.round(read.points ?? POINTS);
     if (count >= 2 && count <= MOST)
-      return Array.from({ length: count }, (_, i) => Number((from + ((to - from) * i) / (count - 1)).toPrecision(12)));
+      return Array.from({ length: count }, (_, i) =>
+        Number((from + ((to - from) * i) / (count - 1)).toPrecision(12)),
+      );
     range.mark("points", `Give between 2 and ${MOST} points.`);
   }
   async function run() {
     ends.abort();
-    const { signal } = (ends = new AbortController()), list = await values();
+    const { signal } = (ends = new AbortController()),
+      list = await values();
     if (!list || signal.aborted || !said.isConnected) return;
     place();
-    const { state } = muscle, found = /** @type {Row[]} */ ([]);
+    const { state } = muscle,
+      found = /** @type {Row[]} */ ([]);
     Object.assign(bar, { max: list.length, hidden: false });
     try {
       for (const value of list) {
@@ -111,7 +205,13 @@ export const mount = (main) => {
   async function at(of, value, signal) {
     try {
       const request = { ...fields(of), ...point(of) };
-      return { value, answer: await engine().ask("shape", request, { lane: "curves", signal }) };
+      return {
+        value,
+        answer: await engine().ask("shape", request, {
+          lane: "curves",
+          signal,
+        }),
+      };
     } catch (thrown) {
       const { kind, message } = problemOf(thrown);
       // A muscle that cannot be is a gap in the curve; an engine that is gone ends the sweep.
@@ -122,23 +222,49 @@ export const mount = (main) => {
 
   function paint() {
     if (!rows.length) return;
-    const { kind, label, symbol } = measure(), y = RESULTS.find(({ key }) => key === asked.y) ?? RESULTS[0];
-    const list = (/** @type {keyof Answer} */ of) => rows.map(({ answer }) =>
-      typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null);
-    const unit = (/** @type {Kind} */ k) => (k === "number" ? "–" : unitName(k));
-    const name = `${y.label} over ${label.toLowerCase()}`, now = outside(kind, muscle.value(asked.x) ?? NaN);
-    const curve = { name, x: rows.map(({ value }) => outside(kind, value)), y: list(y.of), half: y.half && list(y.half),
-      colour: KINDS[0], strong: true, smooth: true };
+    const { kind, label, symbol } = measure(),
+      y = RESULTS.find(({ key }) => key === asked.y) ?? RESULTS[0];
+    const list = (/** @type {keyof Answer} */ of) =>
+      rows.map(({ answer }) =>
+        typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null,
+      );
+    const unit = (/** @type {Kind} */ k) =>
+      k === "number" ? "–" : unitName(k);
+    const name = `${y.label} over ${label.toLowerCase()}`,
+      now = outside(kind, muscle.value(asked.x) ?? NaN);
+    const curve = {
+      name,
+      x: rows.map(({ value }) => outside(kind, value)),
+      y: list(y.of),
+      half: y.half && list(y.half),
+      colour: KINDS[0],
+      strong: true,
+      smooth: true,
+    };
     // The present muscle on the curve.
     const here = valueAt(curve, now);
-    chart.show({ x: `${label.toLowerCase()}${symbol ? ` ${symbol}` : ""} [${unit(kind)}]`,
+    chart.show({
+      x: `${label.toLowerCase()}${symbol ? ` ${symbol}` : ""} [${unit(kind)}]`,
       y: `${y.label} [${unit(y.kind)}]`,
-      yaxis: {}, marks: here === undefined ? [] : [{ x: now, y: here, text: "now" }], series: [curve] });
+      yaxis: {},
+      marks: here === undefined ? [] : [{ x: now, y: here, text: "now" }],
+      series: [curve],
+    });
     title.textContent = capital(name);
     const failed = rows.filter(({ why }) => why);
-    const [one] = failed, such = one && `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
-    said.replaceChildren(one ? el("p", { class: "small" },
-      `${failed.length} of ${rows.length} values have no answer, such as ${such}`) : "");
+    const [one] = failed,
+      such =
+        one &&
+        `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
+    said.replaceChildren(
+      one
+        ? el(
+            "p",
+            { class: "small" },
+            `${failed.length} of ${rows.length} values have no answer, such as ${such}`,
+          )
+        : "",
+    );
   }
   onUnits(() => {
     usual();
@@ -150,9 +276,18 @@ export const mount = (main) => {
       await muscle.read(params, ["x", "y", "from", "to", "points"]);
       measures = [PRESSURE, CONTRACTION, ...MEASURES];
       what.labels(measures.map(({ key, label }) => [key, label]));
-      const known = (/** @type {{ key: string }[]} */ list, /** @type {string} */ key, /** @type {string} */ usual) =>
-        list.some((one) => one.key === params.get(key)) ? params.get(key) ?? usual : usual;
-      Object.assign(asked, { x: known(measures, "x", "p"), y: known(RESULTS, "y", "F") });
+      const known = (
+        /** @type {{ key: string }[]} */ list,
+        /** @type {string} */ key,
+        /** @type {string} */ usual,
+      ) =>
+        list.some((one) => one.key === params.get(key))
+          ? (params.get(key) ?? usual)
+          : usual;
+      Object.assign(asked, {
+        x: known(measures, "x", "p"),
+        y: known(RESULTS, "y", "F"),
+      });
       what.set(asked.x);
       result.set(asked.y);
       ask();

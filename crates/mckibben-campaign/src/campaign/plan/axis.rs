@@ -6,7 +6,8 @@ use mckibben::rubber::Law;
 use mckibben::rubber::library;
 use mckibben::units::Values;
 
-/// Keys in `[vary]` with a column in every table, ratios to D0 and the factor of all moduli among them.
+/// Keys in `[vary]` with a column in every table, ratios to D0 and the factor of all moduli among
+/// them.
 const WITH_COLUMN: [&str; 9] = [
     "tube.outer_diameter",
     "tube.wall_thickness",
@@ -22,14 +23,22 @@ pub(super) const SCALE: &str = "tube.material.scale";
 /// The prefix of the name of a constant of the law.
 pub(super) const CONSTANT: &str = "tube.material.";
 
-/// The keys that can vary, in the order in which a factorial plan runs through it: the ones above, the constants of all laws (sums of terms have
-/// none that vary alone), and every other measure of the muscle.
+/// The keys that can vary, in the order in which a factorial plan runs through it: the ones above,
+/// the constants of all laws (sums of terms have none that vary alone), and every other measure of
+/// the muscle.
 pub(super) fn keys() -> Vec<String> {
     let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
-    let constants = laws.flat_map(|kind| kind.names()).map(|name| format!("{CONSTANT}{name}"));
+    let constants = laws
+        .flat_map(|kind| kind.names())
+        .map(|name| format!("{CONSTANT}{name}"));
     let measures = MEASURES.iter().map(|m| m.key.to_owned());
     let mut keys: Vec<String> = vec![];
-    for key in WITH_COLUMN.into_iter().map(str::to_owned).chain(constants).chain(measures) {
+    for key in WITH_COLUMN
+        .into_iter()
+        .map(str::to_owned)
+        .chain(constants)
+        .chain(measures)
+    {
         if !keys.contains(&key) {
             keys.push(key);
         }
@@ -55,10 +64,19 @@ impl Axis {
 
     /// The column in which a table has it: only of measures without one in every table.
     pub(super) fn column(&self) -> Option<String> {
-        let measure = self.measure().filter(|_| !WITH_COLUMN.contains(&self.key.as_str()))?;
-        let unit = measure.dimension.end_of_name().filter(|_| !measure.is_plain());
+        let measure = self
+            .measure()
+            .filter(|_| !WITH_COLUMN.contains(&self.key.as_str()))?;
+        let unit = measure
+            .dimension
+            .end_of_name()
+            .filter(|_| !measure.is_plain());
         let name = || [&self.key.replace('.', "_"), unit.unwrap_or_default()].join("_");
-        Some(measure.field.map_or_else(|| name().trim_end_matches('_').to_owned(), str::to_owned))
+        Some(
+            measure
+                .field
+                .map_or_else(|| name().trim_end_matches('_').to_owned(), str::to_owned),
+        )
     }
 
     /// Number of levels; an interval has one.
@@ -79,8 +97,12 @@ impl Axis {
     /// The value at share `u` of its range, 0 ≤ u < 1; of a list each level gets the same share.
     pub(super) fn at(&self, u: f64) -> f64 {
         match &self.values {
-            Values::List(list) => self.level(((u * list.len() as f64) as u64).min(self.levels() - 1)),
-            Values::Interval(low, high) if self.log => rounded((low.ln() + (high / low).ln() * u).exp()),
+            Values::List(list) => {
+                self.level(((u * list.len() as f64) as u64).min(self.levels() - 1))
+            }
+            Values::Interval(low, high) if self.log => {
+                rounded((low.ln() + (high / low).ln() * u).exp())
+            }
             Values::Interval(low, high) => rounded(low + (high - low) * u),
         }
     }
@@ -105,8 +127,12 @@ impl Inputs {
     pub(super) fn new(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
         let mut parts = base.parts().clone();
         let mut pairs: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
-        let measures = pairs.iter().filter_map(|(axis, value)| Some((axis.column()?, *value))).collect();
-        // Ratios are of the final diameter, and the factor of all moduli scales constants that vary too.
+        let measures = pairs
+            .iter()
+            .filter_map(|(axis, value)| Some((axis.column()?, *value)))
+            .collect();
+        // Ratios are of the final diameter, and the factor of all moduli scales constants that vary
+        // too.
         pairs.sort_by_key(|(axis, _)| (axis.measure().is_none(), axis.key == SCALE));
         for (axis, value) in pairs {
             match axis.measure() {
@@ -115,7 +141,8 @@ impl Inputs {
             }
         }
         let tube = &mut parts.tube;
-        // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named one would follow the measures.
+        // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named
+        // one would follow the measures.
         if tube.rubber.law != base.tube().rubber.law || library::follows(&tube.rubber) {
             tube.rubber.name = None;
         }
@@ -124,7 +151,12 @@ impl Inputs {
 
     /// The muscle made of them.
     pub fn muscle(&self) -> Result<Muscle, MuscleError> {
-        let Parts { tube, braid, terminals, friction } = self.parts.clone();
+        let Parts {
+            tube,
+            braid,
+            terminals,
+            friction,
+        } = self.parts.clone();
         Muscle::new(tube, braid, terminals, friction)
     }
 
@@ -141,10 +173,15 @@ fn set(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
     match key {
         "tube.wall_ratio" => tube.wall_mm = times_diameter,
         "tube.length_ratio" => tube.length_mm = times_diameter,
-        "braid.stiffness_per_diameter" => braid.stiffness = BraidStiffness::NewtonPerMm(times_diameter),
+        "braid.stiffness_per_diameter" => {
+            braid.stiffness = BraidStiffness::NewtonPerMm(times_diameter)
+        }
         SCALE => tube.rubber.law = law.scaled(value),
         constant => {
-            let at = law.constants().iter().position(|c| constant.strip_prefix(CONSTANT) == Some(&c.name));
+            let at = law
+                .constants()
+                .iter()
+                .position(|c| constant.strip_prefix(CONSTANT) == Some(&c.name));
             tube.rubber.law = law.with_constants(|i, old| if Some(i) == at { value } else { old });
         }
     }

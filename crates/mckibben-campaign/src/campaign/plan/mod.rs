@@ -28,7 +28,8 @@ use mckibben::rubber::Law;
 use mckibben_fem::elements::Elements;
 use sampling::Design;
 
-/// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at most 10,000 files.
+/// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at
+/// most 10,000 files.
 const MOST_PARTS: u64 = 6000;
 
 /// The points and the model of every muscle.
@@ -76,23 +77,30 @@ impl Plan {
         self.testing.contractions.len() * self.testing.pressures_mpa.len()
     }
 
-    /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
-    /// points than are computed in a good second, save where the parts would be too many files.
+    /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the
+    /// plan, and not more points than are computed in a good second, save where the parts would be
+    /// too many files.
     pub fn block(&self) -> u64 {
         let heavy = (self.points_per_second() / self.points_per_muscle().max(1) as u64).max(1);
-        (self.muscles() / 100).clamp(1, heavy).max(self.muscles().div_ceil(MOST_PARTS))
+        (self.muscles() / 100)
+            .clamp(1, heavy)
+            .max(self.muscles().div_ceil(MOST_PARTS))
     }
 
     /// The measures of a muscle of the plan.
     pub fn inputs(&self, number: u64) -> Inputs {
-        let values: Vec<f64> =
-            (0..self.axes.len()).map(|a| self.design.value(&self.axes, a, number)).collect();
+        let values: Vec<f64> = (0..self.axes.len())
+            .map(|a| self.design.value(&self.axes, a, number))
+            .collect();
         Inputs::new(&self.base, &self.axes, &values)
     }
 
     /// Names and values of the constants of the base muscle's law, as columns: `c10_mpa`.
     pub fn constants(&self) -> Vec<String> {
-        constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
+        constants(&self.base.tube().rubber.law)
+            .into_iter()
+            .map(|c| c.0)
+            .collect()
     }
 
     /// Columns of the axes that have none in every table: `seating_mm`.
@@ -106,13 +114,22 @@ impl Plan {
             return vec![];
         }
         let law = &self.base.tube().rubber.law;
-        let mut keys: Vec<String> =
-            law.constants().into_iter().map(|c| format!("tube.material.{}", c.name)).collect();
+        let mut keys: Vec<String> = law
+            .constants()
+            .into_iter()
+            .map(|c| format!("tube.material.{}", c.name))
+            .collect();
         if self.inputs(0).family_stiffness_n_per_mm().is_some() {
             keys.push("braid.stiffness".into());
         }
         keys.extend(
-            ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle"].map(Into::into),
+            [
+                "tube.outer_diameter",
+                "tube.wall_thickness",
+                "tube.length",
+                "braid.angle",
+            ]
+            .map(Into::into),
         );
         keys
     }
@@ -120,5 +137,8 @@ impl Plan {
 
 /// Constants of a law with the names of their columns.
 pub(super) fn constants(law: &Law) -> Vec<(String, f64)> {
-    law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
+    law.constants()
+        .into_iter()
+        .map(|c| (c.column(), c.value))
+        .collect()
 }

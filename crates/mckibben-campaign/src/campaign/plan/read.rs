@@ -21,12 +21,15 @@ impl Plan {
         let axes = vary::axes(&root.at("vary"), &base, &sampling)?;
         let testing = testing(&root.at("test"))?;
         if base.tube().rubber.is_conditioned() {
-            let why =
-                "is not possible in a campaign, whose muscles are on their first inflation: leave it out";
+            let why = "is not possible in a campaign, whose muscles are on their first inflation: \
+                leave it out";
             return Err(source.error("tube.material.conditioned", why));
         }
         if sampling != Sampling::Factorial && axes.is_empty() {
-            let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
+            let why = format!(
+                "a {} plan needs something to vary: add [vary]",
+                sampling.name()
+            );
             return Err(source.error("sampling.method", why));
         }
         let design = Design::new(sampling, &axes);
@@ -34,7 +37,13 @@ impl Plan {
             let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
             return Err(source.error("vary", why));
         }
-        let plan = Plan { text: text.to_owned(), base, axes, design, testing };
+        let plan = Plan {
+            text: text.to_owned(),
+            base,
+            axes,
+            design,
+            testing,
+        };
         some_muscle(&plan).map_err(|why| source.error("vary", why))?;
         Ok(plan)
     }
@@ -42,7 +51,9 @@ impl Plan {
     /// Reads a plan file.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.in_file(path))
+        read_text(path)
+            .and_then(|text| Self::parse(&text))
+            .map_err(|e| e.in_file(path))
     }
 }
 
@@ -68,10 +79,15 @@ fn whole(section: &Section<'_>, key: &str, most: u64) -> Result<Option<u64>, Fil
 fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     let method = section.get("method").unwrap_or("factorial");
     let sobol = method == "sobol";
-    let samples = whole(section, "samples", if sobol { MOST_SOBOL } else { MOST_STRATA })?;
+    let samples = whole(
+        section,
+        "samples",
+        if sobol { MOST_SOBOL } else { MOST_STRATA },
+    )?;
     let seed = whole(section, "seed", u64::from(u32::MAX))?;
     if method == "factorial" {
-        let why = "a factorial plan takes every level with every other: it has neither samples nor a seed";
+        let why = "a factorial plan takes every level with every other: it has neither samples nor \
+            a seed";
         let stated = ["samples", "seed"].into_iter().find(|k| section.has(k));
         return stated.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
     }
@@ -82,7 +98,10 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     }
     let seed = seed.unwrap_or(1);
     Ok(if sobol {
-        Sampling::Sobol { samples, seed: seed as u32 }
+        Sampling::Sobol {
+            samples,
+            seed: seed as u32,
+        }
     } else {
         Sampling::LatinHypercube { samples, seed }
     })
@@ -103,7 +122,8 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
     }
     let points = contractions.len().saturating_mul(pressures_mpa.len());
     if points > MOST_POINTS {
-        let why = format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
+        let why =
+            format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
         return Err(section.error("pressures", why));
     }
     let elements = elements(section)?;
@@ -112,7 +132,13 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
         let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
         return Err(section.error("sensitivities", why));
     }
-    Ok(Testing { contractions, of_ideal, pressures_mpa, elements, sensitivities })
+    Ok(Testing {
+        contractions,
+        of_ideal,
+        pressures_mpa,
+        elements,
+        sensitivities,
+    })
 }
 
 fn levels(section: &Section<'_>, key: &str) -> Result<Vec<f64>, FileError> {
@@ -127,8 +153,17 @@ fn levels(section: &Section<'_>, key: &str) -> Result<Vec<f64>, FileError> {
 
 fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
     let word = section.get("model").unwrap_or(Elements::ENTRIES[0].name);
-    let unknown = |_| section.error("model", "is not known; expected a finite-element model: fe or fe3d");
+    let unknown = |_| {
+        section.error(
+            "model",
+            "is not known; expected a finite-element model: fe or fe3d",
+        )
+    };
     let elements: Elements = word.parse().map_err(unknown)?;
-    let Some(text) = section.get("mesh") else { return Ok(elements) };
-    elements.with_mesh(text).map_err(|error| section.error("mesh", error.to_string()))
+    let Some(text) = section.get("mesh") else {
+        return Ok(elements);
+    };
+    elements
+        .with_mesh(text)
+        .map_err(|error| section.error("mesh", error.to_string()))
 }

@@ -16,7 +16,8 @@ pub(super) const MOST_SOBOL: u64 = 1 << 16;
 pub enum Sampling {
     /// Every level with every other.
     Factorial,
-    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979 \[mckay1979\]).
+    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979
+    /// \[mckay1979\]).
     LatinHypercube { samples: u64, seed: u64 },
     /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]).
     Sobol {
@@ -57,13 +58,24 @@ pub(super) struct Design {
 impl Design {
     pub(super) fn new(sampling: Sampling, axes: &[Axis]) -> Self {
         let (muscles, strata) = match sampling {
-            Sampling::Factorial => (axes.iter().fold(1_u64, |all, a| all.saturating_mul(a.levels())), vec![]),
-            Sampling::LatinHypercube { samples, seed } => {
-                (samples, (0..axes.len()).map(|axis| strata(samples, seed, axis as u64)).collect())
-            }
+            Sampling::Factorial => (
+                axes.iter()
+                    .fold(1_u64, |all, a| all.saturating_mul(a.levels())),
+                vec![],
+            ),
+            Sampling::LatinHypercube { samples, seed } => (
+                samples,
+                (0..axes.len())
+                    .map(|axis| strata(samples, seed, axis as u64))
+                    .collect(),
+            ),
             Sampling::Sobol { samples, .. } => (samples, vec![]),
         };
-        Self { sampling, muscles, strata }
+        Self {
+            sampling,
+            muscles,
+            strata,
+        }
     }
 
     /// The value of an axis for a muscle.
@@ -75,14 +87,17 @@ impl Design {
                 axes[axis].level(number / faster % axes[axis].levels())
             }
             Sampling::LatinHypercube { .. } => axes[axis].at(self.strata[axis][number as usize]),
-            Sampling::Sobol { seed, .. } => {
-                axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, seed)))
-            }
+            Sampling::Sobol { seed, .. } => axes[axis].at(f64::from(sobol_burley::sample(
+                number as u32,
+                axis as u32,
+                seed,
+            ))),
         }
     }
 }
 
-/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has one stream.
+/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has one
+/// stream.
 fn strata(n: u64, seed: u64, axis: u64) -> Vec<f64> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(axis);
@@ -93,5 +108,8 @@ fn strata(n: u64, seed: u64, axis: u64) -> Vec<f64> {
         order.swap(i, j);
     }
     let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    order.into_iter().map(|stratum| ((stratum as f64 + unit()) / n as f64).min(1.0 - f64::EPSILON)).collect()
+    order
+        .into_iter()
+        .map(|stratum| ((stratum as f64 + unit()) / n as f64).min(1.0 - f64::EPSILON))
+        .collect()
 }

@@ -14,7 +14,9 @@ fn refused(text: &str) -> String {
 }
 
 fn repository(name: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../plans").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../plans")
+        .join(name)
 }
 
 /// 4 diameters, 5 walls, 5 contractions, 26 pressures: the paper's 100 curves.
@@ -24,7 +26,10 @@ fn the_papers_plan_has_2600_points() {
     assert_eq!((plan.muscles(), plan.points_per_muscle()), (20, 130));
     let section = |i: u64| {
         let inputs = plan.inputs(i);
-        (inputs.parts.tube.outer_diameter_mm, inputs.parts.tube.wall_mm)
+        (
+            inputs.parts.tube.outer_diameter_mm,
+            inputs.parts.tube.wall_mm,
+        )
     };
     // The first axis changes slowest.
     assert_eq!(
@@ -34,34 +39,52 @@ fn the_papers_plan_has_2600_points() {
     assert_eq!(plan.testing.contractions, [0.0, 0.05, 0.1, 0.15, 0.2]);
     assert_eq!(plan.testing.pressures_mpa[25], 0.25);
     let base = Muscle::prototype();
-    assert_eq!(plan.inputs(13).muscle().unwrap(), base.with_section(45.0, 4.0).unwrap());
+    assert_eq!(
+        plan.inputs(13).muscle().unwrap(),
+        base.with_section(45.0, 4.0).unwrap()
+    );
 }
 
 #[test]
 fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
     let plan = Plan::read(repository("universal.toml")).unwrap();
-    let all: Vec<Muscle> = (0..plan.muscles()).map(|i| plan.inputs(i).muscle().unwrap()).collect();
+    let all: Vec<Muscle> = (0..plan.muscles())
+        .map(|i| plan.inputs(i).muscle().unwrap())
+        .collect();
     let spans = |value: fn(&Muscle) -> f64, low: f64, high: f64| {
         let values: Vec<f64> = all.iter().map(value).collect();
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let most = values.iter().copied().fold(0.0, f64::max);
-        assert!(low <= least && least < low * 1.01 && high * 0.99 < most && most <= high, "{least} {most}");
+        assert!(
+            low <= least && least < low * 1.01 && high * 0.99 < most && most <= high,
+            "{least} {most}"
+        );
     };
     spans(|m| m.outer_diameter_mm(), 10.0, 60.0);
     spans(|m| m.wall_mm() / m.outer_diameter_mm(), 0.017, 0.18500001);
     spans(|m| m.length_mm() / m.outer_diameter_mm(), 4.4, 22.000001);
     spans(|m| m.braid().angle_deg, 16.5, 39.0);
-    spans(|m| m.family_stiffness_n_per_mm().unwrap() / m.outer_diameter_mm(), 3.0, 300.00001);
+    spans(
+        |m| m.family_stiffness_n_per_mm().unwrap() / m.outer_diameter_mm(),
+        3.0,
+        300.00001,
+    );
     spans(|m| m.tube().rubber.law.values()[0], 0.03, 0.5);
-    spans(|m| 1.0 + m.tube().rubber.law.values()[1] / m.tube().rubber.law.values()[0], 1.0, 1.43);
+    spans(
+        |m| 1.0 + m.tube().rubber.law.values()[1] / m.tube().rubber.law.values()[0],
+        1.0,
+        1.43,
+    );
 }
 
 #[test]
 fn a_latin_hypercube_hits_each_stratum_once() {
     for samples in [1_u64, 7, 100, 1000] {
-        let head = format!("[sampling]\nmethod = \"latin-hypercube\"\nsamples = {samples}\nseed = 3\n");
+        let head =
+            format!("[sampling]\nmethod = \"latin-hypercube\"\nsamples = {samples}\nseed = 3\n");
         let plan = plan(&format!(
-            "{head}[vary]\ntube.outer_diameter = \"10..60 mm\"\ntube.wall_ratio = \"2..20% log\"\nbraid.angle = \"15..40\""
+            "{head}[vary]\ntube.outer_diameter = \"10..60 mm\"\ntube.wall_ratio = \"2..20% \
+             log\"\nbraid.angle = \"15..40\""
         ));
         let shares: [fn(&Inputs) -> f64; 3] = [
             |i| (i.parts.tube.outer_diameter_mm - 10.0) / 50.0,
@@ -81,16 +104,20 @@ fn a_latin_hypercube_hits_each_stratum_once() {
     }
 }
 
-/// A (0, m, 1)-net on each axis: of 2^m points one lies in each interval of length 2^-m; and in two dimensions a
-/// (0, m, 2)-net for the first two axes: one in each elementary rectangle.
+/// A (0, m, 1)-net on each axis: of 2^m points one lies in each interval of length 2^-m; and in two
+/// dimensions a (0, m, 2)-net for the first two axes: one in each elementary rectangle.
 #[test]
 fn sobol_points_are_a_net() {
     let plan = plan(
-        "[sampling]\nmethod = \"sobol\"\nsamples = 256\nseed = 9\n[vary]\ntube.outer_diameter = \"10..60\"\nbraid.angle = \"15..40\"",
+        "[sampling]\nmethod = \"sobol\"\nsamples = 256\nseed = 9\n[vary]\ntube.outer_diameter \
+         = \"10..60\"\nbraid.angle = \"15..40\"",
     );
     let at = |i: u64| {
         let inputs = plan.inputs(i);
-        ((inputs.parts.tube.outer_diameter_mm - 10.0) / 50.0, (inputs.parts.braid.angle_deg - 15.0) / 25.0)
+        (
+            (inputs.parts.tube.outer_diameter_mm - 10.0) / 50.0,
+            (inputs.parts.braid.angle_deg - 15.0) / 25.0,
+        )
     };
     for m in 0..=8_u32 {
         let (columns, rows) = (1_usize << m, 1_usize << (8 - m));
@@ -109,7 +136,8 @@ fn sobol_points_are_a_net() {
 fn the_first_samples_stay_what_they_are() {
     let first = |method: &str| {
         let plan = plan(&format!(
-            "[sampling]\nmethod = \"{method}\"\nsamples = 8\nseed = 1\n[vary]\ntube.length = \"100..300\"\nbraid.angle = \"20..30\""
+            "[sampling]\nmethod = \"{method}\"\nsamples = 8\nseed = 1\n[vary]\ntube.length \
+             = \"100..300\"\nbraid.angle = \"20..30\""
         ));
         let inputs = plan.inputs(0);
         (inputs.parts.tube.length_mm, inputs.parts.braid.angle_deg)
@@ -122,23 +150,35 @@ const GOLD: [(f64, f64); 2] = [(228.8163174, 25.85303634), (185.9611034, 27.4933
 #[test]
 fn levels_of_a_list_get_equal_shares_and_ratios_follow_the_diameter() {
     let plan = plan(
-        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 30\n[vary]\ntube.outer_diameter = \"20,30,40\"\ntube.length_ratio = 10\ntube.wall_ratio = \"10%\"\nbraid.stiffness_per_diameter = 5\ntube.material.scale = 2",
+        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 30\n[vary]\ntube.outer_diameter \
+         = \"20,30,40\"\ntube.length_ratio = 10\ntube.wall_ratio \
+         = \"10%\"\nbraid.stiffness_per_diameter = 5\ntube.material.scale = 2",
     );
     for d in [20.0, 30.0, 40.0] {
-        let these: Vec<Inputs> =
-            (0..30).map(|i| plan.inputs(i)).filter(|i| i.parts.tube.outer_diameter_mm == d).collect();
+        let these: Vec<Inputs> = (0..30)
+            .map(|i| plan.inputs(i))
+            .filter(|i| i.parts.tube.outer_diameter_mm == d)
+            .collect();
         assert_eq!(these.len(), 10);
-        assert_eq!((these[0].parts.tube.length_mm, these[0].parts.tube.wall_mm), (10.0 * d, 0.1 * d));
+        assert_eq!(
+            (these[0].parts.tube.length_mm, these[0].parts.tube.wall_mm),
+            (10.0 * d, 0.1 * d)
+        );
         assert_eq!(these[0].family_stiffness_n_per_mm(), Some(5.0 * d));
     }
-    assert_eq!(constants(&plan.inputs(3).parts.tube.rubber.law)[0], ("c10_mpa".into(), 0.224));
+    assert_eq!(
+        constants(&plan.inputs(3).parts.tube.rubber.law)[0],
+        ("c10_mpa".into(), 0.224)
+    );
 }
 
 #[test]
 fn keys_can_be_written_as_tables_too() {
-    let dotted = plan("[vary]\ntube.outer_diameter = \"30,40\"\ntube.material.c10 = [0.1, \"200 kPa\"]");
-    let tables =
-        plan("[vary.tube]\nouter_diameter = [30, \"4 cm\"]\n[vary.tube.material]\nc10 = \"0.1,0.2 MPa\"");
+    let dotted =
+        plan("[vary]\ntube.outer_diameter = \"30,40\"\ntube.material.c10 = [0.1, \"200 kPa\"]");
+    let tables = plan(
+        "[vary.tube]\nouter_diameter = [30, \"4 cm\"]\n[vary.tube.material]\nc10 = \"0.1,0.2 MPa\"",
+    );
     assert_eq!(dotted.axes, tables.axes);
     assert_eq!(dotted.muscles(), 4);
     assert_ne!(dotted.hash(), tables.hash());
@@ -149,7 +189,11 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
     let lhs = "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 4\n";
     for line in include_str!("refused.tsv").lines().skip(1) {
         let mut cells = line.split('\t');
-        let mut text = cells.next().unwrap().replace("\\n", "\n").replace("LHS", lhs);
+        let mut text = cells
+            .next()
+            .unwrap()
+            .replace("\\n", "\n")
+            .replace("LHS", lhs);
         if !text.contains("[test]") && !text.is_empty() {
             text.push_str(TEST);
         }
@@ -163,24 +207,37 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
 #[test]
 fn a_plan_file_is_named_in_its_errors() {
     let error = Plan::read("nowhere/plan.toml").unwrap_err().to_string();
-    assert!(error.starts_with("nowhere/plan.toml: cannot be read"), "{error}");
+    assert!(
+        error.starts_with("nowhere/plan.toml: cannot be read"),
+        "{error}"
+    );
 }
 
 #[test]
 fn parts_are_a_hundredth_of_the_plan_and_never_too_long() {
     let block = |samples: u64, test: &str| {
         let head = format!("[sampling]\nmethod = \"latin-hypercube\"\nsamples = {samples}\n");
-        Plan::parse(&format!("{head}[vary]\ntube.length = \"100..200\"\n{test}")).unwrap().block()
+        Plan::parse(&format!("{head}[vary]\ntube.length = \"100..200\"\n{test}"))
+            .unwrap()
+            .block()
     };
-    assert_eq!([block(20, TEST), block(1000, TEST), block(1_000_000, TEST)], [1, 10, 4096 / 6]);
-    assert_eq!(block(10_000, &format!("{TEST}sensitivities = true\n")), 512 / 6);
+    assert_eq!(
+        [block(20, TEST), block(1000, TEST), block(1_000_000, TEST)],
+        [1, 10, 4096 / 6]
+    );
+    assert_eq!(
+        block(10_000, &format!("{TEST}sensitivities = true\n")),
+        512 / 6
+    );
     assert_eq!(block(10_000, &format!("{TEST}mesh = \"2x12\"\n")), 512 / 6);
 }
 
-/// All rows of a plan have the law of the base muscle, whatever a muscle of their measures would have by name.
+/// All rows of a plan have the law of the base muscle, whatever a muscle of their measures would
+/// have by name.
 #[test]
 fn a_plan_has_one_rubber() {
-    let text = "[tube]\nrubber = \"dragon-skin-30\"\n[vary]\nbraid.angle = \"16,28,40 deg\"\n[test]\ncontractions = \"0\"\npressures = \"0.1\"\n";
+    let text = "[tube]\nrubber = \"dragon-skin-30\"\n[vary]\nbraid.angle = \"16,28,40 \
+        deg\"\n[test]\ncontractions = \"0\"\npressures = \"0.1\"\n";
     let plan = Plan::parse(text).unwrap();
     let law = &plan.base.tube().rubber.law;
     for number in 0..3 {
@@ -189,16 +246,18 @@ fn a_plan_has_one_rubber() {
     }
 }
 
-/// Every measure of the muscle varies, and each muscle is the base with that value: an identity with [`Muscle::with`].
+/// Every measure of the muscle varies, and each muscle is the base with that value: an identity
+/// with [`Muscle::with`].
 #[test]
 fn every_measure_of_a_muscle_varies() {
     let lever = mckibben::muscle::Measure::of_field("friction_lever_mm").unwrap();
     for measure in mckibben::muscle::measures::MEASURES {
         // A presliding length needs a friction.
         let (base, stated) = match measure.key {
-            "friction.presliding" => {
-                (Muscle::prototype().with(lever, 0.1).unwrap(), "[friction]\nlever = \"0.1 mm\"\n")
-            }
+            "friction.presliding" => (
+                Muscle::prototype().with(lever, 0.1).unwrap(),
+                "[friction]\nlever = \"0.1 mm\"\n",
+            ),
             _ => (Muscle::prototype(), ""),
         };
         let value = measure
@@ -208,32 +267,55 @@ fn every_measure_of_a_muscle_varies() {
             .or(base.measure(measure))
             .or(measure.default);
         let Some(value) = value else { continue };
-        let text = format!("{stated}[vary]\n{} = [{value}, {}]\n{TEST}", measure.key, 1.05 * value + 0.01);
+        let text = format!(
+            "{stated}[vary]\n{} = [{value}, {}]\n{TEST}",
+            measure.key,
+            1.05 * value + 0.01
+        );
         let plan = Plan::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", measure.key));
         let expected = base.with(measure, value).map_err(|e| e.to_string());
         let muscle = plan.inputs(0).muscle().map_err(|e| e.to_string());
         assert_eq!(muscle, expected, "{}", measure.key);
-        let with_column =
-            ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle", "braid.stiffness"];
-        assert_eq!(plan.measures().is_empty(), with_column.contains(&measure.key), "{}", measure.key);
+        let with_column = [
+            "tube.outer_diameter",
+            "tube.wall_thickness",
+            "tube.length",
+            "braid.angle",
+            "braid.stiffness",
+        ];
+        assert_eq!(
+            plan.measures().is_empty(),
+            with_column.contains(&measure.key),
+            "{}",
+            measure.key
+        );
     }
     let plan = plan("[vary]\nterminals.slip = \"0,0.001 mm/N\"\nbraid.thickness = \"0.3,0.5 mm\"");
     assert_eq!(plan.measures(), ["slip_mm_per_n", "braid_thickness_mm"]);
-    assert!(refused(&format!("[vary]\ntube.prestretch = [0.9, 3]\n{TEST}")).contains("between 0.5 and 2"));
-    assert!(refused(&format!("[vary]\nterminals.slip = [-0.1, 3]\n{TEST}")).contains("not be below zero"));
+    assert!(
+        refused(&format!("[vary]\ntube.prestretch = [0.9, 3]\n{TEST}"))
+            .contains("between 0.5 and 2")
+    );
+    assert!(
+        refused(&format!("[vary]\nterminals.slip = [-0.1, 3]\n{TEST}"))
+            .contains("not be below zero")
+    );
     // A count has levels, each of them even.
     assert!(
         refused(&format!("[vary]\nbraid.strands = [24, 25, 36]\n{TEST}"))
             .contains("is 25; it must be an even")
     );
     let interval = "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 5\n";
-    let sampled = refused(&format!("[vary]\nbraid.strands = \"24..48\"\n{interval}{TEST}"));
+    let sampled = refused(&format!(
+        "[vary]\nbraid.strands = \"24..48\"\n{interval}{TEST}"
+    ));
     assert!(sampled.contains("a count needs levels"), "{sampled}");
 }
 
 /// However many muscles, at most 6000 parts.
 #[test]
 fn ten_million_muscles_are_a_plan() {
-    let plan = plan("[vary]\ntube.outer_diameter = \"20..50:0.01 mm\"\nbraid.angle = \"20..30:0.0025\"");
+    let plan =
+        plan("[vary]\ntube.outer_diameter = \"20..50:0.01 mm\"\nbraid.angle = \"20..30:0.0025\"");
     assert!(plan.muscles() > 10_000_000 && plan.muscles().div_ceil(plan.block()) <= 6000);
 }

@@ -14,13 +14,25 @@ const EITHER: [(&str, &str); 3] = [
     ("braid.stiffness", "braid.stiffness_per_diameter"),
 ];
 
-pub(super) fn axes(vary: &Section<'_>, base: &Muscle, sampling: &Sampling) -> Result<Vec<Axis>, FileError> {
+pub(super) fn axes(
+    vary: &Section<'_>,
+    base: &Muscle,
+    sampling: &Sampling,
+) -> Result<Vec<Axis>, FileError> {
     let mut axes: Vec<Axis> = vec![];
     for dotted in keys() {
         let (table, key) = dotted.rsplit_once('.').unwrap_or(("", &dotted));
-        let table = table.split('.').fold(vary.clone(), |section, key| section.at(key));
-        let Some((values, log)) = table.get(key) else { continue };
-        let axis = Axis { key: dotted.clone(), values, log };
+        let table = table
+            .split('.')
+            .fold(vary.clone(), |section, key| section.at(key));
+        let Some((values, log)) = table.get(key) else {
+            continue;
+        };
+        let axis = Axis {
+            key: dotted.clone(),
+            values,
+            log,
+        };
         check(&axis, base, sampling).map_err(|why| table.error(key, why))?;
         let other = EITHER.iter().find(|p| p.1 == dotted).map(|p| p.0);
         if let Some(other) = other.filter(|o| axes.iter().any(|a| a.key == *o)) {
@@ -36,13 +48,20 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
     if interval && *sampling == Sampling::Factorial {
-        return Err("is a range without a step, and a factorial plan needs levels: give a list (30,40,50) or a step (10..60:10), or another [sampling] method".into());
+        return Err(
+            "is a range without a step, and a factorial plan needs levels: give a list \
+            (30,40,50) or a step (10..60:10), or another [sampling] method"
+                .into(),
+        );
     }
     if axis.log && !interval {
         return Err("is a list, and `log` goes with a range such as 0.04..0.4 log".into());
     }
     let mut least = 0.0;
-    let constant = axis.key.strip_prefix(CONSTANT).filter(|_| axis.key != SCALE);
+    let constant = axis
+        .key
+        .strip_prefix(CONSTANT)
+        .filter(|_| axis.key != SCALE);
     if let Some(name) = constant {
         let law = &base.tube().rubber.law;
         let constants = law.constants();
@@ -63,7 +82,11 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         let all = match &axis.values {
             Values::List(list) => list.clone(),
             Values::Interval(..) if measure.bounds == Bounds::Even => {
-                return Err("is a range without a step, and a count needs levels: give a list (24,36,48) or a step (24..48:12)".into());
+                return Err(
+                    "is a range without a step, and a count needs levels: give a list \
+                    (24,36,48) or a step (24..48:12)"
+                        .into(),
+                );
             }
             Values::Interval(..) => vec![low, high],
         };
@@ -76,16 +99,23 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         least = least.max(0.0);
     }
     if low <= least {
-        let least = if least == 0.0 { "zero".to_owned() } else { least.to_string() };
+        let least = if least == 0.0 {
+            "zero".to_owned()
+        } else {
+            least.to_string()
+        };
         return Err(format!("begins at {low}; it must be above {least}"));
     }
     if axis.key == ANGLE.key && high >= NEUTRAL_ANGLE_DEG {
         return Err(format!(
-            "reaches {high} deg; a muscle that contracts needs an angle between 0 and {NEUTRAL_ANGLE_DEG:.4} deg to its axis"
+            "reaches {high} deg; a muscle that contracts needs an angle between 0 and \
+             {NEUTRAL_ANGLE_DEG:.4} deg to its axis"
         ));
     }
     if axis.key == "tube.wall_ratio" && high >= 0.5 {
-        return Err(format!("reaches {high}; a wall of half the outer diameter leaves no bore"));
+        return Err(format!(
+            "reaches {high}; a wall of half the outer diameter leaves no bore"
+        ));
     }
     Ok(())
 }

@@ -25,28 +25,47 @@ impl Opened {
     pub(crate) fn file(path: &Path) -> Result<Self> {
         let file = mckibben_io::files::open(path).map_err(CampaignError::unread(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
-            return Err(CampaignError::unread(path)(ReadError::TooLarge { limit: MAX_BYTES }));
+            return Err(CampaignError::unread(path)(ReadError::TooLarge {
+                limit: MAX_BYTES,
+            }));
         }
-        Self::new(Reader::file(file).map_err(|error| failed(error, path))?, path)
+        Self::new(
+            Reader::file(file).map_err(|error| failed(error, path))?,
+            path,
+        )
     }
 
     /// Opens a part that has not been written yet.
     pub(crate) fn bytes(bytes: Vec<u8>, path: &Path) -> Result<Self> {
-        Self::new(Reader::bytes(bytes).map_err(|error| failed(error, path))?, path)
+        Self::new(
+            Reader::bytes(bytes).map_err(|error| failed(error, path))?,
+            path,
+        )
     }
 
     fn new(reader: Reader, path: &Path) -> Result<Self> {
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
         if let Some(name) = provenance.layout.lacks(&reader.names()) {
-            return Err(none(format!("its table lacks the column {name}; run the plan again")));
+            return Err(none(format!(
+                "its table lacks the column {name}; run the plan again"
+            )));
         }
         let (rows, actual) = (provenance.rows_of(which), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
-            return Err(CampaignError::damaged(path, format!("it has {actual} rows instead of {rows}")));
+            return Err(CampaignError::damaged(
+                path,
+                format!("it has {actual} rows instead of {rows}"),
+            ));
         }
         let fields = provenance.layout.fields();
-        Ok(Self { provenance, which, path: path.into(), fields, reader })
+        Ok(Self {
+            provenance,
+            which,
+            path: path.into(),
+            fields,
+            reader,
+        })
     }
 
     /// The same, if all its groups are read without an error.
@@ -62,7 +81,11 @@ impl Opened {
             Which::Whole => "it contains only a part of the campaign",
             Which::Part(_) => "it contains a different part from its name",
         };
-        if self.which == which { Ok(self) } else { Err(CampaignError::damaged(&self.path, why)) }
+        if self.which == which {
+            Ok(self)
+        } else {
+            Err(CampaignError::damaged(&self.path, why))
+        }
     }
 
     /// Its tables, one for each group of rows.
@@ -74,14 +97,28 @@ impl Opened {
         let path = self.path.clone();
         flat(self.tables(), move |table| {
             let path = path.clone();
-            (0..table.rows).map(move |i| table.row(i).map_err(|error| CampaignError::damaged(&path, error)))
+            (0..table.rows).map(move |i| {
+                table
+                    .row(i)
+                    .map_err(|error| CampaignError::damaged(&path, error))
+            })
         })
     }
 
     fn group(&self, index: usize) -> Result<Table> {
-        let columns = self.fields.iter().map(|field| (field.name.as_str(), field.kind()));
-        let (columns, rows) = self.reader.group(index, columns).map_err(|error| failed(error, &self.path))?;
-        Ok(Table { fields: self.fields.clone(), columns, rows })
+        let columns = self
+            .fields
+            .iter()
+            .map(|field| (field.name.as_str(), field.kind()));
+        let (columns, rows) = self
+            .reader
+            .group(index, columns)
+            .map_err(|error| failed(error, &self.path))?;
+        Ok(Table {
+            fields: self.fields.clone(),
+            columns,
+            rows,
+        })
     }
 }
 
@@ -91,8 +128,13 @@ pub(in crate::campaign) fn flat<A, B, Parts: Iterator<Item = Result<B>>>(
     parts: impl Fn(A) -> Parts,
 ) -> impl Iterator<Item = Result<B>> {
     wholes.flat_map(move |whole| {
-        let (whole, error) = whole.map_or_else(|error| (None, Some(error)), |whole| (Some(whole), None));
-        whole.map(&parts).into_iter().flatten().chain(error.map(Err))
+        let (whole, error) =
+            whole.map_or_else(|error| (None, Some(error)), |whole| (Some(whole), None));
+        whole
+            .map(&parts)
+            .into_iter()
+            .flatten()
+            .chain(error.map(Err))
     })
 }
 

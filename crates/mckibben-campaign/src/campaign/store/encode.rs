@@ -11,7 +11,13 @@ use std::path::Path;
 pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
     let mut bytes = vec![];
     let (which, name) = (Which::Part(number), part_name(number));
-    write(provenance, which, std::iter::once(Ok(table)), &mut bytes, Path::new(&name))?;
+    write(
+        provenance,
+        which,
+        std::iter::once(Ok(table)),
+        &mut bytes,
+        Path::new(&name),
+    )?;
     Ok(bytes)
 }
 
@@ -27,7 +33,12 @@ pub(crate) fn write(
         TableError::Io(source) => CampaignError::Write(path.into(), source),
         TableError::Table(why) => CampaignError::Write(path.into(), std::io::Error::other(why)),
     };
-    let fields: Vec<_> = provenance.layout.fields().iter().map(|f| f.parquet()).collect();
+    let fields: Vec<_> = provenance
+        .layout
+        .fields()
+        .iter()
+        .map(|f| f.parquet())
+        .collect();
     let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));
     let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
     let mut group = Table::new(provenance.layout.fields());

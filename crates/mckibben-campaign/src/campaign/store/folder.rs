@@ -1,6 +1,7 @@
 //! A folder of parts: `part-000012.parquet` holds block 12 of the plan.
 //!
-//! A part appears whole or not at all: written under a temporary name, brought to the disk, renamed.
+//! A part appears whole or not at all: written under a temporary name, brought to the disk,
+//! renamed.
 
 use crate::campaign::{CampaignError, Result, Shard};
 use mckibben_io::files::Unfinished;
@@ -20,21 +21,29 @@ pub(crate) fn part_name(number: u64) -> String {
 }
 
 fn part_number(name: &str) -> Option<u64> {
-    name.strip_prefix("part-")?.strip_suffix(".parquet")?.parse().ok()
+    name.strip_prefix("part-")?
+        .strip_suffix(".parquet")?
+        .parse()
+        .ok()
 }
 
 /// Whether a path names one file (`campaign.parquet`), not a folder of parts.
 pub(crate) fn is_file_name(path: &Path) -> bool {
-    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) && !path.is_dir()
+    path.extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("parquet"))
+        && !path.is_dir()
 }
 
 /// Endings of tables of other formats.
-const OTHER_FORMATS: [&str; 12] =
-    ["csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat"];
+const OTHER_FORMATS: [&str; 12] = [
+    "csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat",
+];
 
 /// Refuses a name that promises another format than is written.
 pub(crate) fn check_name(path: &Path) -> Result<()> {
-    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    let ending = path
+        .extension()
+        .map(|e| e.to_string_lossy().to_ascii_lowercase());
     if ending.is_some_and(|e| OTHER_FORMATS.contains(&e.as_str())) && !path.is_dir() {
         return Err(CampaignError::other_format(path));
     }
@@ -46,7 +55,8 @@ fn lock_name(shard: Shard) -> String {
 }
 
 fn names(folder: &Path) -> Result<Vec<String>> {
-    let name = |entry: std::io::Result<DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
+    let name =
+        |entry: std::io::Result<DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
     let names = std::fs::read_dir(folder).and_then(|entries| entries.map(name).collect());
     names.map_err(CampaignError::read(folder))
 }
@@ -63,7 +73,10 @@ impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
     pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
         std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
-        let mut folder = Self { path: path.into(), locks: vec![] };
+        let mut folder = Self {
+            path: path.into(),
+            locks: vec![],
+        };
         folder.lock(LOCK, shard.is_some())?;
         if let Some(shard) = shard {
             folder.lock(&lock_name(shard), false)?;
@@ -78,9 +91,20 @@ impl Folder {
             let error = Error::other("is a link, and the lock of a folder lies in it");
             return Err(CampaignError::write(&path)(error));
         }
-        let open = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(&path);
+        let open = OpenOptions::new()
+            .create(true)
+            .truncate(false)
+            .read(true)
+            .write(true)
+            .open(&path);
         let file = open.map_err(CampaignError::write(&path))?;
-        let lock = || if shared { file.try_lock_shared() } else { file.try_lock() };
+        let lock = || {
+            if shared {
+                file.try_lock_shared()
+            } else {
+                file.try_lock()
+            }
+        };
         let mut locked = lock();
         // Whoever looks whether a shard is alive holds its lock for a moment.
         for _ in 0..5 {
@@ -97,7 +121,8 @@ impl Folder {
                 Ok(())
             }
             Err(TryLockError::WouldBlock) => Err(CampaignError::Locked(self.path.clone())),
-            // A file system without locks: parts are still renamed whole, and equal whoever writes them.
+            // A file system without locks: parts are still renamed whole, and equal whoever writes
+            // them.
             Err(TryLockError::Error(e)) if e.kind() == std::io::ErrorKind::Unsupported => Ok(()),
             Err(TryLockError::Error(e)) => Err(CampaignError::write(&path)(e)),
         }
@@ -116,16 +141,26 @@ impl Folder {
     pub(crate) fn shards(path: &Path) -> Result<u64> {
         let begun = |name: String| {
             let shard = Shard::from_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
-            Some((path.join(name).metadata().ok()?.modified().ok()?, shard.count()))
+            Some((
+                path.join(name).metadata().ok()?.modified().ok()?,
+                shard.count(),
+            ))
         };
-        Ok(names(path)?.into_iter().filter_map(begun).max().map_or(1, |newest| newest.1))
+        Ok(names(path)?
+            .into_iter()
+            .filter_map(begun)
+            .max()
+            .map_or(1, |newest| newest.1))
     }
 
-    /// Removes the unfinished files of killed processes: of the parts of a shard, whose lock is held; without one all, since nobody else is writing.
+    /// Removes the unfinished files of killed processes: of the parts of a shard, whose lock is
+    /// held; without one all, since nobody else is writing.
     fn sweep(&self, shard: Option<Shard>) -> Result<()> {
         let part = |rest: &str| part_number(&rest[..rest.find(".parquet")? + ".parquet".len()]);
         for name in names(&self.path)? {
-            let Some(rest) = name.strip_prefix(Unfinished::PREFIX) else { continue };
+            let Some(rest) = name.strip_prefix(Unfinished::PREFIX) else {
+                continue;
+            };
             if shard.is_none_or(|shard| part(rest).is_some_and(|part| shard.holds(part))) {
                 self.discard(&self.path.join(&name))?;
             }
@@ -135,7 +170,10 @@ impl Folder {
 
     /// The parts that are there.
     pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>> {
-        Ok(names(path)?.into_iter().filter_map(|n| Some((part_number(&n)?, path.join(n)))).collect())
+        Ok(names(path)?
+            .into_iter()
+            .filter_map(|n| Some((part_number(&n)?, path.join(n))))
+            .collect())
     }
 
     /// Writes parts so that they survive whatever follows.
@@ -148,7 +186,8 @@ impl Folder {
             let path = self.path.join(part_name(number));
             // Removed again if anything fails before it is renamed.
             let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes));
-            file.and_then(|file| file.put(true)).map_err(CampaignError::write(&path))?;
+            file.and_then(|file| file.put(true))
+                .map_err(CampaignError::write(&path))?;
             written.push((number, path));
         }
         mckibben_io::files::sync(&self.path);
@@ -170,7 +209,10 @@ impl Folder {
         // Some systems do not remove what is open.
         self.locks.clear();
         let ours = [LOCK, Unfinished::PREFIX, MARKER];
-        for name in names.iter().filter(|n| ours.iter().any(|prefix| n.starts_with(prefix))) {
+        for name in names
+            .iter()
+            .filter(|n| ours.iter().any(|prefix| n.starts_with(prefix)))
+        {
             remove(self.path.join(name))?;
         }
         // Something foreign in it keeps it.

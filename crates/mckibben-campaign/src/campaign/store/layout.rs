@@ -44,13 +44,23 @@ impl Field {
 
     /// Its column in a file: inputs repeat few values, and answers differ.
     pub(super) fn parquet(&self) -> mckibben_io::parquet::Field {
-        let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
-        mckibben_io::parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
+        let packing = if self.column.role == Role::Answer {
+            Packing::Distinct
+        } else {
+            Packing::Repeated
+        };
+        mckibben_io::parquet::Field {
+            name: self.name.clone(),
+            kind: self.kind(),
+            packing,
+        }
     }
 
     /// Its value in one of the lists of a row.
     pub(crate) fn value_in(&self, list: &[(String, f64)]) -> Option<f64> {
-        list.iter().find(|(key, _)| *key == self.key).map(|(_, value)| *value)
+        list.iter()
+            .find(|(key, _)| *key == self.key)
+            .map(|(_, value)| *value)
     }
 
     /// The number that a row has in it; of groups, the constants alone.
@@ -67,7 +77,11 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn for_plan(plan: &Plan) -> Self {
-        Self { constants: plan.constants(), measures: plan.measures(), sensitivities: plan.sensitivities() }
+        Self {
+            constants: plan.constants(),
+            measures: plan.measures(),
+            sensitivities: plan.sensitivities(),
+        }
     }
 
     pub(crate) fn fields(&self) -> Arc<[Field]> {
@@ -80,13 +94,22 @@ impl Layout {
                 _ => (&alone[..], ""),
             };
             let name = |key: &String| format!("{before}{}", key.replace('.', "_"));
-            keys.iter().map(|k| Field { name: name(k), column, key: k.clone() }).collect::<Vec<_>>()
+            keys.iter()
+                .map(|k| Field {
+                    name: name(k),
+                    column,
+                    key: k.clone(),
+                })
+                .collect::<Vec<_>>()
         };
         COLUMNS.iter().flat_map(columns).collect()
     }
 
     /// The first of its columns that is not among some names.
     pub(crate) fn lacks(&self, names: &[&str]) -> Option<String> {
-        self.fields().iter().find(|f| !names.contains(&f.name.as_str())).map(|f| f.name.clone())
+        self.fields()
+            .iter()
+            .find(|f| !names.contains(&f.name.as_str()))
+            .map(|f| f.name.clone())
     }
 }

@@ -1,7 +1,9 @@
 //! Parts → one file.
 
 use super::resume::belongs;
-use super::{Folder, Opened, PartSource, Parts, Provenance, Which, flat, is_file_name, part_name, write};
+use super::{
+    Folder, Opened, PartSource, Parts, Provenance, Which, flat, is_file_name, part_name, write,
+};
 use crate::campaign::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
@@ -24,13 +26,27 @@ pub struct Merged {
     pub plan_sha256: String,
 }
 
-/// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an existing file.
-pub(super) fn write_whole(provenance: &Provenance, parts: Parts, out: &Path, clobber: bool) -> Result<()> {
+/// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an
+/// existing file.
+pub(super) fn write_whole(
+    provenance: &Provenance,
+    parts: Parts,
+    out: &Path,
+    clobber: bool,
+) -> Result<()> {
     Unfinished::sweep(out);
     let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
     // Each is checked against the plan it must belong to; one group of rows is held at a time.
-    let opened = parts.into_iter().map(|(number, part)| part.open(number, provenance));
-    write(provenance, Which::Whole, flat(opened, Opened::tables), file.file(), out)?;
+    let opened = parts
+        .into_iter()
+        .map(|(number, part)| part.open(number, provenance));
+    write(
+        provenance,
+        Which::Whole,
+        flat(opened, Opened::tables),
+        file.file(),
+        out,
+    )?;
     file.put(clobber).map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
         _ => CampaignError::write(out)(error),
@@ -60,7 +76,10 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
     }
     let path = folders.first().cloned().unwrap_or_default();
     let Some(first) = parts.values().next() else {
-        return Err(CampaignError::NoCampaign(path, "there is no part in it".into()));
+        return Err(CampaignError::NoCampaign(
+            path,
+            "there is no part in it".into(),
+        ));
     };
     let provenance = Opened::file(first)?.provenance;
     let count = provenance.parts();
@@ -73,13 +92,16 @@ pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, P
         )));
     }
     if let Some((_, path)) = parts.range(count..).next() {
-        return Err(CampaignError::damaged(path, format!("the plan has only {count} parts")));
+        return Err(CampaignError::damaged(
+            path,
+            format!("the plan has only {count} parts"),
+        ));
     }
     Ok((provenance, parts))
 }
 
-/// Merges the parts in some folders into one file, the same bytes as those of a single run. An existing file is replaced only
-/// with `overwrite`.
+/// Merges the parts in some folders into one file, the same bytes as those of a single run. An
+/// existing file is replaced only with `overwrite`.
 pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged> {
     if !is_file_name(out) {
         return Err(CampaignError::other_format(out));
@@ -88,7 +110,10 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged>
         return Err(CampaignError::Appeared(out.into()));
     }
     let (provenance, parts) = gather(folders)?;
-    let parts = parts.into_iter().map(|(n, path)| (n, PartSource::File(path))).collect();
+    let parts = parts
+        .into_iter()
+        .map(|(n, path)| (n, PartSource::File(path)))
+        .collect();
     write_whole(&provenance, parts, out, overwrite)?;
     Ok(Merged {
         output: out.into(),

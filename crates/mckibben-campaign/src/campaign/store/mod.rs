@@ -1,4 +1,5 @@
-//! The store: tables in Parquet files, one file or a folder of parts. Plans are run into it, shards of it are merged, and it is read.
+//! The store: tables in Parquet files, one file or a folder of parts. Plans are run into it, shards
+//! of it are merged, and it is read.
 
 mod decode;
 mod encode;

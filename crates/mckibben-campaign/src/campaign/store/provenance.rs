@@ -103,7 +103,10 @@ impl Provenance {
         if let Which::Part(part) = which {
             pairs.push(("part", part.to_string()));
         }
-        pairs.into_iter().map(|(key, value)| (format!("{PREFIX}{key}"), value)).collect()
+        pairs
+            .into_iter()
+            .map(|(key, value)| (format!("{PREFIX}{key}"), value))
+            .collect()
     }
 
     pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Which), String> {
@@ -111,9 +114,18 @@ impl Provenance {
             let pair = pairs.iter().find(|p| p.0.strip_prefix(PREFIX) == Some(key));
             pair.map(|p| p.1.clone())
         };
-        let text = |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
-        let number = |text: String| text.parse::<u64>().map_err(|_| format!("\"{text}\" is not a number"));
-        let list = |text: String| text.split(',').filter(|t| !t.is_empty()).map(str::to_owned).collect();
+        let text =
+            |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
+        let number = |text: String| {
+            text.parse::<u64>()
+                .map_err(|_| format!("\"{text}\" is not a number"))
+        };
+        let list = |text: String| {
+            text.split(',')
+                .filter(|t| !t.is_empty())
+                .map(str::to_owned)
+                .collect()
+        };
         let out = Self {
             version: text("version")?,
             plan_sha256: text("plan_sha256")?,
@@ -133,7 +145,10 @@ impl Provenance {
         if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
             return Err("the plan in its metadata does not match its hash".into());
         }
-        let which = find("part").map(number).transpose()?.map_or(Which::Whole, Which::Part);
+        let which = find("part")
+            .map(number)
+            .transpose()?
+            .map_or(Which::Whole, Which::Part);
         Ok((out, which))
     }
 }

@@ -6,7 +6,8 @@ use crate::PointRow;
 use crate::campaign::{CampaignError, Result};
 use std::path::{Path, PathBuf};
 
-/// The rows of a campaign one after another; holds one group of them at a time. An error is the last of them.
+/// The rows of a campaign one after another; holds one group of them at a time. An error is the
+/// last of them.
 pub struct Rows {
     /// Where they come from.
     pub provenance: Provenance,
@@ -31,7 +32,8 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows> {
     let (provenance, files): (_, Box<dyn Iterator<Item = Result<Opened>>>) = if path.is_dir() {
         let (provenance, parts) = gather(&[path.into()])?;
         let expected = provenance.clone();
-        let open = move |(number, path): (u64, PathBuf)| PartSource::File(path).open(number, &expected);
+        let open =
+            move |(number, path): (u64, PathBuf)| PartSource::File(path).open(number, &expected);
         (provenance, Box::new(parts.into_iter().map(open)))
     } else {
         let opened = Opened::file(path)?;
@@ -39,9 +41,15 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows> {
             let why = "it is one part of a campaign: give the folder".into();
             return Err(CampaignError::NoCampaign(path.into(), why));
         }
-        (opened.provenance.clone(), Box::new(std::iter::once(Ok(opened))))
+        (
+            opened.provenance.clone(),
+            Box::new(std::iter::once(Ok(opened))),
+        )
     };
-    Ok(Rows { provenance, rows: Box::new(flat(files, Opened::rows)) })
+    Ok(Rows {
+        provenance,
+        rows: Box::new(flat(files, Opened::rows)),
+    })
 }
 
 /// All rows of a campaign, file or folder of parts.

@@ -21,14 +21,23 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
                     Err(error) => matches!(error, CampaignError::Damaged { .. }),
                 };
                 let all = Folder::parts(parts)?;
-                folder.remove(all.into_iter().filter(|(_, part)| mine(part)).map(|(number, _)| number))?;
+                folder.remove(
+                    all.into_iter()
+                        .filter(|(_, part)| mine(part))
+                        .map(|(number, _)| number),
+                )?;
             }
             Err(CampaignError::Locked { .. }) => {}
             Err(error) => return Err(error),
         }
     }
     let of = provenance.muscles;
-    let counts = Counts { muscles: of, of, resumed: of, ..Counts::default() };
+    let counts = Counts {
+        muscles: of,
+        of,
+        resumed: of,
+        ..Counts::default()
+    };
     Ok(Outcome::new(provenance, out, out, counts))
 }
 
@@ -42,8 +51,9 @@ fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Op
 }
 
 impl Run<'_> {
-    /// The existing parts of the share of a run, and the damaged ones. Of the other shares one part is checked: a thousand shards that read one another's
-    /// parts would read the table a thousand times. With `overwrite` those that are not of this plan are taken for damaged.
+    /// The existing parts of the share of a run, and the damaged ones. Of the other shares one part
+    /// is checked: a thousand shards that read one another's parts would read the table a thousand
+    /// times. With `overwrite` those that are not of this plan are taken for damaged.
     pub fn existing(&self, folder: &Folder, threads: &Threads) -> Result<(Parts, Vec<Recomputed>)> {
         let (provenance, overwrite) = (self.provenance, self.options.overwrite);
         let mut others = 0;
@@ -51,8 +61,10 @@ impl Run<'_> {
             others += u64::from(!self.holds(part.0));
             self.holds(part.0) || others == 1
         };
-        let parts: Vec<(u64, PathBuf)> =
-            Folder::parts(&folder.path)?.into_iter().filter(&mut is_checked).collect();
+        let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?
+            .into_iter()
+            .filter(&mut is_checked)
+            .collect();
         let cause = |(number, path): &(u64, PathBuf)| {
             let opened = of_this_plan(provenance, path, Which::Part(*number));
             match opened.and_then(Opened::checked) {
@@ -85,16 +97,22 @@ pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Re
     if theirs.plan_sha256 != ours.plan_sha256 {
         let (theirs, ours) = (&theirs.plan_sha256, &ours.plan_sha256);
         return Err(CampaignError::OtherPlan(format!(
-            "{name} contains a campaign of another plan (sha256 {theirs:.12}, this plan has {ours:.12})"
+            "{name} contains a campaign of another plan (sha256 {theirs:.12}, this plan has \
+             {ours:.12})"
         )));
     }
     if theirs.version != ours.version {
         let (theirs, ours) = (&theirs.version, &ours.version);
-        let message = format!("{name} was written by mckibben {theirs}, and this is version {ours}");
+        let message =
+            format!("{name} was written by mckibben {theirs}, and this is version {ours}");
         return Err(CampaignError::OtherPlan(message));
     }
     let why = "its metadata are not those of this plan";
-    if theirs == ours { Ok(()) } else { Err(CampaignError::damaged(path, why)) }
+    if theirs == ours {
+        Ok(())
+    } else {
+        Err(CampaignError::damaged(path, why))
+    }
 }
 
 /// Its longest file in bytes.
@@ -110,8 +128,16 @@ pub(super) struct Marker {
 
 impl Marker {
     pub(super) fn new(provenance: &Provenance) -> Self {
-        let Provenance { version, plan_sha256, .. } = provenance.clone();
-        Self { version, plan_sha256, parts: provenance.parts() }
+        let Provenance {
+            version,
+            plan_sha256,
+            ..
+        } = provenance.clone();
+        Self {
+            version,
+            plan_sha256,
+            parts: provenance.parts(),
+        }
     }
 
     pub(super) fn read(folder: &Path) -> Option<Self> {
@@ -127,22 +153,34 @@ impl Marker {
             match Self::read(folder) {
                 Some(theirs) if theirs == ours => return Ok(()),
                 Some(theirs) if !overwrite => {
-                    let Self { version, plan_sha256, .. } = theirs;
-                    let theirs = Provenance { version, plan_sha256, ..provenance.clone() };
+                    let Self {
+                        version,
+                        plan_sha256,
+                        ..
+                    } = theirs;
+                    let theirs = Provenance {
+                        version,
+                        plan_sha256,
+                        ..provenance.clone()
+                    };
                     return belongs(&theirs, provenance, folder);
                 }
                 known => {
                     // Parts that were copied have no such file.
-                    if let (None, false, Some(part)) =
-                        (&known, overwrite, Folder::parts(folder)?.into_values().next())
-                        && let Ok(opened) = Opened::file(&part)
+                    if let (None, false, Some(part)) = (
+                        &known,
+                        overwrite,
+                        Folder::parts(folder)?.into_values().next(),
+                    ) && let Ok(opened) = Opened::file(&part)
                     {
                         belongs(&opened.provenance, provenance, &part)?;
                     }
                     let put = || {
                         let exists = known.is_some() || path.exists();
                         let text = serde_json::to_string(&ours)?;
-                        Unfinished::inside(&path, exists)?.with(text.as_bytes())?.put(exists)
+                        Unfinished::inside(&path, exists)?
+                            .with(text.as_bytes())?
+                            .put(exists)
                     };
                     match put() {
                         Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

@@ -64,7 +64,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
+    pub(super) fn new(
+        provenance: &Provenance,
+        output: &Path,
+        store: &Path,
+        counts: Counts,
+    ) -> Self {
         Self {
             output: output.into(),
             complete: counts.muscles == counts.of,
@@ -106,22 +111,37 @@ pub(super) fn parts_of(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-/// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. Existing parts are not
-/// computed again. It reports muscles; where the caller ends it, the store is valid and not complete.
-pub fn run(plan: &Plan, out: &Path, options: &RunOptions, progress: &dyn Progress) -> Result<Outcome> {
+/// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. Existing
+/// parts are not computed again. It reports muscles; where the caller ends it, the store is valid
+/// and not complete.
+pub fn run(
+    plan: &Plan,
+    out: &Path,
+    options: &RunOptions,
+    progress: &dyn Progress,
+) -> Result<Outcome> {
     check_name(out)?;
     let provenance = Provenance::for_plan(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {
-        let message = format!("a shard writes parts, and {} would be one file", out.display());
+        let message = format!(
+            "a shard writes parts, and {} would be one file",
+            out.display()
+        );
         let hint = "give a folder, and merge the parts into a file when all shards are there";
         return Err(CampaignError::Refused(message, hint));
     }
     if !one_file && out.is_file() {
-        let why = "it is a file, and parts go into a folder; a campaign in one file ends in .parquet".into();
+        let why =
+            "it is a file, and parts go into a folder; a campaign in one file ends in .parquet"
+                .into();
         return Err(CampaignError::NoCampaign(out.into(), why));
     }
-    let store = if one_file { parts_of(out) } else { out.to_path_buf() };
+    let store = if one_file {
+        parts_of(out)
+    } else {
+        out.to_path_buf()
+    };
     let replaced = one_file && out.exists();
     if replaced {
         check_writable(out).map_err(CampaignError::write(out))?;
@@ -139,7 +159,14 @@ pub fn run(plan: &Plan, out: &Path, options: &RunOptions, progress: &dyn Progres
     if !one_file {
         Marker::claim(&store, &provenance, options.overwrite)?;
     }
-    Run { plan, provenance: &provenance, out, options, progress }.into_folder(folder)
+    Run {
+        plan,
+        provenance: &provenance,
+        out,
+        options,
+        progress,
+    }
+    .into_folder(folder)
 }
 
 /// A run of a plan.
@@ -157,9 +184,16 @@ impl Run<'_> {
         self.options.shard.is_none_or(|shard| shard.holds(part))
     }
 
-    /// Computes the missing parts of a folder; of a campaign in one file it writes the file at the end.
+    /// Computes the missing parts of a folder; of a campaign in one file it writes the file at the
+    /// end.
     fn into_folder(self, folder: Folder) -> Result<Outcome> {
-        let &Self { provenance, out, options, progress, .. } = &self;
+        let &Self {
+            provenance,
+            out,
+            options,
+            progress,
+            ..
+        } = &self;
         let one_file = is_file_name(out);
         let store = folder.path.clone();
         let limited = options.threads.map(Threads::new).transpose()?;
@@ -167,11 +201,22 @@ impl Run<'_> {
 
         let (mut parts, recomputed) = self.existing(&folder, threads)?;
         let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
-        let share: Vec<u64> = (0..provenance.parts()).filter(|part| self.holds(*part)).collect();
-        let missing: Vec<u64> = share.iter().copied().filter(|p| !parts.contains_key(p)).collect();
+        let share: Vec<u64> = (0..provenance.parts())
+            .filter(|part| self.holds(*part))
+            .collect();
+        let missing: Vec<u64> = share
+            .iter()
+            .copied()
+            .filter(|p| !parts.contains_key(p))
+            .collect();
         let resumed = parts.keys().map(|&p| muscles(p)).sum();
         let of = share.iter().map(|&p| muscles(p)).sum();
-        let mut counts = Counts { muscles: resumed, of, resumed, ..Counts::default() };
+        let mut counts = Counts {
+            muscles: resumed,
+            of,
+            resumed,
+            ..Counts::default()
+        };
         let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
         report(&counts);
 
@@ -203,13 +248,21 @@ impl Run<'_> {
         });
         ended?;
         let shard = options.shard.map(|shard| shard.to_string());
-        let outcome = Outcome { recomputed, shard, ..Outcome::new(provenance, out, &store, counts) };
+        let outcome = Outcome {
+            recomputed,
+            shard,
+            ..Outcome::new(provenance, out, &store, counts)
+        };
         if one_file && outcome.complete {
             if out.exists() && !options.overwrite {
                 folder.write(&mut pending)?;
                 return Err(CampaignError::Appeared(out.into()));
             }
-            parts.extend(pending.into_iter().map(|(n, bytes)| (n, PartSource::Memory(bytes))));
+            parts.extend(
+                pending
+                    .into_iter()
+                    .map(|(n, bytes)| (n, PartSource::Memory(bytes))),
+            );
             write_whole(provenance, parts, out, options.overwrite)?;
             folder.remove(0..provenance.parts())?;
         } else {
@@ -238,6 +291,11 @@ impl Run<'_> {
                 table.push(row);
             }
         }
-        Some(part(provenance, number, table).map(|bytes| Done { part: number, bytes, points, failed }))
+        Some(part(provenance, number, table).map(|bytes| Done {
+            part: number,
+            bytes,
+            points,
+            failed,
+        }))
     }
 }

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by `count`.
+/// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by
+/// `count`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -51,7 +52,8 @@ impl FromStr for Shard {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let pair = text.split_once('/');
-        let shard = pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
+        let shard =
+            pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
         shard.ok_or_else(|| {
             format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8")
         })

@@ -1,4 +1,5 @@
-//! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any time and from any machine.
+//! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any
+//! time and from any machine.
 
 use super::resume::Marker;
 use super::{Folder, Opened};
@@ -81,7 +82,8 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         match Opened::file(&path) {
             Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.
-            Err(CampaignError::Read(_, ReadError::System(e))) if e.kind() == ErrorKind::NotFound => {}
+            Err(CampaignError::Read(_, ReadError::System(e)))
+                if e.kind() == ErrorKind::NotFound => {}
             Err(error @ CampaignError::Read { .. }) => return Err(error),
             Err(_) => damaged.push(path),
         }
@@ -90,7 +92,10 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let one = |index| {
         let shard = Shard::new(index, count)?;
         let parts_wanted = shard.blocks(marker.parts).count() as u64;
-        let parts = shard.blocks(marker.parts).filter(|part| whole.contains(part)).count() as u64;
+        let parts = shard
+            .blocks(marker.parts)
+            .filter(|part| whole.contains(part))
+            .count() as u64;
         let state = if parts == parts_wanted {
             ShardState::Done
         } else if Folder::is_locked(folder, shard) {
@@ -98,7 +103,12 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         } else {
             ShardState::Missing
         };
-        Some(ShardStatus { shard: shard.to_string(), state, parts, parts_wanted })
+        Some(ShardStatus {
+            shard: shard.to_string(),
+            state,
+            parts,
+            parts_wanted,
+        })
     };
     let shards: Vec<ShardStatus> = (1..=count).filter_map(one).collect();
     let count_of = |state| shards.iter().filter(|s| s.state == state).count() as u64;

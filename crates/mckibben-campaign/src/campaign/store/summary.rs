@@ -61,7 +61,11 @@ pub struct Summary {
 
 impl Summary {
     fn new(provenance: Provenance) -> Self {
-        Self { points_wanted: provenance.points(), provenance, ..Self::default() }
+        Self {
+            points_wanted: provenance.points(),
+            provenance,
+            ..Self::default()
+        }
     }
 
     fn add(&mut self, mut row: PointRow, fields: &[Field]) {
@@ -69,28 +73,43 @@ impl Summary {
         if row.status.is_ok() {
             self.answered += 1;
         } else {
-            let first = || Failed { points: 0, first_muscle: row.muscle, first_cause: row.cause.clone() };
+            let first = || Failed {
+                points: 0,
+                first_muscle: row.muscle,
+                first_cause: row.cause.clone(),
+            };
             self.failed.entry(row.status).or_insert_with(first).points += 1;
         }
         for (field, range) in fields.iter().zip(&mut self.ranges) {
             if let Some(value) = field.number(&mut row) {
-                (range.smallest, range.largest) = (range.smallest.min(value), range.largest.max(value));
+                (range.smallest, range.largest) =
+                    (range.smallest.min(value), range.largest.max(value));
             }
         }
     }
 
     fn add_file(&mut self, opened: Opened, path: &Path) -> Result<()> {
         let fields = opened.provenance.layout.fields();
-        let fields: Vec<Field> = fields.iter().filter(|f| f.column.role != Role::Note).cloned().collect();
+        let fields: Vec<Field> = fields
+            .iter()
+            .filter(|f| f.column.role != Role::Note)
+            .cloned()
+            .collect();
         if self.ranges.is_empty() {
             let (smallest, largest) = (f64::INFINITY, f64::NEG_INFINITY);
-            let range = |f: &Field| Extent { name: f.name.clone(), smallest, largest };
+            let range = |f: &Field| Extent {
+                name: f.name.clone(),
+                smallest,
+                largest,
+            };
             self.ranges = fields.iter().map(range).collect();
         }
         for row in opened.rows() {
             self.add(row?, &fields);
         }
-        self.bytes += std::fs::metadata(path).map_err(CampaignError::read(path))?.len();
+        self.bytes += std::fs::metadata(path)
+            .map_err(CampaignError::read(path))?
+            .len();
         Ok(())
     }
 
@@ -114,10 +133,15 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
     }
     let (mut out, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
-        let opened = Opened::file(&part).and_then(Opened::checked).and_then(|opened| {
-            let first = out.as_ref().map_or(&opened.provenance, |out| &out.provenance).clone();
-            opened.expect(Which::Part(number), &first)
-        });
+        let opened = Opened::file(&part)
+            .and_then(Opened::checked)
+            .and_then(|opened| {
+                let first = out
+                    .as_ref()
+                    .map_or(&opened.provenance, |out| &out.provenance)
+                    .clone();
+                opened.expect(Which::Part(number), &first)
+            });
         match opened {
             Ok(opened) => {
                 let new = || Summary::new(opened.provenance.clone());
@@ -131,7 +155,11 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
         }
     }
     let Some(mut out) = out else {
-        let why = if damaged.is_empty() { "there is no part in it".into() } else { damaged.join("; ") };
+        let why = if damaged.is_empty() {
+            "there is no part in it".into()
+        } else {
+            damaged.join("; ")
+        };
         return Err(CampaignError::NoCampaign(path.into(), why));
     };
     out.missing_parts = out.provenance.parts().saturating_sub(whole);

@@ -24,7 +24,12 @@ fn push(column: &mut Column, field: &Field, row: &mut PointRow) {
 }
 
 /// Puts line `i` into a row, or the error in it.
-fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<Result<(), String>> {
+fn fill(
+    column: &Column,
+    i: usize,
+    field: &Field,
+    row: &mut PointRow,
+) -> Option<Result<(), String>> {
     let text = |c: &[Text]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
     match (column, field.slot(row)) {
         (Column::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
@@ -57,7 +62,11 @@ pub(crate) struct Table {
 
 impl Table {
     pub(crate) fn new(fields: Arc<[Field]>) -> Self {
-        Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
+        Self {
+            columns: fields.iter().map(Field::kind).collect(),
+            fields,
+            rows: 0,
+        }
     }
 
     pub(crate) fn push(&mut self, mut row: PointRow) {
@@ -79,7 +88,8 @@ impl Table {
     pub(crate) fn row(&self, i: usize) -> Result<PointRow, String> {
         let mut row = PointRow::default();
         for (column, field) in self.columns.iter().zip(self.fields.iter()) {
-            fill(column, i, field, &mut row).unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
+            fill(column, i, field, &mut row)
+                .unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
         }
         Ok(row)
     }

@@ -1,11 +1,15 @@
-//! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything else.
+//! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything
+//! else.
 
 use super::*;
 use crate::campaign::store::{Folder, Layout, Opened, Provenance, Table, Which, part as encode};
 
 fn is_refused(path: &Path) {
     let opened = Opened::file(path).map(drop);
-    assert!(matches!(opened, Err(CampaignError::Damaged { .. })), "{opened:?}");
+    assert!(
+        matches!(opened, Err(CampaignError::Damaged { .. })),
+        "{opened:?}"
+    );
 }
 
 #[test]
@@ -15,7 +19,10 @@ fn a_changed_file_is_refused_or_read_whole_and_a_cut_one_is_refused() {
     run_to(&path);
     let (whole, mut refused) = (bytes(&path), 0);
     let other = dir.path().join("other.parquet");
-    let places: Vec<usize> = (0..whole.len()).step_by(13).chain(whole.len() - 300..whole.len()).collect();
+    let places: Vec<usize> = (0..whole.len())
+        .step_by(13)
+        .chain(whole.len() - 300..whole.len())
+        .collect();
     for &at in &places {
         let mut changed = whole.clone();
         changed[at] ^= 1 << (at % 8);
@@ -60,10 +67,17 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     assert!(!merged.exists(), "nothing half-written");
     assert!(read(&store).is_err());
     let shown = summary(&store).unwrap();
-    assert_eq!((shown.muscles, shown.missing_parts, shown.damaged.len()), (7, 5, 5));
+    assert_eq!(
+        (shown.muscles, shown.missing_parts, shown.damaged.len()),
+        (7, 5, 5)
+    );
 
     let outcome = run_to(&store);
-    let named: Vec<_> = outcome.recomputed.iter().map(|d| d.file.file_name().unwrap().to_owned()).collect();
+    let named: Vec<_> = outcome
+        .recomputed
+        .iter()
+        .map(|d| d.file.file_name().unwrap().to_owned())
+        .collect();
     let expected_names = [2, 5, 7, 8, 9].map(|n| part(&store, n).file_name().unwrap().to_owned());
     assert_eq!(named, expected_names);
     assert_eq!(outcome.counts.points, 5 * 6);
@@ -78,7 +92,14 @@ fn a_shard_touches_only_its_damaged_parts() {
     std::fs::write(part(dir.path(), 4), b"").unwrap();
     std::fs::write(part(dir.path(), 5), b"").unwrap();
     let outcome = run(&plan(), dir.path(), &share("1/2"), &Silent).unwrap();
-    assert_eq!(outcome.recomputed.iter().map(|d| d.file.clone()).collect::<Vec<_>>(), [part(dir.path(), 4)]);
+    assert_eq!(
+        outcome
+            .recomputed
+            .iter()
+            .map(|d| d.file.clone())
+            .collect::<Vec<_>>(),
+        [part(dir.path(), 4)]
+    );
     assert_eq!(bytes(&part(dir.path(), 5)), b"");
 }
 
@@ -90,7 +111,9 @@ fn missing_parts_are_counted_and_named() {
     std::fs::remove_file(part(dir.path(), 11)).unwrap();
     let error = read(dir.path()).unwrap_err();
     assert!(
-        error.to_string().ends_with("2 of 12 parts are missing, the first is part-000002.parquet"),
+        error
+            .to_string()
+            .ends_with("2 of 12 parts are missing, the first is part-000002.parquet"),
         "{error}"
     );
     assert_eq!(summary(dir.path()).unwrap().missing_parts, 2);
@@ -111,20 +134,33 @@ fn another_plan_or_version_is_refused_with_a_hint() {
         assert!(matches!(error, CampaignError::OtherPlan { .. }), "{error}");
         assert!(error.hint().contains("write to another place"));
     }
-    assert!(before == (bytes(&part(&store, 0)), bytes(&file)), "both are as they were");
+    assert!(
+        before == (bytes(&part(&store, 0)), bytes(&file)),
+        "both are as they were"
+    );
 
-    let older = Provenance { version: "0.0.9".into(), ..Provenance::for_plan(&plan()) };
+    let older = Provenance {
+        version: "0.0.9".into(),
+        ..Provenance::for_plan(&plan())
+    };
     let bytes = encode(&older, 0, table_of(&plan(), 0)).unwrap();
     std::fs::write(part(&store, 0), bytes).unwrap();
     let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
-    assert!(error.to_string().contains("was written by mckibben 0.0.9"), "{error}");
+    assert!(
+        error.to_string().contains("was written by mckibben 0.0.9"),
+        "{error}"
+    );
     // Parts of two versions make no table either.
-    assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet"), false).is_err());
+    assert!(
+        read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet"), false).is_err()
+    );
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
     let mut table = Table::new(Layout::for_plan(plan).fields());
-    crate::campaign::solve::rows(plan, muscle).into_iter().for_each(|row| table.push(row));
+    crate::campaign::solve::rows(plan, muscle)
+        .into_iter()
+        .for_each(|row| table.push(row));
     table
 }
 
@@ -137,7 +173,10 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     // The rows of muscle 4 under the name of muscle 3.
     let forged = encode(&Provenance::for_plan(&plan()), 3, table_of(&plan(), 4)).unwrap();
     std::fs::write(part(&other, 3), forged).unwrap();
-    assert_eq!(Opened::file(&part(&other, 3)).unwrap().which, Which::Part(3));
+    assert_eq!(
+        Opened::file(&part(&other, 3)).unwrap().which,
+        Which::Part(3)
+    );
     let error = merge(&[one, other], &dir.path().join("m.parquet"), false).unwrap_err();
     assert!(matches!(error, CampaignError::Conflict { .. }), "{error}");
 }
@@ -146,14 +185,26 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
 fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     let dir = folder();
     let file = dir.path().join("table.parquet");
-    for content in [&b""[..], b"PAR1", b"PAR1PAR1", b"outer_diameter_mm,wall_mm\n30,3\n", &[0; 5000]] {
+    for content in [
+        &b""[..],
+        b"PAR1",
+        b"PAR1PAR1",
+        b"outer_diameter_mm,wall_mm\n30,3\n",
+        &[0; 5000],
+    ] {
         std::fs::write(&file, content).unwrap();
         assert!(read(&file).is_err() && summary(&file).is_err());
         assert!(run(&plan(), &file, &RunOptions::default(), &Silent).is_err());
         assert_eq!(bytes(&file), content);
     }
-    assert!(matches!(read(dir.path()), Err(CampaignError::NoCampaign { .. })), "a folder without parts");
-    assert!(matches!(read(dir.path().join("nothing.parquet")), Err(CampaignError::Read { .. })));
+    assert!(
+        matches!(read(dir.path()), Err(CampaignError::NoCampaign { .. })),
+        "a folder without parts"
+    );
+    assert!(matches!(
+        read(dir.path().join("nothing.parquet")),
+        Err(CampaignError::Read { .. })
+    ));
     assert!(matches!(
         merge(&[], &dir.path().join("m.parquet"), false),
         Err(CampaignError::NoCampaign { .. })
@@ -161,7 +212,12 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     // One part is not the table.
     let store = dir.path().join("store");
     run_to(&store);
-    assert!(read(part(&store, 0)).unwrap_err().to_string().contains("give the folder"));
+    assert!(
+        read(part(&store, 0))
+            .unwrap_err()
+            .to_string()
+            .contains("give the folder")
+    );
     // A folder where a file of another kind stands.
     let text = dir.path().join("notes.txt");
     std::fs::write(&text, "notes").unwrap();
@@ -173,11 +229,17 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
 fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
     let dir = folder();
     let expected = reference(&dir);
-    let (file, parts) = (dir.path().join("c.parquet"), dir.path().join("c.parquet.parts"));
+    let (file, parts) = (
+        dir.path().join("c.parquet"),
+        dir.path().join("c.parquet.parts"),
+    );
     run_to(&parts);
     std::fs::write(&file, &expected).unwrap();
     let outcome = run_to(&file);
-    assert_eq!((outcome.complete, outcome.counts.points, parts.exists()), (true, 0, false));
+    assert_eq!(
+        (outcome.complete, outcome.counts.points, parts.exists()),
+        (true, 0, false)
+    );
     // A part under the file's name is not the table.
     run_to(&parts);
     std::fs::copy(part(&parts, 0), &file).unwrap();
@@ -192,14 +254,20 @@ fn what_a_killed_run_or_merge_left_unfinished_is_swept_away() {
     run_to(dir.path());
     assert!(!left.exists());
     assert_eq!(read(dir.path()).unwrap().len(), 72);
-    let (left, merged) = (dir.path().join(".unfinished-m.parquet-k1ll3d"), dir.path().join("m.parquet"));
+    let (left, merged) = (
+        dir.path().join(".unfinished-m.parquet-k1ll3d"),
+        dir.path().join("m.parquet"),
+    );
     std::fs::write(&left, b"PAR1").unwrap();
     merge(&[dir.path().into()], &merged, false).unwrap();
     assert!(!left.exists());
 }
 
 fn replacing() -> RunOptions {
-    RunOptions { overwrite: true, ..RunOptions::default() }
+    RunOptions {
+        overwrite: true,
+        ..RunOptions::default()
+    }
 }
 
 /// A Parquet file of something else: groups in groups, and more rows in a group than ours have.
@@ -210,7 +278,9 @@ fn foreign_parquet() -> Vec<u8> {
     let mut out = SerializedFileWriter::new(vec![], schema.into(), Default::default()).unwrap();
     let mut group = out.next_row_group().unwrap();
     let mut column = group.next_column().unwrap().unwrap();
-    let ColumnWriter::Int32ColumnWriter(writer) = column.untyped() else { panic!("an int32") };
+    let ColumnWriter::Int32ColumnWriter(writer) = column.untyped() else {
+        panic!("an int32")
+    };
     writer.write_batch(&[7; 100_000], None, None).unwrap();
     column.close().unwrap();
     group.close().unwrap();
@@ -222,7 +292,10 @@ fn files_of_something_else_are_replaced_only_with_overwrite() {
     let dir = folder();
     let expected = reference(&dir);
     let theirs = foreign_parquet();
-    for (out, place) in [("store", "store/part-000003.parquet"), ("c.parquet", "c.parquet")] {
+    for (out, place) in [
+        ("store", "store/part-000003.parquet"),
+        ("c.parquet", "c.parquet"),
+    ] {
         let (out, place) = (dir.path().join(out), dir.path().join(place));
         std::fs::create_dir_all(place.parent().unwrap()).unwrap();
         std::fs::write(&place, &theirs).unwrap();
@@ -256,9 +329,19 @@ fn a_campaign_of_another_plan_is_replaced_with_overwrite() {
         assert!(run(&plan(), out, &replacing(), &Silent).unwrap().complete);
     }
     assert!(bytes(&file) == expected);
-    assert_eq!(Folder::parts(&store).unwrap().len(), 12, "the parts beyond this plan are gone");
+    assert_eq!(
+        Folder::parts(&store).unwrap().len(),
+        12,
+        "the parts beyond this plan are gone"
+    );
     // Nothing to be done is nothing replaced.
-    assert_eq!(run(&plan(), &file, &replacing(), &Silent).unwrap().counts.points, 0);
+    assert_eq!(
+        run(&plan(), &file, &replacing(), &Silent)
+            .unwrap()
+            .counts
+            .points,
+        0
+    );
 }
 
 /// Puts a file there while the campaign runs.
@@ -287,7 +370,10 @@ fn a_file_that_comes_during_a_run_stays_and_the_work_is_kept() {
 #[test]
 fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
     let dir = folder();
-    let (file, parts) = (dir.path().join("c.parquet"), dir.path().join("c.parquet.parts"));
+    let (file, parts) = (
+        dir.path().join("c.parquet"),
+        dir.path().join("c.parquet.parts"),
+    );
     run_to(&file);
     std::fs::create_dir(&parts).unwrap();
     std::fs::write(part(&parts, 0), foreign_parquet()).unwrap();
@@ -299,9 +385,19 @@ fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
 #[test]
 fn numbers_that_a_file_only_claims_are_not_counted_to() {
     let dir = folder();
-    let many = Provenance { muscles: u64::MAX, ..Provenance::for_plan(&plan()) };
-    std::fs::write(part(dir.path(), 0), encode(&many, 0, table_of(&plan(), 0)).unwrap()).unwrap();
+    let many = Provenance {
+        muscles: u64::MAX,
+        ..Provenance::for_plan(&plan())
+    };
+    std::fs::write(
+        part(dir.path(), 0),
+        encode(&many, 0, table_of(&plan(), 0)).unwrap(),
+    )
+    .unwrap();
     let error = read(dir.path()).unwrap_err().to_string();
-    assert!(error.contains("18446744073709551614 of 18446744073709551615 parts are missing"), "{error}");
+    assert!(
+        error.contains("18446744073709551614 of 18446744073709551615 parts are missing"),
+        "{error}"
+    );
     assert_eq!(summary(dir.path()).unwrap().missing_parts, u64::MAX - 1);
 }

@@ -28,7 +28,10 @@ fn run_to(out: &Path) -> Outcome {
 }
 
 fn share(text: &str) -> RunOptions {
-    RunOptions { shard: Some(text.parse().unwrap()), ..RunOptions::default() }
+    RunOptions {
+        shard: Some(text.parse().unwrap()),
+        ..RunOptions::default()
+    }
 }
 
 fn bytes(path: &Path) -> Vec<u8> {

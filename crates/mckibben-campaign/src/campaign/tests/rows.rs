@@ -8,15 +8,23 @@ use mckibben_fem::simulation::Given;
 fn run_plan(text: &str) -> Vec<PointRow> {
     let dir = folder();
     let out = dir.path().join("c.parquet");
-    run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &Silent).unwrap();
+    run(
+        &Plan::parse(text).unwrap(),
+        &out,
+        &RunOptions::default(),
+        &Silent,
+    )
+    .unwrap();
     read(&out).unwrap()
 }
 
-/// Rows are the answers of the finite elements, and their derivatives those of the forces around them.
+/// Rows are the answers of the finite elements, and their derivatives those of the forces around
+/// them.
 #[test]
 fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
     let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
-        [test]\ncontractions = \"0.0999,0.1,0.1001\"\npressures = \"0.1999,0.2,0.2001\"\nmesh = \"4\"\nsensitivities = true\n";
+        [test]\ncontractions = \"0.0999,0.1,0.1001\"\npressures = \"0.1999,0.2,0.2001\"\nmesh \
+        = \"4\"\nsensitivities = true\n";
     let rows = run_plan(text);
     let plan = Plan::parse(text).unwrap();
     assert_eq!(rows.len(), 18);
@@ -25,7 +33,9 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
         let model = plan.testing.elements.build(&muscle).unwrap();
         let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
         let here = &nine[4];
-        let solution = model.solve(&mut Workspace::new(), Given::at(0.2, 0.1)).unwrap();
+        let solution = model
+            .solve(&mut Workspace::new(), Given::at(0.2, 0.1))
+            .unwrap();
         assert!((at(1, 1) / solution.response.force_n - 1.0).abs() < 1e-9);
         let slope = (at(1, 2) - at(1, 0)) / 2e-4;
         assert!((here.force_per_pressure_n_per_mpa.unwrap() / slope - 1.0).abs() < 1e-5);
@@ -34,7 +44,10 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
         assert_eq!(here.sensitivities.len(), solution.sensitivities.len());
         for ((key, value), s) in here.sensitivities.iter().zip(&solution.sensitivities) {
             assert_eq!(key, &s.name);
-            assert!((value - s.force_n_per_unit).abs() < 1e-6 * s.force_n_per_unit.abs().max(1.0), "{key}");
+            assert!(
+                (value - s.force_n_per_unit).abs() < 1e-6 * s.force_n_per_unit.abs().max(1.0),
+                "{key}"
+            );
         }
         assert!(here.volume_mm3.unwrap() > muscle.rest_volume_mm3());
         assert_eq!((here.status, here.cause.as_str()), (Status::Ok, ""));
@@ -54,10 +67,21 @@ fn failures_are_rows() {
     assert_eq!(rows.len(), 16);
     assert!(rows.iter().all(|r| r.status.is_ok() == r.force_n.is_some()));
     assert!(rows.iter().all(|r| r.status.is_ok() == r.cause.is_empty()));
-    assert!(rows[8..].iter().all(|r| r.status == Status::NoMuscle && r.cause.contains("wall_thickness")));
+    assert!(
+        rows[8..]
+            .iter()
+            .all(|r| r.status == Status::NoMuscle && r.cause.contains("wall_thickness"))
+    );
     assert_eq!(rows[8].wall_mm, 15.0);
-    assert!(rows[..8].iter().any(|r| [Status::Collapsed, Status::NotConverged].contains(&r.status)));
-    assert_eq!((rows[0].status, rows[0].force_n.is_some()), (Status::Ok, true));
+    assert!(
+        rows[..8]
+            .iter()
+            .any(|r| [Status::Collapsed, Status::NotConverged].contains(&r.status))
+    );
+    assert_eq!(
+        (rows[0].status, rows[0].force_n.is_some()),
+        (Status::Ok, true)
+    );
 }
 
 #[test]
@@ -68,30 +92,44 @@ fn inextensible_strands_and_other_laws_have_their_columns() {
          [test]\ncontractions = 0.1\npressures = 0.3\nmesh = \"3\"\nsensitivities = true\n",
     );
     let names: Vec<&str> = rows[1].constants.iter().map(|c| c.0.as_str()).collect();
-    assert_eq!(names, ["mu1_mpa", "alpha1", "mu2_mpa", "alpha2", "mu3_mpa", "alpha3"]);
-    assert_eq!((rows[0].constants[0].1, rows[1].constants[0].1), (0.31, 0.62));
+    assert_eq!(
+        names,
+        [
+            "mu1_mpa", "alpha1", "mu2_mpa", "alpha2", "mu3_mpa", "alpha3"
+        ]
+    );
+    assert_eq!(
+        (rows[0].constants[0].1, rows[1].constants[0].1),
+        (0.31, 0.62)
+    );
     assert_eq!(rows[0].stiffness_of_braid_n_per_mm, None);
     let keys: Vec<&str> = rows[0].sensitivities.iter().map(|s| s.0.as_str()).collect();
-    assert!(keys.contains(&"tube.material.alpha3") && !keys.contains(&"braid.stiffness"), "{keys:?}");
+    assert!(
+        keys.contains(&"tube.material.alpha3") && !keys.contains(&"braid.stiffness"),
+        "{keys:?}"
+    );
 }
 
 /// Contractions as shares of the ideal muscle's largest: 1 − 1/(√3 cos θ0).
 #[test]
 fn contractions_can_be_shares_of_the_largest() {
     let rows = run_plan(
-        "[vary]\nbraid.angle = \"20,30\"\n[test]\ncontractions = \"0,50%\"\nof_ideal = true\npressures = 0.2\nmesh = \"3\"\n",
+        "[vary]\nbraid.angle = \"20,30\"\n[test]\ncontractions = \"0,50%\"\nof_ideal = \
+         true\npressures = 0.2\nmesh = \"3\"\n",
     );
     let largest = |deg: f64| 1.0 - 1.0 / (3f64.sqrt() * deg.to_radians().cos());
     assert!((rows[1].contraction - 0.5 * largest(20.0)).abs() < 1e-9);
     assert!((rows[3].contraction - 0.5 * largest(30.0)).abs() < 1e-9);
 }
 
-/// Reading goes row group by row group; how a table was cut into parts cannot be seen from its groups.
+/// Reading goes row group by row group; how a table was cut into parts cannot be seen from its
+/// groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
     use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, write};
     let plan = Plan::parse(
-        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length = \"100..200\"\n\
+        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length \
+         = \"100..200\"\n\
          [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
     )
     .unwrap();
@@ -101,7 +139,11 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let row = |i: u64| PointRow {
         muscle: i / 110,
         force_n: (!i.is_multiple_of(7)).then_some(i as f64 * 0.1),
-        cause: if i.is_multiple_of(7) { format!("cause “{}”", i % 21) } else { String::new() },
+        cause: if i.is_multiple_of(7) {
+            format!("cause “{}”", i % 21)
+        } else {
+            String::new()
+        },
         iterations: (i % 9) as u32,
         ..blank.clone()
     };
@@ -132,14 +174,17 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
 #[test]
 fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     let text = "[vary]\ntube.outer_diameter = \"30,30.5\"\n\
-        [test]\nmodel = \"fe3d\"\nmesh = \"1x4x13\"\ncontractions = \"0,0.1\"\npressures = \"0.1,0.2\"\n";
+        [test]\nmodel = \"fe3d\"\nmesh = \"1x4x13\"\ncontractions = \"0,0.1\"\npressures \
+        = \"0.1,0.2\"\n";
     let (rows, plan) = (run_plan(text), Plan::parse(text).unwrap());
     assert_eq!(rows.len(), 8);
     for row in rows {
         let muscle = plan.inputs(row.muscle).muscle().unwrap();
         let model = plan.testing.elements.build(&muscle).unwrap();
         assert_eq!((&*model.info().name, row.status), ("fe3d", Status::Ok));
-        let force = model.force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction).unwrap();
+        let force = model
+            .force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction)
+            .unwrap();
         assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);
     }
 }
@@ -148,8 +193,12 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
 #[test]
 fn measures_that_vary_are_in_the_file() {
     let rows = run_plan(
-        "[vary]\nterminals.seating = \"0,1 mm\"\n[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n",
+        "[vary]\nterminals.seating = \"0,1 mm\"\n[test]\ncontractions = 0\npressures = 0.1\nmesh \
+         = \"3\"\n",
     );
     let seating: Vec<_> = rows.into_iter().map(|r| r.measures).collect();
-    assert_eq!(seating, [0.0, 1.0].map(|mm| vec![("seating_mm".to_owned(), mm)]));
+    assert_eq!(
+        seating,
+        [0.0, 1.0].map(|mm| vec![("seating_mm".to_owned(), mm)])
+    );
 }

@@ -9,7 +9,10 @@ fn any_number_of_threads_gives_the_same_bytes() {
     let expected = reference(&dir);
     for threads in [1, 2, 3, 8] {
         let path = dir.path().join(format!("{threads}.parquet"));
-        let options = RunOptions { threads: Some(threads), ..RunOptions::default() };
+        let options = RunOptions {
+            threads: Some(threads),
+            ..RunOptions::default()
+        };
         let outcome = run(&plan(), &path, &options, &Silent).unwrap();
         assert_eq!((outcome.counts.points, outcome.complete), (72, true));
         assert!(bytes(&path) == expected, "{threads} threads");
@@ -23,10 +26,14 @@ fn shards_in_one_folder_or_many_merge_to_the_same_bytes() {
     let dir = folder();
     let expected = reference(&dir);
     for (count, apart) in [(1, false), (2, false), (3, true), (7, true), (20, false)] {
-        let place = |i: u64| dir.path().join(format!("{count}-{}", if apart { i } else { 0 }));
+        let place = |i: u64| {
+            dir.path()
+                .join(format!("{count}-{}", if apart { i } else { 0 }))
+        };
         let mut muscles = 0;
         for i in 1..=count {
-            let outcome = run(&plan(), &place(i), &share(&format!("{i}/{count}")), &Silent).unwrap();
+            let outcome =
+                run(&plan(), &place(i), &share(&format!("{i}/{count}")), &Silent).unwrap();
             assert!(outcome.complete);
             muscles += outcome.counts.of;
         }
@@ -39,7 +46,10 @@ fn shards_in_one_folder_or_many_merge_to_the_same_bytes() {
         if !apart {
             // A folder is read as the file is.
             assert_eq!(read(&folders[0]).unwrap(), read(&out).unwrap());
-            assert_eq!(summary(&folders[0]).unwrap().ranges, summary(&out).unwrap().ranges);
+            assert_eq!(
+                summary(&folders[0]).unwrap().ranges,
+                summary(&out).unwrap().ranges
+            );
         }
     }
 }
@@ -52,7 +62,10 @@ struct StopsAfter {
 
 impl StopsAfter {
     fn new(muscles: usize) -> Self {
-        Self { muscles, reached: AtomicBool::new(false) }
+        Self {
+            muscles,
+            reached: AtomicBool::new(false),
+        }
     }
 }
 
@@ -72,7 +85,10 @@ fn rows_in_memory_are_those_of_the_file_and_a_wish_to_stop_ends_them() {
     let path = dir.path().join("c.parquet");
     run_to(&path);
     assert_eq!(compute(&plan(), &Silent).unwrap(), read(&path).unwrap());
-    assert!(matches!(compute(&plan(), &StopsAfter::new(1)), Err(CampaignError::Cancelled(_))));
+    assert!(matches!(
+        compute(&plan(), &StopsAfter::new(1)),
+        Err(CampaignError::Cancelled(_))
+    ));
 }
 
 #[test]
@@ -81,7 +97,10 @@ fn a_run_that_was_stopped_goes_on_and_computes_only_what_is_missing() {
     let expected = reference(&dir);
     for (name, after) in [("a.parquet", 1), ("b.parquet", 5), ("c.parquet", 11)] {
         let path = dir.path().join(name);
-        let options = RunOptions { threads: Some(1), ..RunOptions::default() };
+        let options = RunOptions {
+            threads: Some(1),
+            ..RunOptions::default()
+        };
         let first = run(&plan(), &path, &options, &StopsAfter::new(after)).unwrap();
         assert!(!path.exists() || first.complete);
         let second = run_to(&path);
@@ -120,7 +139,12 @@ fn one_process_writes_to_a_store_or_several_with_different_shards() {
         assert!(locked(Folder::for_writing(&path, None)));
         assert!(locked(Folder::for_writing(&path, shard("1/2"))));
         let error = run(&plan(), &path, &RunOptions::default(), &Silent).unwrap_err();
-        assert!(error.to_string().starts_with("another process is writing to"), "{error}");
+        assert!(
+            error
+                .to_string()
+                .starts_with("another process is writing to"),
+            "{error}"
+        );
     }
     let _first = Folder::for_writing(&path, shard("1/2")).unwrap();
     assert!(locked(Folder::for_writing(&path, shard("1/2"))));

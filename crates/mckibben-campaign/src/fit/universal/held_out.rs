@@ -14,24 +14,37 @@ const STEPS: u32 = 10;
 /// Draws until a pressure keeps the strands under their largest strain.
 const DRAWS: usize = 100;
 
-/// A random muscle and pressure: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°, shear modulus .08–.8 MPa, k/D0 4–40 MPa, P .05–.5 MPa with
-/// P/μ .1–5 and a strand strain P D0/(4 sin²θ0 k) up to 6 %. `kind` is the number of the rubber's [`law`].
+/// A random muscle and pressure: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°, shear modulus
+/// .08–.8 MPa, k/D0 4–40 MPa, P .05–.5 MPa with P/μ .1–5 and a strand strain P D0/(4 sin²θ0 k) up
+/// to 6 %. `kind` is the number of the rubber's [`law`].
 fn random(r: &mut Random, kind: usize) -> Option<(Muscle, f64)> {
     let outer_diameter_mm = r.between(10.0, 60.0);
-    let (wall_mm, length_mm) =
-        (outer_diameter_mm * r.between(0.03, 0.15), outer_diameter_mm * r.between(5.0, 20.0));
+    let (wall_mm, length_mm) = (
+        outer_diameter_mm * r.between(0.03, 0.15),
+        outer_diameter_mm * r.between(5.0, 20.0),
+    );
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.08, 0.8);
     let k = outer_diameter_mm * r.log(4.0, 40.0);
     let unit = r.unit();
     let rubber = Rubber::new(law(kind, mu, 30.0, || unit));
     let sin = angle_deg.to_radians().sin();
-    let fits =
-        |p: f64| (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06;
-    let p = (0..DRAWS).map(|_| r.between(0.05, 0.5)).find(|p| fits(*p))?;
+    let fits = |p: f64| {
+        (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06
+    };
+    let p = (0..DRAWS)
+        .map(|_| r.between(0.05, 0.5))
+        .find(|p| fits(*p))?;
     let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
-    let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
-    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
+    let braid = Braid {
+        angle_deg,
+        stiffness: BraidStiffness::NewtonPerMm(k),
+        ..Braid::paper()
+    };
+    Some((
+        Muscle::new(tube, braid, Terminals::default(), None).ok()?,
+        p,
+    ))
 }
 
 /// Random muscles with the points where the finite elements pull.
@@ -41,23 +54,44 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
 
 fn drawn(count: usize, seed: u64, kind: usize) -> Vec<Sample> {
     let mut r = Random(seed);
-    let muscles = (0..20 * count).filter_map(|_| random(&mut r, kind)).take(count);
+    let muscles = (0..20 * count)
+        .filter_map(|_| random(&mut r, kind))
+        .take(count);
     let numbered: Vec<_> = muscles.enumerate().collect();
-    threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p)).into_iter().flatten().collect()
+    threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p))
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
     let fe = Axisymmetric::new(muscle).ok()?;
     let workspace = &mut Workspace::new();
-    let blocked_n = fe.force_n(workspace, pressure_mpa, 0.0).ok().filter(|f| *f > 0.0)?;
+    let blocked_n = fe
+        .force_n(workspace, pressure_mpa, 0.0)
+        .ok()
+        .filter(|f| *f > 0.0)?;
     let point = |step: u32| {
         let contraction = muscle.max_ideal_contraction() * f64::from(step) / f64::from(STEPS);
-        let r = fe.response(workspace, pressure_mpa, contraction).ok().filter(|r| r.force_n > 0.0)?;
-        Some(PullPoint { pressure_mpa, contraction, force_n: r.force_n, blocked_n, volume_mm3: r.volume_mm3 })
+        let r = fe
+            .response(workspace, pressure_mpa, contraction)
+            .ok()
+            .filter(|r| r.force_n > 0.0)?;
+        Some(PullPoint {
+            pressure_mpa,
+            contraction,
+            force_n: r.force_n,
+            blocked_n,
+            volume_mm3: r.volume_mm3,
+        })
     };
     // Up to the first point without a pull: behind it a tube may have collapsed.
     let points = (0..=STEPS).map_while(point).collect();
-    Some(Sample { number: number as u64, muscle: muscle.clone(), points })
+    Some(Sample {
+        number: number as u64,
+        muscle: muscle.clone(),
+        points,
+    })
 }
 
 /// A model and its errors.
@@ -72,17 +106,23 @@ pub struct HeldOutRow {
 
 type Build<'a> = &'a (dyn Fn(&Muscle) -> Option<Box<dyn ForceModel>> + Sync);
 
-/// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall, both universal forms.
+/// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall,
+/// both universal forms.
 pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
     let rigid = |m: &Muscle| -> Option<Box<dyn ForceModel>> {
-        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
+        let braid = Braid {
+            stiffness: BraidStiffness::Inextensible,
+            ..m.braid().clone()
+        };
         Some(Box::new(ThickWall::new(&m.with_braid(braid).ok()?)))
     };
     let models: [(&str, Build<'_>); 5] = [
         ("ideal", &|m| Some(Box::new(Ideal::new(m)))),
         ("thick-wall, strands that do not stretch", &rigid),
         ("thick-wall", &|m| Some(Box::new(ThickWall::new(m)))),
-        ("universal-small", &|m| ModelKind::UniversalSmall.build(m).ok()),
+        ("universal-small", &|m| {
+            ModelKind::UniversalSmall.build(m).ok()
+        }),
         ("universal", &|m| ModelKind::Universal.build(m).ok()),
     ];
     let row = |(name, build): (&str, Build<'_>)| HeldOutRow {
@@ -94,11 +134,23 @@ pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
 
 /// `universal` on random muscles of other rubber laws with the same moduli.
 pub fn rubber_laws(count: usize, seed: u64) -> Vec<HeldOutRow> {
-    let laws = [("neo-hookean", 1), ("yeoh", 2), ("ogden (Treloar's rubber)", 4), ("gent (jm 30 to 80)", 3)];
+    let laws = [
+        ("neo-hookean", 1),
+        ("yeoh", 2),
+        ("ogden (Treloar's rubber)", 4),
+        ("gent (jm 30 to 80)", 3),
+    ];
     let row = |(name, kind): (&str, usize)| {
         let samples = drawn(count, seed, kind);
-        let list = shares(&samples, |s| ModelKind::Universal.build(&s.muscle).ok(), |_, _| true);
-        HeldOutRow { model: format!("universal, {name}"), errors: summary(&list) }
+        let list = shares(
+            &samples,
+            |s| ModelKind::Universal.build(&s.muscle).ok(),
+            |_, _| true,
+        );
+        HeldOutRow {
+            model: format!("universal, {name}"),
+            errors: summary(&list),
+        }
     };
     laws.into_iter().map(row).collect()
 }

@@ -1,14 +1,15 @@
-//! `--method universal`: the end deficit of [`mckibben::model::Universal`] from a campaign of muscles of every make.
+//! `--method universal`: the end deficit of [`mckibben::model::Universal`] from a campaign of
+//! muscles of every make.
 //!
 //! Each point where the finite elements pull gives the δ of their pull: F∞(λ) = F_FE gives λ, then
-//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ (that of the membrane, or none); the terms are linear in
-//! their coefficients, so that
+//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ (that of the membrane, or none); the
+//! terms are linear in their coefficients, so that
 //!
 //!   Σ w² (dF/dδ · (δ − δ_form − Σ c · column)/F_blocked)² → min
 //!
-//! is one linear problem in the stated errors. dF/dδ is that of the model, at fixed ε. w = 1, and 0.3 below P = 0.1 μ where muscles
-//! hardly pull. Errors are those of the finished model, which solves for λ itself; and of models fitted to four
-//! fifths of the muscles on the last fifth.
+//! is one linear problem in the stated errors. dF/dδ is that of the model, at fixed ε. w = 1, and
+//! 0.3 below P = 0.1 μ where muscles hardly pull. Errors are those of the finished model, which
+//! solves for λ itself; and of models fitted to four fifths of the muscles on the last fifth.
 
 mod held_out;
 mod points;
@@ -38,11 +39,13 @@ pub const RANGE: UniversalRange = UniversalRange {
     contraction_of_ideal: (0.0, 1.0),
     c01_share: (0.0, 0.3),
 };
-/// Below this P/μ a point is not used: blocked forces vanish there, and with them the measure of errors.
+/// Below this P/μ a point is not used: blocked forces vanish there, and with them the measure of
+/// errors.
 const LEAST_PRESSURE: f64 = 0.02;
 /// Below this it counts less.
 const LOW_PRESSURE: (f64, f64) = (0.1, 0.3);
-/// Muscles up to this share outside of the box are used for the fit, so that its edges are inside of the data.
+/// Muscles up to this share outside of the box are used for the fit, so that its edges are inside
+/// of the data.
 const MARGIN: f64 = 0.12;
 const FOLDS: u64 = 5;
 
@@ -66,9 +69,12 @@ struct Equation {
 /// Fits a formula.
 ///
 /// # Errors
-/// [`FitError`] where the table has no point that pulls inside of the box, or too few, and where the caller wanted it to
-/// end.
-pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Result<UniversalFormula> {
+/// [`FitError`] where the table has no point that pulls inside of the box, or too few, and where
+/// the caller wanted it to end.
+pub fn universal(
+    request: &UniversalRequest<'_>,
+    progress: &dyn Progress,
+) -> Result<UniversalFormula> {
     let samples = request.samples;
     let steps = FOLDS as usize + 2;
     let step = |done: usize| {
@@ -82,10 +88,15 @@ pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Res
     };
     let empty = UniversalFormula {
         name: request.name.clone(),
-        deficit: Deficit { form: request.form, terms: vec![] },
+        deficit: Deficit {
+            form: request.form,
+            terms: vec![],
+        },
         range: range(samples),
         errors: UniversalErrors {
-            against: "forces of axisymmetric finite elements where they pull, P/mu from 0.02, as shares of the muscle's blocked force at the same pressure".into(),
+            against: "forces of axisymmetric finite elements where they pull, P/mu from 0.02, as \
+                shares of the muscle's blocked force at the same pressure"
+                .into(),
             fit: UniversalSummary::default(),
             left_out: UniversalSummary::default(),
         },
@@ -99,14 +110,21 @@ pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Res
     let equations = equations(samples, &empty, &products);
     step(1)?;
     let with = |terms: Vec<UniversalTerm>| {
-        let deficit = Deficit { form: request.form, terms };
-        Arc::new(UniversalFormula { deficit, ..empty.clone() })
+        let deficit = Deficit {
+            form: request.form,
+            terms,
+        };
+        Arc::new(UniversalFormula {
+            deficit,
+            ..empty.clone()
+        })
     };
     let formula = with(solve(&products, &equations.iter().collect::<Vec<_>>())?);
     let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
-            chosen(s.number)
-                .then(|| Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>)
+            chosen(s.number).then(|| {
+                Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>
+            })
         };
         shares(samples, build, |s, p| inside(s, p, &empty.range, 0.0))
     };
@@ -114,7 +132,10 @@ pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Res
     let mut left_out = vec![];
     for fold in 0..FOLDS {
         step(2 + fold as usize)?;
-        let kept: Vec<&Equation> = equations.iter().filter(|e| e.muscle % FOLDS != fold).collect();
+        let kept: Vec<&Equation> = equations
+            .iter()
+            .filter(|e| e.muscle % FOLDS != fold)
+            .collect();
         let of_others = with(solve(&products, &kept)?);
         left_out.extend(errors(&of_others, &|number| number % FOLDS == fold));
     }
@@ -129,7 +150,8 @@ pub fn universal(request: &UniversalRequest<'_>, progress: &dyn Progress) -> Res
 /// Whether a point lies in a box, or within a margin around it.
 fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> bool {
     let m = &s.muscle;
-    let within = |v: f64, (low, high): (f64, f64)| v >= low * (1.0 - margin) && v <= high * (1.0 + margin);
+    let within =
+        |v: f64, (low, high): (f64, f64)| v >= low * (1.0 - margin) && v <= high * (1.0 + margin);
     let mu = m.tube().rubber.law.shear_modulus_mpa();
     within(m.wall_mm() / m.outer_diameter_mm(), range.wall_ratio)
         && within(m.length_mm() / m.outer_diameter_mm(), range.length_ratio)
@@ -142,12 +164,25 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
 fn range(samples: &[Sample]) -> UniversalRange {
     let cut = |(low, high): (f64, f64), value: &dyn Fn(&Sample) -> f64| {
         let values = samples.iter().map(value);
-        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-        (low.max(least), if high.is_finite() { high.min(most) } else { high })
+        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+        (
+            low.max(least),
+            if high.is_finite() {
+                high.min(most)
+            } else {
+                high
+            },
+        )
     };
     UniversalRange {
-        wall_ratio: cut(RANGE.wall_ratio, &|s| s.muscle.wall_mm() / s.muscle.outer_diameter_mm()),
-        length_ratio: cut(RANGE.length_ratio, &|s| s.muscle.length_mm() / s.muscle.outer_diameter_mm()),
+        wall_ratio: cut(RANGE.wall_ratio, &|s| {
+            s.muscle.wall_mm() / s.muscle.outer_diameter_mm()
+        }),
+        length_ratio: cut(RANGE.length_ratio, &|s| {
+            s.muscle.length_mm() / s.muscle.outer_diameter_mm()
+        }),
         angle_deg: cut(RANGE.angle_deg, &|s| s.muscle.braid().angle_deg),
         ..RANGE
     }
@@ -160,36 +195,57 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
         let one = |p: &PullPoint| {
             let (pressure, e, force) = (p.pressure_mpa, p.contraction, p.force_n);
-            let EndPoint { deficit_mm, start_mm, columns_mm, force_by_deficit_n_per_mm } =
-                model.end_point(pressure, e, force, products)?;
+            let EndPoint {
+                deficit_mm,
+                start_mm,
+                columns_mm,
+                force_by_deficit_n_per_mm,
+            } = model.end_point(pressure, e, force, products)?;
             // A root on another branch of the infinitely long muscle is none.
             if deficit_mm.abs() > 0.5 * s.muscle.outer_diameter_mm() {
                 return None;
             }
             let low = pressure < LOW_PRESSURE.0 * mu;
-            let weight = force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
+            let weight =
+                force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
             let left: Vec<f64> = columns_mm.into_iter().map(|c| weight * c).collect();
             let right = weight * (deficit_mm - start_mm);
             let finite = right.is_finite() && left.iter().all(|v| v.is_finite());
-            finite.then_some(Equation { muscle: s.number, left, right })
+            finite.then_some(Equation {
+                muscle: s.number,
+                left,
+                right,
+            })
         };
-        let chosen = s.points.iter().filter(|p| inside(s, p, &empty.range, MARGIN));
+        let chosen = s
+            .points
+            .iter()
+            .filter(|p| inside(s, p, &empty.range, MARGIN));
         chosen.filter_map(one).collect::<Vec<_>>()
     };
-    threads::map(samples, equations).into_iter().flatten().collect()
+    threads::map(samples, equations)
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
 fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalTerm>> {
     let (rows, columns) = (equations.len(), products.len());
     if rows < 2 * columns {
-        return Err(FitError::empty(" inside of the box of the method universal, or too few of them"));
+        return Err(FitError::empty(
+            " inside of the box of the method universal, or too few of them",
+        ));
     }
     let matrix = DMatrix::from_fn(rows, columns, |i, j| equations[i].left[j]);
     let right = DVector::from_fn(rows, |i, _| equations[i].right);
-    let x = least_squares(matrix, right).ok_or_else(|| FitError::singular("the universal formula"))?;
+    let x =
+        least_squares(matrix, right).ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
-    let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm { powers, value: rounded(v) };
+    let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm {
+        powers,
+        value: rounded(v),
+    };
     Ok(products.iter().zip(x.iter()).map(term).collect())
 }
 
@@ -197,14 +253,22 @@ fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalT
 fn numbers(samples: &[Sample]) -> impl Iterator<Item = f64> {
     samples.iter().flat_map(|s| {
         let m = &s.muscle;
-        let measures = [m.outer_diameter_mm(), m.wall_mm(), m.length_mm(), m.braid().angle_deg];
-        let points = s.points.iter().flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
+        let measures = [
+            m.outer_diameter_mm(),
+            m.wall_mm(),
+            m.length_mm(),
+            m.braid().angle_deg,
+        ];
+        let points = s
+            .points
+            .iter()
+            .flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
         measures.into_iter().chain(points)
     })
 }
 
-/// S, A, B, M, L: chosen one by one on a campaign with muscles left out (forward selection among the products up to the
-/// third degree), then kept.
+/// S, A, B, M, L: chosen one by one on a campaign with muscles left out (forward selection among
+/// the products up to the third degree), then kept.
 const BULGE: [[u8; 5]; 16] = [
     [0, 0, 0, 0, 0],
     [0, 0, 0, 1, 0],
@@ -230,9 +294,14 @@ pub fn products(form: Form) -> Vec<[u8; 5]> {
         Form::Bulge => BULGE.to_vec(),
         Form::Membrane => {
             let unit = |i: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i));
-            let pair = |i: usize, j: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i) + u8::from(k == j));
+            let pair =
+                |i: usize, j: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i) + u8::from(k == j));
             let pairs = (0..5).flat_map(|i| (i..5).map(move |j| pair(i, j)));
-            [[0; 5]].into_iter().chain((0..5).map(unit)).chain(pairs).collect()
+            [[0; 5]]
+                .into_iter()
+                .chain((0..5).map(unit))
+                .chain(pairs)
+                .collect()
         }
     }
 }

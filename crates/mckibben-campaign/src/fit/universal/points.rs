@@ -35,10 +35,15 @@ pub struct Sample {
 fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
     let rubber = Rubber::new(Law::named(&row.law, &constants)?.validated().ok()?);
-    let stiffness =
-        row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
+    let stiffness = row
+        .stiffness_of_braid_n_per_mm
+        .map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
     let tube = Tube::new(row.outer_diameter_mm, row.wall_mm, row.length_mm, rubber);
-    let braid = Braid { angle_deg: row.angle_deg, stiffness, ..Braid::paper() };
+    let braid = Braid {
+        angle_deg: row.angle_deg,
+        stiffness,
+        ..Braid::paper()
+    };
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 
@@ -50,7 +55,9 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
     }
     let mut out = vec![];
     for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
-        let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else { continue };
+        let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else {
+            continue;
+        };
         let blocked: Vec<(f64, f64)> = group
             .iter()
             .filter(known)
@@ -60,18 +67,34 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
         let point = |r: &PointRow| {
             let force_n = r.force_n.filter(|f| *f > 0.0)?;
             let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
-            let (pressure_mpa, contraction, volume_mm3) = (r.pressure_mpa, r.contraction, r.volume_mm3);
-            Some(PullPoint { pressure_mpa, contraction, force_n, blocked_n, volume_mm3 })
+            let (pressure_mpa, contraction, volume_mm3) =
+                (r.pressure_mpa, r.contraction, r.volume_mm3);
+            Some(PullPoint {
+                pressure_mpa,
+                contraction,
+                force_n,
+                blocked_n,
+                volume_mm3,
+            })
         };
         let points: Vec<PullPoint> = group.iter().filter(known).filter_map(point).collect();
         if !points.is_empty() {
-            out.push(Sample { number: first.muscle, muscle, points });
+            out.push(Sample {
+                number: first.muscle,
+                muscle,
+                points,
+            });
         }
     }
-    if out.is_empty() { Err(FitError::empty(" where the muscle pulls")) } else { Ok(out) }
+    if out.is_empty() {
+        Err(FitError::empty(" where the muscle pulls"))
+    } else {
+        Ok(out)
+    }
 }
 
-/// The errors of a model at the compared points, as shares of the blocked force; infinite where it has no answer.
+/// The errors of a model at the compared points, as shares of the blocked force; infinite where it
+/// has no answer.
 pub fn shares(
     samples: &[Sample],
     build: impl Fn(&Sample) -> Option<Box<dyn ForceModel>> + Sync,
@@ -84,7 +107,11 @@ pub fn shares(
             let force = model.force_n(&mut workspace, p.pressure_mpa, p.contraction);
             force.map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
         };
-        s.points.iter().filter(|p| compared(s, p)).map(share).collect()
+        s.points
+            .iter()
+            .filter(|p| compared(s, p))
+            .map(share)
+            .collect()
     };
     threads::map(samples, one)
 }
@@ -94,7 +121,10 @@ pub fn summary(shares: &[Vec<f64>]) -> UniversalSummary {
     let mut all: Vec<f64> = shares.iter().flatten().map(|e| e.abs()).collect();
     all.sort_by(f64::total_cmp);
     let points = all.len();
-    let quantile = |q: f64| all.get(((q * points as f64) as usize).min(points.saturating_sub(1))).copied();
+    let quantile = |q: f64| {
+        all.get(((q * points as f64) as usize).min(points.saturating_sub(1)))
+            .copied()
+    };
     let squares: f64 = all.iter().map(|e| e * e).sum();
     UniversalSummary {
         points,

@@ -17,9 +17,20 @@ const SWEEPS: usize = 20;
 
 /// A browser that prints.
 pub(super) fn browser() -> Result<&'static str, Problem> {
-    let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge"];
+    let names = [
+        "chromium",
+        "chromium-browser",
+        "google-chrome",
+        "google-chrome-stable",
+        "chrome",
+        "msedge",
+    ];
     let runs = |name: &&&str| {
-        let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        let quiet = Command::new(name)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status();
         quiet.is_ok_and(|status| status.success())
     };
     names.iter().find(runs).copied().ok_or_else(|| {
@@ -36,10 +47,20 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
         Problem::new(ProblemKind::Output, message, "print the HTML page")
     };
     let (folder, _lock) = folder().map_err(&wrong)?;
-    let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
+    let (page, pdf) = (
+        folder.path().join("report.html"),
+        folder.path().join("report.pdf"),
+    );
     std::fs::write(&page, html).map_err(&wrong)?;
-    let mut flags = vec!["--headless".to_owned(), "--disable-gpu".into(), "--no-pdf-header-footer".into()];
-    flags.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
+    let mut flags = vec![
+        "--headless".to_owned(),
+        "--disable-gpu".into(),
+        "--no-pdf-header-footer".into(),
+    ];
+    flags.push(format!(
+        "--user-data-dir={}",
+        folder.path().join("profile").display()
+    ));
     flags.push(format!("--print-to-pdf={}", pdf.display()));
     if is_root() {
         // Its sandbox refuses to work for root; the page is made here and has no script.
@@ -47,8 +68,16 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     }
     let said = File::create(folder.path().join("said")).map_err(&wrong)?;
     let mut command = Command::new(browser);
-    let quiet = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(said);
-    let mut child = quiet.args(flags).arg(&page).env("TMPDIR", folder.path()).spawn().map_err(&wrong)?;
+    let quiet = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(said);
+    let mut child = quiet
+        .args(flags)
+        .arg(&page)
+        .env("TMPDIR", folder.path())
+        .spawn()
+        .map_err(&wrong)?;
     let status = loop {
         if let Some(status) = child.try_wait().map_err(&wrong)? {
             break status;
@@ -68,14 +97,21 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     progress::ended()?;
     if !status.success() {
         let said = std::fs::read_to_string(folder.path().join("said")).unwrap_or_default();
-        return Err(wrong(io::Error::other(said.lines().last().unwrap_or_default())));
+        return Err(wrong(io::Error::other(
+            said.lines().last().unwrap_or_default(),
+        )));
     }
     std::fs::read(&pdf).map_err(&wrong)
 }
 
-/// A folder of this user alone, also for the browser's profile, with the lock that holds it. Those that killed programs left are removed.
+/// A folder of this user alone, also for the browser's profile, with the lock that holds it. Those
+/// that killed programs left are removed.
 fn folder() -> io::Result<(TempDir, File)> {
-    for entry in std::fs::read_dir(std::env::temp_dir()).into_iter().flatten().flatten() {
+    for entry in std::fs::read_dir(std::env::temp_dir())
+        .into_iter()
+        .flatten()
+        .flatten()
+    {
         let left = |lock: File| lock.try_lock().is_ok();
         if entry.file_name().to_string_lossy().starts_with(FOLDER)
             && File::open(entry.path().join(LOCK)).is_ok_and(left)
@@ -91,5 +127,7 @@ fn folder() -> io::Result<(TempDir, File)> {
 }
 
 fn is_root() -> bool {
-    std::env::var_os("USER").or_else(|| std::env::var_os("HOME")).is_some_and(|v| v == "root" || v == "/root")
+    std::env::var_os("USER")
+        .or_else(|| std::env::var_os("HOME"))
+        .is_some_and(|v| v == "root" || v == "/root")
 }

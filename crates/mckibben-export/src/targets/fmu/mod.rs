@@ -1,8 +1,10 @@
-//! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and Co-Simulation, with their sources.
+//! FMI 2.0 and 3.0: Functional Mock-up Units around the C target, for Model Exchange and
+//! Co-Simulation, with their sources.
 //!
-//! The library of a unit is the same for all muscles, with a pressure as input or with a valve and air as states, and for joints: it reads the numbers of its
-//! muscle from `resources/muscle.bin`. `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of them, so
-//! that its user needs no compiler.
+//! The library of a unit is the same for all muscles, with a pressure as input or with a valve and
+//! air as states, and for joints: it reads the numbers of its muscle from `resources/muscle.bin`.
+//! `checks/fmu-binaries.sh` makes it for each system, from the templates alone; a unit has all of
+//! them, so that its user needs no compiler.
 
 mod variables;
 
@@ -16,8 +18,10 @@ use variables::{Variable, description, settings};
 
 pub(super) const TARGET: Target = Target {
     name: "fmu",
-    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as input, Model Exchange and Co-Simulation, with libraries and their sources",
-    needs: "a tool that reads FMI 2.0 or 3.0, on Linux (x86-64, and with FMI 3.0 arm64), Windows (x86-64) or macOS (x86-64, arm64); no compiler",
+    about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as \
+        input, Model Exchange and Co-Simulation, with libraries and their sources",
+    needs: "a tool that reads FMI 2.0 or 3.0, on Linux (x86-64, and with FMI 3.0 arm64), Windows \
+        (x86-64) or macOS (x86-64, arm64); no compiler",
     loses: "of a valve its lag, and hoses; of a joint valves",
     make,
     joint: Some(joint),
@@ -67,22 +71,48 @@ const SYSTEMS: [System; 5] = [
         ending: "dll",
         library: include_bytes!("../../../binaries/x86_64-windows"),
     },
-    System { second: None, third: "x86_64-darwin", ending: "dylib", library: MACOS[0] },
-    System { second: None, third: "aarch64-darwin", ending: "dylib", library: MACOS[1] },
+    System {
+        second: None,
+        third: "x86_64-darwin",
+        ending: "dylib",
+        library: MACOS[0],
+    },
+    System {
+        second: None,
+        third: "aarch64-darwin",
+        ending: "dylib",
+        library: MACOS[1],
+    },
 ];
 /// FMI 2.0 has one folder for both processors.
-const MACOS: [&[u8]; 2] =
-    [include_bytes!("../../../binaries/x86_64-darwin"), include_bytes!("../../../binaries/aarch64-darwin")];
+const MACOS: [&[u8]; 2] = [
+    include_bytes!("../../../binaries/x86_64-darwin"),
+    include_bytes!("../../../binaries/aarch64-darwin"),
+];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let files = [units(muscle, Kind::Pressure, None)?, units(muscle, Kind::Valve, None)?].concat();
-    Ok(Artefact { files, notes: vec![] })
+    let files = [
+        units(muscle, Kind::Pressure, None)?,
+        units(muscle, Kind::Valve, None)?,
+    ]
+    .concat();
+    Ok(Artefact {
+        files,
+        notes: vec![],
+    })
 }
 
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let kind = Kind::Joint(joint.muscles.len());
-    let files = joint.muscles.first().map(|muscle| units(muscle, kind, Some(joint))).transpose()?;
-    Ok(Artefact { files: files.into_iter().flatten().collect(), notes: vec![] })
+    let files = joint
+        .muscles
+        .first()
+        .map(|muscle| units(muscle, kind, Some(joint)))
+        .transpose()?;
+    Ok(Artefact {
+        files: files.into_iter().flatten().collect(),
+        notes: vec![],
+    })
 }
 
 /// The unit of a kind in both versions of FMI.
@@ -93,47 +123,111 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
     };
     let (about, [second_ending, third_ending], what) = match kind {
         Kind::Pressure => ("", [".fmu", "_fmi3.fmu"], "the unit, FMI 2.0"),
-        Kind::Joint(_) => ("of-", [".fmu", "_fmi3.fmu"], "the unit of the joint, FMI 2.0"),
-        Kind::Valve => ("air-", ["_valve.fmu", "_valve_fmi3.fmu"], "the muscle on a valve, FMI 2.0"),
+        Kind::Joint(_) => (
+            "of-",
+            [".fmu", "_fmi3.fmu"],
+            "the unit of the joint, FMI 2.0",
+        ),
+        Kind::Valve => (
+            "air-",
+            ["_valve.fmu", "_valve_fmi3.fmu"],
+            "the muscle on a valve, FMI 2.0",
+        ),
     };
     let token = format!("{{mckibben-{about}{hash}}}");
     let variables = variables::variables(muscle, kind);
     let values = [
         ("id", id.clone()),
         ("guid", token.clone()),
-        ("said", format!("{} {}", facts[0], facts[2]).replace('"', "'")),
+        (
+            "said",
+            format!("{} {}", facts[0], facts[2]).replace('"', "'"),
+        ),
         ("version", muscle.version.into()),
-        ("units", include_str!("../../../templates/fmu_units.xml").trim_end().into()),
+        (
+            "units",
+            include_str!("../../../templates/fmu_units.xml")
+                .trim_end()
+                .into(),
+        ),
         ("events", variables::events(&variables).to_string()),
     ];
     let source = |template: &str| rendered(template, muscle).into_bytes();
     let mut common = vec![
-        ("resources/muscle.bin".to_owned(), resource(muscle, joint, &token, &variables)),
-        ("sources/air.c".to_owned(), source(include_str!("../../../templates/air.c"))),
-        ("sources/mckibben_joint.h".to_owned(), source(MCKIBBEN_JOINT.2)),
-        ("sources/fmu2.c".to_owned(), source(include_str!("../../../templates/fmu2.c"))),
-        ("sources/fmu3.c".to_owned(), source(include_str!("../../../templates/fmu3.c"))),
+        (
+            "resources/muscle.bin".to_owned(),
+            resource(muscle, joint, &token, &variables),
+        ),
+        (
+            "sources/air.c".to_owned(),
+            source(include_str!("../../../templates/air.c")),
+        ),
+        (
+            "sources/mckibben_joint.h".to_owned(),
+            source(MCKIBBEN_JOINT.2),
+        ),
+        (
+            "sources/fmu2.c".to_owned(),
+            source(include_str!("../../../templates/fmu2.c")),
+        ),
+        (
+            "sources/fmu3.c".to_owned(),
+            source(include_str!("../../../templates/fmu3.c")),
+        ),
     ];
-    for file in sources(muscle).into_iter().filter(|file| file.name.starts_with("mckibben")) {
-        common.push((format!("sources/{}", file.name), file.content.bytes().to_vec()));
+    for file in sources(muscle)
+        .into_iter()
+        .filter(|file| file.name.starts_with("mckibben"))
+    {
+        common.push((
+            format!("sources/{}", file.name),
+            file.content.bytes().to_vec(),
+        ));
     }
     let unit = |version, template: &str, files: Vec<(String, Vec<u8>)>| {
         let (list, structure) = description(&variables, version);
-        let places = [&values[..], &[("variables", list), ("structure", structure)]].concat();
+        let places = [
+            &values[..],
+            &[("variables", list), ("structure", structure)],
+        ]
+        .concat();
         let description = render(template, &facts, &places).into_bytes();
         let all = std::iter::once(("modelDescription.xml".to_owned(), description)).chain(files);
         zip(all.chain(common.iter().cloned()))
     };
     let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
-    let build = render(include_str!("../../../templates/fmu3_build.xml"), &facts, &values).into_bytes();
-    let (mut second, mut third) = (vec![], vec![("sources/buildDescription.xml".to_owned(), build)]);
+    let build = render(
+        include_str!("../../../templates/fmu3_build.xml"),
+        &facts,
+        &values,
+    )
+    .into_bytes();
+    let (mut second, mut third) = (
+        vec![],
+        vec![("sources/buildDescription.xml".to_owned(), build)],
+    );
     for system in SYSTEMS {
-        third.push((library(system.third, system.ending), system.library.to_vec()));
-        second.extend(system.second.map(|folder| (library(folder, system.ending), system.library.to_vec())));
+        third.push((
+            library(system.third, system.ending),
+            system.library.to_vec(),
+        ));
+        second.extend(
+            system
+                .second
+                .map(|folder| (library(folder, system.ending), system.library.to_vec())),
+        );
     }
     second.push((library("darwin64", "dylib"), universal(&MACOS)));
-    let second = unit(Version::Second, include_str!("../../../templates/fmu2.xml"), second)?;
-    let third = unit(Version::Third, include_str!("../../../templates/fmu3.xml"), third)?;
+    let second = unit(
+        Version::Second,
+        include_str!("../../../templates/fmu2.xml"),
+        second,
+    )?;
+    let third = unit(
+        Version::Third,
+        include_str!("../../../templates/fmu3.xml"),
+        third,
+    )?;
     Ok([
         File::bytes(id.clone() + second_ending, what, second),
         File::bytes(id.clone() + third_ending, "the same, FMI 3.0", third),
@@ -151,21 +245,47 @@ fn resource(
     out.extend(token.bytes().chain(std::iter::repeat(0)).take(32));
     let muscles = joint.map_or(std::slice::from_ref(muscle), |joint| &joint.muscles);
     let states = variables.iter().filter(|v| v.is_state()).count() as f64;
-    let mut numbers = vec![3.0, states, if joint.is_some() { muscles.len() as f64 } else { 0.0 }];
+    let mut numbers = vec![
+        3.0,
+        states,
+        if joint.is_some() {
+            muscles.len() as f64
+        } else {
+            0.0
+        },
+    ];
     numbers.extend(settings(variables));
     let begun = numbers.len();
     numbers.extend(muscles.iter().flat_map(of_muscle));
     numbers.resize(begun + 2 * of_muscle(muscle).len(), 0.0);
     let of_joint = joint.map_or_else(|| vec![0.0; JOINT_NUMBERS], ExportedJoint::numbers);
-    out.extend(numbers.into_iter().chain(of_joint).flat_map(f64::to_le_bytes));
+    out.extend(
+        numbers
+            .into_iter()
+            .chain(of_joint)
+            .flat_map(f64::to_le_bytes),
+    );
     out
 }
 
 fn of_muscle(muscle: &ExportedMuscle) -> Vec<f64> {
     let form = &muscle.form;
-    let mut numbers = vec![form.length_m, muscle.cord_m, form.supply_pa, form.contractions.len() as f64];
-    for row in std::iter::once(&form.contractions).chain(&form.a).chain(&form.b) {
-        numbers.extend(row.iter().copied().chain(std::iter::repeat(0.0)).take(NODES));
+    let mut numbers = vec![
+        form.length_m,
+        muscle.cord_m,
+        form.supply_pa,
+        form.contractions.len() as f64,
+    ];
+    for row in std::iter::once(&form.contractions)
+        .chain(&form.a)
+        .chain(&form.b)
+    {
+        numbers.extend(
+            row.iter()
+                .copied()
+                .chain(std::iter::repeat(0.0))
+                .take(NODES),
+        );
     }
     numbers.extend(form.v);
     numbers.extend(form.friction_n);
@@ -173,17 +293,25 @@ fn of_muscle(muscle: &ExportedMuscle) -> Vec<f64> {
     numbers
 }
 
-/// A file of macOS with a library for each of several processors (mach-o/fat.h): big-endian header, then each at a page of 16 KiB.
+/// A file of macOS with a library for each of several processors (mach-o/fat.h): big-endian header,
+/// then each at a page of 16 KiB.
 fn universal(libraries: &[&[u8]]) -> Vec<u8> {
     const ALIGN: u32 = 14;
     let page = 1_usize << ALIGN;
-    let mut header: Vec<u8> =
-        [0xcafe_babe_u32, libraries.len() as u32].into_iter().flat_map(u32::to_be_bytes).collect();
+    let mut header: Vec<u8> = [0xcafe_babe_u32, libraries.len() as u32]
+        .into_iter()
+        .flat_map(u32::to_be_bytes)
+        .collect();
     let mut body = vec![];
     for library in libraries {
         body.resize(usize::next_multiple_of(body.len(), page), 0);
         // The processor and its kind: the second and the third word of a library, little-endian.
-        header.extend(library[4..8].iter().rev().chain(library[8..12].iter().rev()));
+        header.extend(
+            library[4..8]
+                .iter()
+                .rev()
+                .chain(library[8..12].iter().rev()),
+        );
         for word in [(page + body.len()) as u32, library.len() as u32, ALIGN] {
             header.extend(word.to_be_bytes());
         }

@@ -22,17 +22,50 @@ use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 
 /// The word of each role in the table, and its attributes in a description.
 const ROLES: [(&str, Role, &str); 8] = [
-    ("input", Input, "causality=\"input\" variability=\"continuous\""),
-    ("fixed", Fixed, "causality=\"parameter\" variability=\"fixed\" initial=\"exact\""),
-    ("tunable", Tunable, "causality=\"parameter\" variability=\"tunable\" initial=\"exact\""),
-    ("state", State, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
-    ("local", Local, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
-    ("event", Event, "causality=\"local\" variability=\"continuous\" initial=\"calculated\""),
-    ("output", Output, "causality=\"output\" variability=\"continuous\" initial=\"calculated\""),
-    ("status", Status, "causality=\"output\" variability=\"discrete\" initial=\"calculated\""),
+    (
+        "input",
+        Input,
+        "causality=\"input\" variability=\"continuous\"",
+    ),
+    (
+        "fixed",
+        Fixed,
+        "causality=\"parameter\" variability=\"fixed\" initial=\"exact\"",
+    ),
+    (
+        "tunable",
+        Tunable,
+        "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
+    ),
+    (
+        "state",
+        State,
+        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
+    ),
+    (
+        "local",
+        Local,
+        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
+    ),
+    (
+        "event",
+        Event,
+        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
+    ),
+    (
+        "output",
+        Output,
+        "causality=\"output\" variability=\"continuous\" initial=\"calculated\"",
+    ),
+    (
+        "status",
+        Status,
+        "causality=\"output\" variability=\"discrete\" initial=\"calculated\"",
+    ),
 ];
 
-/// One variable; its value reference is the place of its name in the list at the beginning of fmu2.c.
+/// One variable; its value reference is the place of its name in the list at the beginning of
+/// fmu2.c.
 pub(super) struct Variable {
     name: &'static str,
     role: Role,
@@ -47,7 +80,8 @@ pub(super) struct Variable {
     on: Vec<&'static str>,
 }
 
-/// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length, what gives them, or pressures and angle.
+/// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length, what
+/// gives them, or pressures and angle.
 pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     let form = &muscle.form;
     let (rows, held) = match kind {
@@ -68,10 +102,25 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         "mass" => 1.2 * volume_m3,
         number => number.parse().unwrap_or(f64::NAN),
     };
-    let table = include_str!("../../../templates/fmu_variables.tsv").lines().skip(1);
+    let table = include_str!("../../../templates/fmu_variables.tsv")
+        .lines()
+        .skip(1);
     let one = |line: &'static str| {
         let cells: Vec<&str> = line.split('\t').collect();
-        let &[kind, name, word, state, unit, on, start, low, high, nominal, about] = &cells[..] else {
+        let &[
+            kind,
+            name,
+            word,
+            state,
+            unit,
+            on,
+            start,
+            low,
+            high,
+            nominal,
+            about,
+        ] = &cells[..]
+        else {
             return None;
         };
         let role = ROLES.iter().find(|role| role.0 == word)?.1;
@@ -92,19 +141,29 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     table.filter_map(one).collect()
 }
 
-/// The names of fmu2.c: the place of each is its value reference, and those before `force` can be set or are states.
+/// The names of fmu2.c: the place of each is its value reference, and those before `force` can be
+/// set or are states.
 pub(super) fn references() -> Vec<String> {
     let source = include_str!("../../../templates/fmu2.c");
-    let list = source.split_once("enum {\n    PRESSURE").and_then(|(_, rest)| rest.split_once("\n};"));
+    let list = source
+        .split_once("enum {\n    PRESSURE")
+        .and_then(|(_, rest)| rest.split_once("\n};"));
     let names = list.map_or("", |(names, _)| names);
-    format!("PRESSURE{names}").split(',').map(|name| name.trim().to_ascii_lowercase()).collect()
+    format!("PRESSURE{names}")
+        .split(',')
+        .map(|name| name.trim().to_ascii_lowercase())
+        .collect()
 }
 
 fn reference(name: &str) -> usize {
-    references().iter().position(|known| known == name).unwrap_or(usize::MAX)
+    references()
+        .iter()
+        .position(|known| known == name)
+        .unwrap_or(usize::MAX)
 }
 
-/// Start, range and nominal value of each variable that can be set or is a state, as muscle.bin has them.
+/// Start, range and nominal value of each variable that can be set or is a state, as muscle.bin has
+/// them.
 pub(super) fn settings(variables: &[Variable]) -> Vec<f64> {
     let names = references();
     let known = names.iter().take_while(|name| *name != "force");
@@ -123,7 +182,10 @@ fn attribute(name: &str, value: Option<String>) -> String {
 impl Variable {
     /// Its causality and variability.
     fn nature(&self) -> &'static str {
-        ROLES.iter().find(|role| role.1 == self.role).map_or("", |role| role.2)
+        ROLES
+            .iter()
+            .find(|role| role.1 == self.role)
+            .map_or("", |role| role.2)
     }
 
     /// Its start, unit, range and nominal value.
@@ -152,54 +214,108 @@ impl Variable {
     }
 }
 
-/// The unknowns of a description: their group in FMI 2.0 and their element in FMI 3.0, which variables, and whether dependencies are stated.
+/// The unknowns of a description: their group in FMI 2.0 and their element in FMI 3.0, which
+/// variables, and whether dependencies are stated.
 type Unknowns = (&'static str, &'static str, fn(&Variable) -> bool, bool);
 
 const UNKNOWNS: [Unknowns; 4] = [
-    ("Outputs", "Output", |v| matches!(v.role, Output | Status), true),
-    ("Derivatives", "ContinuousStateDerivative", |v| v.derivative_of.is_some(), true),
-    ("InitialUnknowns", "InitialUnknown", Variable::is_unknown_at_the_start, false),
+    (
+        "Outputs",
+        "Output",
+        |v| matches!(v.role, Output | Status),
+        true,
+    ),
+    (
+        "Derivatives",
+        "ContinuousStateDerivative",
+        |v| v.derivative_of.is_some(),
+        true,
+    ),
+    (
+        "InitialUnknowns",
+        "InitialUnknown",
+        Variable::is_unknown_at_the_start,
+        false,
+    ),
     ("", "EventIndicator", |v| v.role == Event, true),
 ];
 
-/// `ModelVariables` and `ModelStructure`. FMI 2.0 names a variable by its place, from 1, and FMI 3.0 by its value reference.
+/// `ModelVariables` and `ModelStructure`. FMI 2.0 names a variable by its place, from 1, and FMI
+/// 3.0 by its value reference.
 pub(super) fn description(variables: &[Variable], version: Version) -> (String, String) {
     let is_third = version == Version::Third;
-    let place = |name: &str| variables.iter().position(|v| v.name == name).map_or(0, |at| at + 1);
-    let key = |name: &str| if is_third { reference(name) } else { place(name) }.to_string();
+    let place = |name: &str| {
+        variables
+            .iter()
+            .position(|v| v.name == name)
+            .map_or(0, |at| at + 1)
+    };
+    let key = |name: &str| {
+        if is_third {
+            reference(name)
+        } else {
+            place(name)
+        }
+        .to_string()
+    };
     let mut list = String::new();
     if is_third {
         let time = key("time");
         let _ = writeln!(
             list,
-            "    <Float64 name=\"time\" valueReference=\"{time}\" causality=\"independent\" variability=\"continuous\" unit=\"s\"/>"
+            "    <Float64 name=\"time\" valueReference=\"{time}\" causality=\"independent\" \
+             variability=\"continuous\" unit=\"s\"/>"
         );
     }
     for v in variables {
-        let names = format!("name=\"{}\" valueReference=\"{}\" {}", v.name, reference(v.name), v.nature());
+        let names = format!(
+            "name=\"{}\" valueReference=\"{}\" {}",
+            v.name,
+            reference(v.name),
+            v.nature()
+        );
         let values = v.values() + &attribute("derivative", v.derivative_of.map(key));
         let (about, is_status) = (v.about, v.role == Status);
         let _ = if is_third {
             let element = if is_status { "Int32" } else { "Float64" };
-            writeln!(list, "    <{element} {names}{values} description=\"{about}\"/>")
+            writeln!(
+                list,
+                "    <{element} {names}{values} description=\"{about}\"/>"
+            )
         } else {
             let element = if is_status { "Integer" } else { "Real" };
             writeln!(
                 list,
-                "    <ScalarVariable {names} description=\"{about}\"><{element}{values}/></ScalarVariable>"
+                "    <ScalarVariable {names} \
+                 description=\"{about}\"><{element}{values}/></ScalarVariable>"
             )
         };
     }
     let mut structure = String::new();
     for (group, element, is_unknown, states_dependencies) in UNKNOWNS {
-        let start =
-            if is_third { format!("    <{element} valueReference") } else { "      <Unknown index".into() };
-        let unknown = |v: &Variable| {
-            let on =
-                states_dependencies.then(|| v.on.iter().map(|name| key(name)).collect::<Vec<_>>().join(" "));
-            format!("{start}=\"{}\"{}/>\n", key(v.name), attribute("dependencies", on))
+        let start = if is_third {
+            format!("    <{element} valueReference")
+        } else {
+            "      <Unknown index".into()
         };
-        let unknowns: String = variables.iter().filter(|v| is_unknown(v)).map(unknown).collect();
+        let unknown = |v: &Variable| {
+            let on = states_dependencies.then(|| {
+                v.on.iter()
+                    .map(|name| key(name))
+                    .collect::<Vec<_>>()
+                    .join(" ")
+            });
+            format!(
+                "{start}=\"{}\"{}/>\n",
+                key(v.name),
+                attribute("dependencies", on)
+            )
+        };
+        let unknowns: String = variables
+            .iter()
+            .filter(|v| is_unknown(v))
+            .map(unknown)
+            .collect();
         if is_third {
             structure += &unknowns;
         } else if !(group.is_empty() || unknowns.is_empty()) {

@@ -8,8 +8,12 @@ use mckibben::rubber::Law;
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {
-    let block = Block { brick, elements: [2, 2, 2] };
-    // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides as well.
+    let block = Block {
+        brick,
+        elements: [2, 2, 2],
+    };
+    // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides
+    // as well.
     let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
     let problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let bump = hat(x) * hat(y) * hat(z);
@@ -40,17 +44,28 @@ impl Block {
     /// (i, j, k) of every node, in the order of their numbers.
     pub fn places(&self) -> Vec<[usize; 3]> {
         let [ni, nj, nk] = self.grid();
-        (0..nk).flat_map(|k| (0..nj).flat_map(move |j| (0..ni).map(move |i| [i, j, k]))).collect()
+        (0..nk)
+            .flat_map(|k| (0..nj).flat_map(move |j| (0..ni).map(move |i| [i, j, k])))
+            .collect()
     }
 
     /// The body, all free; `map` carries the unit cube to the places at rest.
     pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
         let (p, [ni, nj, nk]) = (self.brick.order(), self.grid());
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
-        let nodes: Vec<[f64; 3]> =
-            self.places().iter().map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)])).collect();
-        let bricks = self.brick.bricks(self.elements, |i, j, k| self.node(i, j, k));
-        let sheet = Sheet { around: nj, along: nk, stride: p };
+        let nodes: Vec<[f64; 3]> = self
+            .places()
+            .iter()
+            .map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)]))
+            .collect();
+        let bricks = self
+            .brick
+            .bricks(self.elements, |i, j, k| self.node(i, j, k));
+        let sheet = Sheet {
+            around: nj,
+            along: nk,
+            stride: p,
+        };
         let columns = sheet.order().into_iter();
         let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
         let order = order.map(|(i, j, k)| self.node(i, j, k) as u32).collect();

@@ -1,6 +1,8 @@
-//! H. Cook's membrane, nearly incompressible neo-Hooke, plane strain, mean dilatation (Q1P0): the tip mesh by mesh.
+//! H. Cook's membrane, nearly incompressible neo-Hooke, plane strain, mean dilatation (Q1P0): the
+//! tip mesh by mesh.
 //!
-//! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held everywhere.
+//! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held
+//! everywhere.
 
 use super::block::Block;
 use super::{body, drive};
@@ -10,12 +12,19 @@ use mckibben::muscle::Bulk;
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {
-    let block = Block { brick: Brick::Linear, elements: [1, n, n] };
+    let block = Block {
+        brick: Brick::Linear,
+        elements: [1, n, n],
+    };
     // First direction: the thickness (z); second and third: along and across.
-    let mut problem = block.problem(neo_hookean(80.1938), Bulk::Modulus(400_889.806), |[t, x, y]| {
-        let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
-        [48.0 * x, low + (high - low) * y, t]
-    });
+    let mut problem = block.problem(
+        neo_hookean(80.1938),
+        Bulk::Modulus(400_889.806),
+        |[t, x, y]| {
+            let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
+            [48.0 * x, low + (high - low) * y, t]
+        },
+    );
     problem.dead = vec![[0.0; 3]; problem.nodes.len()];
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
         problem.freedom[node][2] = Freedom::Held;
@@ -35,11 +44,19 @@ fn tip(n: usize) -> Option<f64> {
 
 /// The rows of H.
 pub fn cook(rows: &mut Rows) {
-    meshes(rows, &[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)]);
+    meshes(
+        rows,
+        &[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)],
+    );
 }
 
 pub(super) fn meshes(rows: &mut Rows, meshes: &[(usize, f64)]) {
     for &(n, exact) in meshes {
-        rows.add(format!("Cook's membrane, {n} × {n}: tip (mm)"), exact, tip(n), 1e-5);
+        rows.add(
+            format!("Cook's membrane, {n} × {n}: tip (mm)"),
+            exact,
+            tip(n),
+            1e-5,
+        );
     }
 }

@@ -1,6 +1,8 @@
-//! A. Homogeneous states with bricks whose inner nodes are out of place: the patch test at large strains.
+//! A. Homogeneous states with bricks whose inner nodes are out of place: the patch test at large
+//! strains.
 //!
-//! Loaded and held: the faces of a block by given displacements in one or two directions, all else free.
+//! Loaded and held: the faces of a block by given displacements in one or two directions, all else
+//! free.
 
 use super::block::bent_cube;
 use super::{BRICKS, body, push};
@@ -13,7 +15,11 @@ use crate::verification::Rows;
 fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, Vec<[bool; 3]>)> {
     let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
-    let far: Vec<[bool; 3]> = block.places().iter().map(|p| p.map(|i| i == last)).collect();
+    let far: Vec<[bool; 3]> = block
+        .places()
+        .iter()
+        .map(|p| p.map(|i| i == last))
+        .collect();
     for (node, place) in block.places().iter().enumerate() {
         for i in 0..3 {
             if place[i] == 0 || held(far[node], i) {
@@ -24,18 +30,30 @@ fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, 
     Some((body(problem)?, far))
 }
 
-/// Nominal stress on the far face x for stretches of the far faces x and, where given, y; and the largest distance of a
-/// node from where the homogeneous state has it.
+/// Nominal stress on the far face x for stretches of the far faces x and, where given, y; and the
+/// largest distance of a node from where the homogeneous state has it.
 fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
-    let (mut body, far) = cube(brick, |far, i| far[i] && (i == 0 || (i == 1 && y.is_some())))?;
-    let stretch = [x, y.unwrap_or(x.powf(-0.5)), 1.0 / (x * y.unwrap_or(x.powf(-0.5)))];
-    push(&mut body, 10, |n, i| if far[n][i] { stretch[i] - 1.0 } else { 0.0 })?;
+    let (mut body, far) = cube(brick, |far, i| {
+        far[i] && (i == 0 || (i == 1 && y.is_some()))
+    })?;
+    let stretch = [
+        x,
+        y.unwrap_or(x.powf(-0.5)),
+        1.0 / (x * y.unwrap_or(x.powf(-0.5))),
+    ];
+    push(&mut body, 10, |n, i| {
+        if far[n][i] { stretch[i] - 1.0 } else { 0.0 }
+    })?;
     body.residual().ok()?;
-    let sum = (0..far.len()).filter(|&n| far[n][0]).map(|n| body.assembled.force[3 * n]).sum();
+    let sum = (0..far.len())
+        .filter(|&n| far[n][0])
+        .map(|n| body.assembled.force[3 * n])
+        .sum();
     Some([sum, distance(&body, |rest, i| (stretch[i] - 1.0) * rest[i])])
 }
 
-/// Largest distance of a node from its displacement in the homogeneous state, of (place at rest, direction).
+/// Largest distance of a node from its displacement in the homogeneous state, of (place at rest,
+/// direction).
 fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
     for (n, rest) in body.discretisation.problem.nodes.iter().enumerate() {
@@ -49,10 +67,15 @@ fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
 /// The rows of A.
 pub fn homogeneous(rows: &mut Rows) {
     for (brick, name) in BRICKS {
-        for (what, y, exact) in
-            [("uniaxial", None, 0.385), ("equibiaxial", Some(2.0), 0.708_75), ("planar", Some(1.0), 0.45)]
-        {
-            let exact = [("nominal stress (MPa)", exact), ("largest displacement off (mm)", 0.0)];
+        for (what, y, exact) in [
+            ("uniaxial", None, 0.385),
+            ("equibiaxial", Some(2.0), 0.708_75),
+            ("planar", Some(1.0), 0.45),
+        ] {
+            let exact = [
+                ("nominal stress (MPa)", exact),
+                ("largest displacement off (mm)", 0.0),
+            ];
             let begins = format!("{name}, patch test, {what} λ = 2: ");
             rows.each(&begins, exact, stress(brick, 2.0, y), 1e-10);
         }
@@ -61,11 +84,13 @@ pub fn homogeneous(rows: &mut Rows) {
 
 const GAMMA: f64 = 1.0;
 
-/// σ12, σ11 − σ33, σ22 − σ33 in MPa of simple shear, and the largest distance of a node from where the homogeneous state has it.
+/// σ12, σ11 − σ33, σ22 − σ33 in MPa of simple shear, and the largest distance of a node from where
+/// the homogeneous state has it.
 ///
-/// x = X + γ Y: σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ² (Rivlin 1948). The mean nominal stress P = Σ f⊗X/V over the
-/// nodes (virtual work of an affine displacement) gives σ = P Fᵀ at J = 1. All faces are held at x = X + γ Y; the far face z = 1 is free
-/// along z, so that the pressure is determined.
+/// x = X + γ Y: σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ² (Rivlin 1948). The
+/// mean nominal stress P = Σ f⊗X/V over the nodes (virtual work of an affine displacement) gives σ
+/// = P Fᵀ at J = 1. All faces are held at x = X + γ Y; the far face z = 1 is free along z, so that
+/// the pressure is determined.
 fn sheared(brick: Brick) -> Option<[f64; 4]> {
     let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
@@ -83,7 +108,12 @@ fn sheared(brick: Brick) -> Option<[f64; 4]> {
     push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
     body.residual().ok()?;
     let p: [[f64; 3]; 3] = [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| rest.iter().enumerate().map(|(n, x)| body.assembled.force[3 * n + i] * x[j]).sum())
+        [0, 1, 2].map(|j| {
+            rest.iter()
+                .enumerate()
+                .map(|(n, x)| body.assembled.force[3 * n + i] * x[j])
+                .sum()
+        })
     });
     let f = [[1.0, GAMMA, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let sigma = |i: usize, j: usize| (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>();
@@ -100,6 +130,11 @@ pub fn shear(rows: &mut Rows) {
             ("σ22 − σ33 (MPa)", -2.0 * 0.02 * GAMMA * GAMMA),
             ("largest displacement off (mm)", 0.0),
         ];
-        rows.each(&format!("{name}, simple shear γ = 1: "), exact, sheared(brick), 1e-10);
+        rows.each(
+            &format!("{name}, simple shear γ = 1: "),
+            exact,
+            sheared(brick),
+            1e-10,
+        );
     }
 }

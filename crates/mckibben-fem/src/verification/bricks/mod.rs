@@ -23,29 +23,57 @@ use crate::three_dimensional::{
 };
 use mckibben::muscle::Muscle;
 
-const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
+const BRICKS: [(Brick, &str); 2] = [
+    (Brick::Linear, "8-node brick"),
+    (Brick::Quadratic, "27-node brick"),
+];
 
 const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
 
 /// Every case with bricks.
 pub(super) const CASES: [Case; 12] = [
-    ("A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)", homogeneous::homogeneous),
-    ("A: Rivlin 1948 [rivlin1948], simple shear (bricks)", homogeneous::shear),
-    ("B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)", tube::thick_tube),
+    (
+        "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)",
+        homogeneous::homogeneous,
+    ),
+    (
+        "A: Rivlin 1948 [rivlin1948], simple shear (bricks)",
+        homogeneous::shear,
+    ),
+    (
+        "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)",
+        tube::thick_tube,
+    ),
     ("D: Rivlin 1949 [rivlin1949], torsion", torsion::torsion),
-    ("E: closed cavity, energy (bricks)", pressure::follower_pressure),
-    ("E: closed cavity, terminals as bodies (bricks)", terminal::terminal),
-    ("F: von Mises truss, engineering strain (strands)", snap::snap),
+    (
+        "E: closed cavity, energy (bricks)",
+        pressure::follower_pressure,
+    ),
+    (
+        "E: closed cavity, terminals as bodies (bricks)",
+        terminal::terminal,
+    ),
+    (
+        "F: von Mises truss, engineering strain (strands)",
+        snap::snap,
+    ),
     (COOK, cook::cook),
     ("J: numerical conduct (bricks)", numerics::numerics),
     ("J: numerical conduct (bricks)", paths::paths),
-    ("I: outer-diameter limit of strands that do not stretch (bricks)", limit::limit),
+    (
+        "I: outer-diameter limit of strands that do not stretch (bricks)",
+        limit::limit,
+    ),
     ("FElupe 11.3, same mesh, mean dilatation", muscle::muscle),
 ];
 
-/// The finest meshes of Cook's membrane: some seconds in a program that is optimised, minutes in one that is not.
+/// The finest meshes of Cook's membrane: some seconds in a program that is optimised, minutes in
+/// one that is not.
 pub fn cook_fine() -> Vec<VerificationRow> {
-    let mut rows = Rows { source: COOK, list: vec![] };
+    let mut rows = Rows {
+        source: COOK,
+        list: vec![],
+    };
     cook::meshes(&mut rows, &[(64, 6.9115), (128, 6.9231)]);
     rows.list
 }
@@ -55,7 +83,11 @@ fn body(problem: Problem) -> Option<Body> {
 }
 
 fn at_rest(muscle: &Muscle, spec: &BrickSpec) -> Option<Continuation<MuscleInBricks>> {
-    MuscleMesh::new(muscle, spec).ok()?.at_rest().ok().map(Continuation::new)
+    MuscleMesh::new(muscle, spec)
+        .ok()?
+        .at_rest()
+        .ok()
+        .map(Continuation::new)
 }
 
 /// The prototype in a small mesh.
@@ -68,18 +100,30 @@ fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
 /// A small mesh: as many nodes of either brick.
 fn coarse(brick: Brick) -> BrickSpec {
     let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
-    BrickSpec { brick, around, along, ..BrickSpec::default() }
+    BrickSpec {
+        brick,
+        around,
+        along,
+        ..BrickSpec::default()
+    }
 }
 
 fn tight() -> NewtonOptions {
-    NewtonOptions { tolerance: 1e-12, iterations: 30, small: 0.0, ..NewtonOptions::DEFAULT }
+    NewtonOptions {
+        tolerance: 1e-12,
+        iterations: 30,
+        small: 0.0,
+        ..NewtonOptions::DEFAULT
+    }
 }
 
 /// Solves with the terminal at `w` and the present pressure.
 fn solve(body: &mut Body, w: f64) -> Option<Effort> {
     let mut effort = Effort::default();
     body.control = Control::Length(w);
-    newton::solve(body, &tight(), &mut effort, |_| Ok(())).ok().map(|()| effort)
+    newton::solve(body, &tight(), &mut effort, |_| Ok(()))
+        .ok()
+        .map(|()| effort)
 }
 
 /// (∂F/∂P, −∂V/∂L) in mm² of the tangent.

@@ -1,4 +1,5 @@
-//! J. Numerical conduct: tangents of every law and brick, objectivity, Newton's order, steps, numbering.
+//! J. Numerical conduct: tangents of every law and brick, objectivity, Newton's order, steps,
+//! numbering.
 //!
 //! Loaded and held: a short muscle shaken at random, its length given.
 
@@ -16,7 +17,12 @@ use mckibben::rubber::Law;
 use nalgebra::{DMatrix, DVector};
 
 fn tube(half_mm: f64) -> Quarter {
-    Quarter { inner_mm: 12.0, outer_mm: 15.0, half_mm, angle_rad: 0.5 }
+    Quarter {
+        inner_mm: 12.0,
+        outer_mm: 15.0,
+        half_mm,
+        angle_rad: 0.5,
+    }
 }
 
 /// A small muscle in a random deformed state, with pressures and tensions.
@@ -25,14 +31,23 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
         (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
         (braid.stiffness, braid.compression) = (stiffness, true);
     })?;
-    let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
+    let spec = BrickSpec {
+        brick,
+        around: Some(2),
+        along: Some(2),
+        through: Some(1),
+        ..BrickSpec::default()
+    };
     let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
     let mut body = body(Problem::from_muscle(&muscle, &mesh))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = random.between(-0.3, 0.3);
     }
-    body.state.p.iter_mut().for_each(|p| *p = random.between(-0.2, 0.2));
+    body.state
+        .p
+        .iter_mut()
+        .for_each(|p| *p = random.between(-0.2, 0.2));
     body.state.terminal = 0.7;
     for &i in &body.discretisation.terminal.clone() {
         body.state.u[i as usize] = 0.7;
@@ -42,7 +57,11 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     body.residual().ok()?;
     for (t, (_, strain, _)) in body.assembled.strands.clone().into_iter().enumerate() {
         let (compliance, augment) = body.discretisation.strand[t];
-        body.state.q[t] = if compliance > 0.0 { strain / compliance } else { augment * strain };
+        body.state.q[t] = if compliance > 0.0 {
+            strain / compliance
+        } else {
+            augment * strain
+        };
     }
     Some(body)
 }
@@ -66,8 +85,9 @@ pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
 pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discretisation.clone();
-    // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible rubber the tangent holds p; what the
-    // augmentation adds to the geometric part vanishes with the defects.
+    // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible
+    // rubber the tangent holds p; what the augmentation adds to the geometric part vanishes with
+    // the defects.
     if d.materials[0].compliance > 0.0 {
         body.residual().ok()?;
         for (i, c) in body.assembled.defect.iter().enumerate() {
@@ -105,20 +125,37 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
         }
     }
     body.state.copy_from(&base);
-    let worst = product.iter().zip(&change).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let worst = product
+        .iter()
+        .zip(&change)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     Some(worst / product.amax())
 }
 
 /// Change of the energy and of the forces' size when everything is turned.
 fn objectivity(brick: Brick) -> Option<f64> {
-    let mut body = shaken(brick, rubber(), Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
+    let mut body = shaken(
+        brick,
+        rubber(),
+        Bulk::Modulus(20.0),
+        BraidStiffness::NewtonPerMm(300.0),
+    )?;
     body.state.pressure = 0.0;
     body.residual().ok()?;
     let before = body.totals;
     let size = |b: &Body| b.assembled.force.iter().map(|f| f * f).sum::<f64>().sqrt();
     let force = size(&body);
-    let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]].map(|r: [f64; 3]| r.map(|x| x / 3.0));
-    for (n, rest) in body.discretisation.problem.nodes.clone().into_iter().enumerate() {
+    let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]
+        .map(|r: [f64; 3]| r.map(|x| x / 3.0));
+    for (n, rest) in body
+        .discretisation
+        .problem
+        .nodes
+        .clone()
+        .into_iter()
+        .enumerate()
+    {
         let x: Vec<f64> = (0..3).map(|i| rest[i] + body.state.u[3 * n + i]).collect();
         for i in 0..3 {
             body.state.u[3 * n + i] = (0..3).map(|j| axis[i][j] * x[j]).sum::<f64>() - rest[i];
@@ -151,7 +188,12 @@ fn steps(brick: Brick) -> Option<f64> {
 
 /// Relative difference of the pull with unknowns numbered backwards.
 fn numbering(brick: Brick) -> Option<f64> {
-    let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
+    let spec = BrickSpec {
+        brick,
+        around: Some(3),
+        along: Some(6),
+        ..BrickSpec::default()
+    };
     let mesh = BrickMesh::new(&tube(60.0), &spec).ok()?;
     let pull = |back: bool| {
         let mut problem = Problem::from_muscle(&Muscle::prototype(), &mesh);
@@ -168,7 +210,11 @@ fn numbering(brick: Brick) -> Option<f64> {
 
 /// Largest difference between a strand's tangent and differences of its force, over the tangent.
 fn truss() -> f64 {
-    let truss = Truss { length_mm: 3.0, stiffness_n: 200.0, compression: true };
+    let truss = Truss {
+        length_mm: 3.0,
+        stiffness_n: 200.0,
+        compression: true,
+    };
     let at = [1.9, 2.1, -1.6];
     let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
     let mut worst = 0.0_f64;
@@ -190,15 +236,35 @@ pub fn numerics(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for law in Law::examples() {
             let title = format!("{name}, {}: tangent against differences", law.name());
-            let error = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(20.0))
-                .and_then(|mut b| tangent_error(&mut b));
+            let error = shaken(
+                brick,
+                law,
+                Bulk::Modulus(20.0),
+                BraidStiffness::NewtonPerMm(20.0),
+            )
+            .and_then(|mut b| tangent_error(&mut b));
             rows.add(title, 0.0, error, 1e-8);
         }
         let title = |what: &str| format!("{name}, {what}");
-        rows.add(title("energy and forces after a rotation"), 0.0, objectivity(brick), 1e-10);
-        rows.add(title("order of Newton's last residuals (2 or more)"), 2.0, newton(brick), 0.2);
+        rows.add(
+            title("energy and forces after a rotation"),
+            0.0,
+            objectivity(brick),
+            1e-10,
+        );
+        rows.add(
+            title("order of Newton's last residuals (2 or more)"),
+            2.0,
+            newton(brick),
+            0.2,
+        );
         rows.add(title("pull after 4 and 25 steps"), 0.0, steps(brick), 1e-8);
-        rows.add(title("pull with unknowns numbered backwards"), 0.0, numbering(brick), 1e-10);
+        rows.add(
+            title("pull with unknowns numbered backwards"),
+            0.0,
+            numbering(brick),
+            1e-10,
+        );
     }
     rows.add("strand, tangent against differences", 0.0, truss(), 1e-8);
 }

@@ -1,6 +1,8 @@
-//! J. The answer does not depend on the way to it; and an equilibrium that is not stable is noticed.
+//! J. The answer does not depend on the way to it; and an equilibrium that is not stable is
+//! noticed.
 //!
-//! Loaded and held: a bonded muscle under pressure at a given length; strands that carry compression shortened without pressure.
+//! Loaded and held: a bonded muscle under pressure at a given length; strands that carry
+//! compression shortened without pressure.
 
 use super::muscle::peers;
 use super::numerics::{dense_tangent, tangent_error};
@@ -19,9 +21,11 @@ fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
     Some((walked.pull() / guessed.pull() - 1.0).abs())
 }
 
-/// The largest difference between tangent and differences at an equilibrium of an incompressible rubber.
+/// The largest difference between tangent and differences at an equilibrium of an incompressible
+/// rubber.
 fn incompressible(brick: Brick, law: Law) -> Option<f64> {
-    let muscle = changed(|tube, _| (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible))?;
+    let muscle =
+        changed(|tube, _| (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible))?;
     let mut c = at_rest(&muscle, &coarse(brick))?;
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
@@ -34,18 +38,30 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
     let values = dense_tangent(body).symmetric_eigenvalues();
-    values.iter().all(|x| x.is_finite()).then(|| values.iter().filter(|x| **x < 0.0).count())
+    values
+        .iter()
+        .all(|x| x.is_finite())
+        .then(|| values.iter().filter(|x| **x < 0.0).count())
 }
 
-/// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues) that are negative.
+/// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues)
+/// that are negative.
 fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
-    let spec = BrickSpec { around: Some(4), along: Some(12), through: Some(1), ..BrickSpec::default() };
+    let spec = BrickSpec {
+        around: Some(4),
+        along: Some(12),
+        through: Some(1),
+        ..BrickSpec::default()
+    };
     let mut c = at_rest(&peers()?, &spec)?;
     let half = c.body.bricks.discretisation.half;
     c.walk(0.0, -0.02 * half, 0.25).ok()?;
     let body = &mut c.body.bricks;
     body.factorise().ok()?;
-    let (pivots, eigenvalues) = (body.unstable_directions() as f64, negative_eigenvalues(body)? as f64);
+    let (pivots, eigenvalues) = (
+        body.unstable_directions() as f64,
+        negative_eigenvalues(body)? as f64,
+    );
     Some((c.unstable, pivots, eigenvalues))
 }
 
@@ -53,11 +69,15 @@ fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
 pub fn paths(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
-            let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
+            let title =
+                format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
             rows.add(title, 0.0, walked(brick, p, e), 1e-8);
         }
         for law in Law::examples() {
-            let title = format!("{name}, {}, incompressible: tangent against differences", law.name());
+            let title = format!(
+                "{name}, {}, incompressible: tangent against differences",
+                law.name()
+            );
             rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
@@ -65,9 +85,19 @@ pub fn paths(rows: &mut Rows) {
     let (noticed, pivots) = (stability.and_then(|f| f.0), stability.map(|f| f.1));
     let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
     rows.add(title, stability.map(|f| f.2), pivots, 0.0);
-    rows.add("the same: there are some", 1.0, pivots.map(|n| n.min(1.0)), 0.0);
+    rows.add(
+        "the same: there are some",
+        1.0,
+        pivots.map(|n| n.min(1.0)),
+        0.0,
+    );
     let title = |what: &str| format!("the same: the first unstable equilibrium is noticed, {what}");
     rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);
     let on_the_way = |e: f64| f64::from(e > 0.0 && e < 0.020_001);
-    rows.add(title("on the way"), 1.0, noticed.map(|u| on_the_way(u.contraction)), 0.0);
+    rows.add(
+        title("on the way"),
+        1.0,
+        noticed.map(|u| on_the_way(u.contraction)),
+        0.0,
+    );
 }

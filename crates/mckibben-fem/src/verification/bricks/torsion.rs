@@ -1,6 +1,8 @@
-//! D. Torsion of a solid cylinder (Rivlin 1949 \[rivlin1949\]): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
+//! D. Torsion of a solid cylinder (Rivlin 1949 \[rivlin1949\]): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 +
+//! 2 C2).
 //!
-//! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the side free.
+//! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the
+//! side free.
 
 use super::block::Block;
 use super::{body, push};
@@ -16,11 +18,18 @@ const HEIGHT: f64 = 2.0;
 
 /// Moment and axial force on the top.
 fn loads(elements: usize) -> Option<(f64, f64)> {
-    let block = Block { brick: Brick::Quadratic, elements: [elements, elements, 1] };
+    let block = Block {
+        brick: Brick::Quadratic,
+        elements: [elements, elements, 1],
+    };
     // The square becomes a disc (the elliptical map).
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);
-        [RADIUS * u * (1.0 - 0.5 * v * v).sqrt(), RADIUS * v * (1.0 - 0.5 * u * u).sqrt(), HEIGHT * z]
+        [
+            RADIUS * u * (1.0 - 0.5 * v * v).sqrt(),
+            RADIUS * v * (1.0 - 0.5 * u * u).sqrt(),
+            HEIGHT * z,
+        ]
     });
     let last = block.grid()[2] - 1;
     let mut top = Vec::new();
@@ -56,6 +65,11 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 /// The rows of D.
 pub fn torsion(rows: &mut Rows) {
     let (moment, axial) = loads(6).unzip();
-    rows.add("solid cylinder, torsion: M (N·mm)", 11.780_972_45, moment, 2e-4);
+    rows.add(
+        "solid cylinder, torsion: M (N·mm)",
+        11.780_972_45,
+        moment,
+        2e-4,
+    );
     rows.add("solid cylinder, torsion: N (N)", -0.343_611_70, axial, 2e-3);
 }

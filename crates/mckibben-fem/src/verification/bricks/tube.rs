@@ -1,6 +1,8 @@
-//! B. A thick tube under inside pressure with a given axial stretch, in bricks, and the order of mesh convergence.
+//! B. A thick tube under inside pressure with a given axial stretch, in bricks, and the order of
+//! mesh convergence.
 //!
-//! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between planes of symmetry.
+//! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between
+//! planes of symmetry.
 
 use super::block::Block;
 use super::{BRICKS, body, drive};
@@ -10,7 +12,8 @@ use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
-/// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`, `b0` and height 1 mm.
+/// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`,
+/// `b0` and height 1 mm.
 fn ring(
     brick: Brick,
     radii: (f64, f64),
@@ -19,7 +22,10 @@ fn ring(
     divisions: (usize, usize),
 ) -> Option<(f64, f64)> {
     let (through, around) = divisions;
-    let block = Block { brick, elements: [through, around, 1] };
+    let block = Block {
+        brick,
+        elements: [through, around, 1],
+    };
     let [_, nj, nk] = block.grid();
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (r, phi) = (radii.0 + x * (radii.1 - radii.0), FRAC_PI_2 * y);
@@ -33,7 +39,13 @@ fn ring(
     problem.nodes.push([0.0, 0.0, 1.0]);
     problem.freedom.push(Freedom::MOVES);
     problem.faces = brick.faces([around, 1], |a, b| block.node(0, a, b));
-    let lid = brick.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
+    let lid = brick.faces([around, 1], |a, b| {
+        if b == 0 {
+            block.node(0, a, nk - 1)
+        } else {
+            centre
+        }
+    });
     problem.faces.extend(lid);
     let mut body = body(problem)?;
     drive(&mut body, 0.0, stretch - 1.0, 2)?;
@@ -50,7 +62,12 @@ pub fn thick_tube(rows: &mut Rows) {
     for (inner, outer, stretch, exact, p, _, force) in ROWS {
         let radii = (inner, outer);
         let (radius, pull) = ring(Brick::Quadratic, radii, stretch, p, (3, 8)).unzip();
-        let title = |what| format!("27-node brick, tube {}–{} mm, λz = {stretch}: {what}", radii.0, radii.1);
+        let title = |what| {
+            format!(
+                "27-node brick, tube {}–{} mm, λz = {stretch}: {what}",
+                radii.0, radii.1
+            )
+        };
         rows.add(title("a/A"), exact, radius, 5e-5);
         rows.add(title("N − πa²p (N)"), force, pull, 1e-3);
     }
@@ -59,7 +76,14 @@ pub fn thick_tube(rows: &mut Rows) {
         let error = |n: usize| {
             ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
-        let got = error(1).zip(error(2)).map(|(coarse, fine)| (coarse / fine).log2());
-        rows.add(format!("{name}, order of convergence of a/A"), order, got, 0.1);
+        let got = error(1)
+            .zip(error(2))
+            .map(|(coarse, fine)| (coarse / fine).log2());
+        rows.add(
+            format!("{name}, order of convergence of a/A"),
+            order,
+            got,
+            0.1,
+        );
     }
 }

@@ -6,38 +6,93 @@ use mckibben::muscle::file::{parse_muscle, to_toml};
 #[test]
 fn what_the_data_cannot_tell_is_flagged() {
     // C01 and C10 act alike where the contraction is held.
-    let m =
-        muscle(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.05 }), BraidStiffness::Inextensible);
-    let isometric: Vec<DataPoint> =
-        noisy(&bench(&m, 0.0), 6.0, 5).into_iter().filter(|p| p.at.contraction == 0.1).collect();
+    let m = muscle(
+        Law::MooneyRivlin(MooneyRivlin {
+            c10_mpa: 0.1,
+            c01_mpa: 0.05,
+        }),
+        BraidStiffness::Inextensible,
+    );
+    let isometric: Vec<DataPoint> = noisy(&bench(&m, 0.0), 6.0, 5)
+        .into_iter()
+        .filter(|p| p.at.contraction == 0.1)
+        .collect();
     let fit = identified(&m, &["c10", "c01"], &isometric).unwrap();
     assert!(!fit.parameters[1].identifiable, "{:#?}", fit.parameters);
-    assert!(says(&fit, "tube.material.c01 is not identifiable"), "{:?}", fit.notes);
+    assert!(
+        says(&fit, "tube.material.c01 is not identifiable"),
+        "{:?}",
+        fit.notes
+    );
     // k of strands that do not stretch.
     let stiff = soft();
-    let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
-    let fit = identified(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5)).unwrap();
-    assert!(!fit.parameters[1].identifiable && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
+    let rigid = muscle(
+        Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }),
+        BraidStiffness::Inextensible,
+    );
+    let fit = identified(
+        &stiff,
+        &["mu", "braid.stiffness"],
+        &noisy(&bench(&rigid, 0.0), 4.0, 5),
+    )
+    .unwrap();
+    assert!(
+        !fit.parameters[1].identifiable && fit.parameters[0].identifiable,
+        "{:#?}",
+        fit.parameters
+    );
     assert!(says(&fit, "inextensible strands"), "{:?}", fit.notes);
     // One constant under two names.
-    let fit = identified(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
-    assert!(fit.parameters.iter().all(|p| !p.identifiable), "{:#?}", fit.parameters);
+    let fit = identified(
+        &stiff,
+        &["mu=0.4", "modulus"],
+        &noisy(&bench(&stiff, 0.0), 4.0, 5),
+    )
+    .unwrap();
+    assert!(
+        fit.parameters.iter().all(|p| !p.identifiable),
+        "{:#?}",
+        fit.parameters
+    );
     // What the model does not use.
-    let fit = identified(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5)).unwrap();
-    assert!(!fit.parameters[1].matters && fit.parameters[0].identifiable, "{:#?}", fit.parameters);
-    assert!(says(&fit, "friction.coefficient: it has no effect on any point"), "{:?}", fit.notes);
+    let fit = identified(
+        &stiff,
+        &["mu", "friction.c=5"],
+        &noisy(&bench(&stiff, 0.0), 4.0, 5),
+    )
+    .unwrap();
+    assert!(
+        !fit.parameters[1].matters && fit.parameters[0].identifiable,
+        "{:#?}",
+        fit.parameters
+    );
+    assert!(
+        says(&fit, "friction.coefficient: it has no effect on any point"),
+        "{:?}",
+        fit.notes
+    );
 }
 
 #[test]
 fn the_default_does_not_free_an_unidentifiable_stiffness() {
-    let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
+    let rigid = muscle(
+        Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }),
+        BraidStiffness::Inextensible,
+    );
     let points = noisy(&bench(&rigid, 0.0), 4.0, 5);
     let m = soft();
-    let stiff = muscle(m.tube().rubber.law.clone(), BraidStiffness::NewtonPerMm(1e5));
+    let stiff = muscle(
+        m.tube().rubber.law.clone(),
+        BraidStiffness::NewtonPerMm(1e5),
+    );
     let request = Request::new(&stiff, &[], &points, &thick);
     let fit = identify_default(&request).unwrap();
     assert_eq!(fit.parameters.len(), 1);
-    assert!((fit.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", fit.parameters);
+    assert!(
+        (fit.parameters[0].value - 0.3).abs() < 0.05,
+        "{:#?}",
+        fit.parameters
+    );
     assert!(says(&fit, "was not changed"), "{:?}", fit.notes);
 }
 
@@ -48,11 +103,24 @@ fn outliers_are_named_and_a_robust_loss_is_not_moved_by_them() {
     points[4].at.force_n += 120.0;
     let squares = identified(&m, &["mu"], &points).unwrap();
     let free = free(&m, &["mu"]);
-    let huber = identify(&Request { loss: Loss::Huber, ..Request::new(&m, &free, &points, &thick) }).unwrap();
-    assert!((squares.parameters[0].value - 0.3).abs() > 3.0 * (huber.parameters[0].value - 0.3).abs());
+    let huber = identify(&Request {
+        loss: Loss::Huber,
+        ..Request::new(&m, &free, &points, &thick)
+    })
+    .unwrap();
+    assert!(
+        (squares.parameters[0].value - 0.3).abs() > 3.0 * (huber.parameters[0].value - 0.3).abs()
+    );
     assert!(squares.points[4].outlier && squares.points.iter().filter(|p| p.outlier).count() == 1);
-    let note = squares.notes.iter().find(|n| n.contains("robust deviations")).unwrap();
-    assert!(note.contains("line 6 lies") && note.contains("robust loss"), "{note}");
+    let note = squares
+        .notes
+        .iter()
+        .find(|n| n.contains("robust deviations"))
+        .unwrap();
+    assert!(
+        note.contains("line 6 lies") && note.contains("robust loss"),
+        "{note}"
+    );
 }
 
 #[test]
@@ -68,7 +136,9 @@ fn data_that_cannot_be_right_get_a_sentence() {
     assert!(message(&|p| p.at.force_n /= 9.81).contains("kgf"));
     assert!(message(&|p| p.at.pressure_mpa *= 10.0).contains("name the column pressure_bar"));
     assert!(message(&|p| p.at.pressure_mpa *= 1000.0).contains("name the column pressure_kpa"));
-    assert!(message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400\u{a0}MPa"));
+    assert!(
+        message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400\u{a0}MPa")
+    );
     // A diameter that may be wrong is no reason to refuse.
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 4.0);
@@ -80,29 +150,58 @@ fn data_that_cannot_be_right_get_a_sentence() {
 fn too_few_slack_and_contradicting_points_get_a_sentence() {
     let m = soft();
     let points = bench(&m, 0.0);
-    let few = identified(&m, &["mu", "braid.stiffness"], &points[..2]).unwrap_err().to_string();
-    assert!(few.contains("2 points that pull do not determine 2 parameters: at least 3"), "{few}");
+    let few = identified(&m, &["mu", "braid.stiffness"], &points[..2])
+        .unwrap_err()
+        .to_string();
+    assert!(
+        few.contains("2 points that pull do not determine 2 parameters: at least 3"),
+        "{few}"
+    );
     let mut some = points[..4].to_vec();
     some[2].at.force_n = 0.0;
     some[3].at.force_n = -1.0;
-    let slack = identified(&m, &["mu", "braid.stiffness"], &some).unwrap_err().to_string();
-    assert!(slack.contains("(2 more points without a measured force were left out)"), "{slack}");
+    let slack = identified(&m, &["mu", "braid.stiffness"], &some)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        slack.contains("(2 more points without a measured force were left out)"),
+        "{slack}"
+    );
     let mut twice = points.clone();
-    twice.push(DataPoint { line: 17, ..twice[8] });
+    twice.push(DataPoint {
+        line: 17,
+        ..twice[8]
+    });
     twice[15].at.force_n *= 0.7;
     let fit = identified(&m, &["mu"], &twice).unwrap();
     let note = fit.notes.iter().find(|n| n.contains("contradict")).unwrap();
-    assert!(note.contains("lines 10, 17") && note.contains("column `branch`"), "{note}");
+    assert!(
+        note.contains("lines 10, 17") && note.contains("column `branch`"),
+        "{note}"
+    );
     let one = identified(&m, &["mu"], &points[7..12]).unwrap();
-    assert!(one.notes.iter().any(|n| n.contains("the same pressure")), "{:?}", one.notes);
-    assert!(one.notes.iter().all(|n| !n.contains("pattern")), "{:?}", one.notes);
+    assert!(
+        one.notes.iter().any(|n| n.contains("the same pressure")),
+        "{:?}",
+        one.notes
+    );
+    assert!(
+        one.notes.iter().all(|n| !n.contains("pattern")),
+        "{:?}",
+        one.notes
+    );
 }
 
 #[test]
 fn a_model_that_misses_in_a_pattern_is_told() {
     // Points of a muscle at 25°, an ideal angle of 22° held: smooth residuals.
     let m = soft();
-    let wrong = m.with_braid(Braid { angle_deg: 22.0, ..m.braid().clone() }).unwrap();
+    let wrong = m
+        .with_braid(Braid {
+            angle_deg: 22.0,
+            ..m.braid().clone()
+        })
+        .unwrap();
     let points = curves(&m, &[0.2, 0.3, 0.4], 0.015);
     let fit = identified(&wrong, &["mu"], &points).unwrap();
     assert!(says(&fit, "follow a pattern"), "{:?}", fit.notes);
@@ -112,65 +211,133 @@ fn a_model_that_misses_in_a_pattern_is_told() {
 
 #[test]
 fn starts_bounds_and_doubles_are_checked() {
-    let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
+    let m = muscle(
+        Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }),
+        BraidStiffness::Inextensible,
+    );
     let points = bench(&m, 0.0);
     let error = |names: &[&str]| identified(&m, names, &points).unwrap_err();
     assert!(matches!(error(&[]), IdentifyError::Refused(_)));
     assert!(matches!(error(&["mu", "mu=2"]), IdentifyError::Refused(_)));
-    assert!(error(&["braid.stiffness"]).to_string().contains("write braid.stiffness=START"));
-    let outside = [Parameter { bounds: Some((0.5, 1.0)), ..free(&m, &["mu"])[0] }];
+    assert!(
+        error(&["braid.stiffness"])
+            .to_string()
+            .contains("write braid.stiffness=START")
+    );
+    let outside = [Parameter {
+        bounds: Some((0.5, 1.0)),
+        ..free(&m, &["mu"])[0]
+    }];
     let request = Request::new(&m, &outside, &points, &thick);
-    assert!(matches!(identify(&request).unwrap_err(), IdentifyError::Refused(_)));
+    assert!(matches!(
+        identify(&request).unwrap_err(),
+        IdentifyError::Refused(_)
+    ));
     // A bound that holds the truth away is reported.
     let fit = identified(&m, &["mu=0.4:0.35:1"], &points).unwrap();
-    assert!(fit.parameters[0].at_bound && !fit.parameters[0].identifiable, "{:#?}", fit.parameters);
+    assert!(
+        fit.parameters[0].at_bound && !fit.parameters[0].identifiable,
+        "{:#?}",
+        fit.parameters
+    );
     assert!(says(&fit, "is at its bound"), "{:?}", fit.notes);
 }
 
 fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
     let points = rows.iter().zip(2..);
-    points.map(|(&(bar, e, force), line)| DataPoint { line, ..pull(0.1 * bar, e, force) }).collect()
+    points
+        .map(|(&(bar, e, force), line)| DataPoint {
+            line,
+            ..pull(0.1 * bar, e, force)
+        })
+        .collect()
 }
 
-/// Tables of a bench as people sent them: forces, contractions or single points with the wrong sign.
+/// Tables of a bench as people sent them: forces, contractions or single points with the wrong
+/// sign.
 #[test]
 fn flipped_signs_are_named_and_no_modulus_comes_out() {
     let m = soft();
     let error = |rows: &[(f64, f64, f64)]| identified(&m, &["mu"], &points_of(rows)).unwrap_err();
-    let rises =
-        [(1., 0., 247.), (1., 0.05, 300.), (2., 0., 483.), (2., 0.05, 500.), (3., 0., 700.), (3., 0.1, 900.)];
+    let rises = [
+        (1., 0., 247.),
+        (1., 0.05, 300.),
+        (2., 0., 483.),
+        (2., 0.05, 500.),
+        (3., 0., 700.),
+        (3., 0.1, 900.),
+    ];
     let said = error(&rises).to_string();
     assert!(matches!(error(&rises), IdentifyError::Flipped(_)));
-    assert!(said.contains("sign of the contraction flipped, or") && said.contains("lines 2, 3"), "{said}");
-    let right =
-        [(1., 0., 247.), (1., 0.05, 150.), (2., 0., 483.), (2., 0.05, 300.), (3., 0., 724.), (3., 0.1, 300.)];
+    assert!(
+        said.contains("sign of the contraction flipped, or") && said.contains("lines 2, 3"),
+        "{said}"
+    );
+    let right = [
+        (1., 0., 247.),
+        (1., 0.05, 150.),
+        (2., 0., 483.),
+        (2., 0.05, 300.),
+        (3., 0., 724.),
+        (3., 0.1, 300.),
+    ];
     let negative = right.map(|(p, e, f)| (p, e, -f));
     let said = error(&negative).to_string();
-    assert!(said.contains("6 of the 6 points") && said.contains("sign of the force flipped?"), "{said}");
+    assert!(
+        said.contains("6 of the 6 points") && said.contains("sign of the force flipped?"),
+        "{said}"
+    );
     let shortened = right.map(|(p, e, f)| (p, -e, f));
     let said = error(&shortened).to_string();
-    assert!(said.contains("sign of the contraction flipped? None"), "{said}");
+    assert!(
+        said.contains("sign of the contraction flipped? None"),
+        "{said}"
+    );
     // One of them alone is left to the user, with its line.
     let exact = bench(&m, 0.0);
-    assert!(identified(&m, &["mu"], &exact).unwrap().notes.iter().all(|n| !n.contains("flipped")));
+    assert!(
+        identified(&m, &["mu"], &exact)
+            .unwrap()
+            .notes
+            .iter()
+            .all(|n| !n.contains("flipped"))
+    );
     let mut one = exact.clone();
     one[8].at.force_n *= -1.0;
     let notes = identified(&m, &["mu"], &one).unwrap().notes;
-    assert!(notes.iter().any(|n| n.contains("line 10") && n.contains("flipped there?")), "{notes:?}");
+    assert!(
+        notes
+            .iter()
+            .any(|n| n.contains("line 10") && n.contains("flipped there?")),
+        "{notes:?}"
+    );
     let mut one = exact;
     one[8].at.contraction *= -1.0;
     let notes = identified(&m, &["mu"], &one).unwrap().notes;
-    assert!(notes.iter().any(|n| n.contains("the contraction is below zero (line 10)")), "{notes:?}");
+    assert!(
+        notes
+            .iter()
+            .any(|n| n.contains("the contraction is below zero (line 10)")),
+        "{notes:?}"
+    );
 }
 
 /// A loop without a column of branches falls as a whole, whatever its neighbours do.
 #[test]
 fn a_loop_without_branches_is_no_flipped_sign() {
-    let m = soft().with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
+    let m = soft()
+        .with_friction(Some(Friction::power_law(60.0, 0.6)))
+        .unwrap();
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.branch = None);
     let fit = identified(&soft(), &["mu"], &points).unwrap();
-    assert!(fit.notes.iter().all(|n| !n.contains("flipped") && !n.contains("rises")), "{:?}", fit.notes);
+    assert!(
+        fit.notes
+            .iter()
+            .all(|n| !n.contains("flipped") && !n.contains("rises")),
+        "{:?}",
+        fit.notes
+    );
 }
 
 #[test]
@@ -180,7 +347,12 @@ fn a_modulus_that_falls_to_zero_is_no_result() {
     points.iter_mut().for_each(|p| p.at.force_n *= 1.8);
     let error = identified(&m, &["mu"], &points).unwrap_err();
     assert!(matches!(error, IdentifyError::NoRubber { .. }), "{error}");
-    assert!(error.to_string().contains("tube.material.mu falls towards zero"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("tube.material.mu falls towards zero"),
+        "{error}"
+    );
 }
 
 /// D0 20 mm: 6 mm are known of no muscle. 9 mm come back from the points, and are no finding.
@@ -190,9 +362,14 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
     let m = soft();
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
-    let request = Request { two_sided: true, ..Request::new(&m, &free, &points, &with_ends) };
+    let request = Request {
+        two_sided: true,
+        ..Request::new(&m, &free, &points, &with_ends)
+    };
     let fit = identify(&request).unwrap();
-    let [mu, ends] = &fit.parameters[..] else { panic!() };
+    let [mu, ends] = &fit.parameters[..] else {
+        panic!()
+    };
     assert!((ends.value - seating).abs() < 1e-5, "{ends:#?}");
     assert!(ends.implausible && !ends.identifiable && !mu.implausible);
     assert!(says(&fit, "0.3 of the outer diameter"), "{:?}", fit.notes);
@@ -208,19 +385,31 @@ fn a_constant_on_its_bound_is_the_bound() {
     let points = bench(&m, 0.0);
     let request = Request::new(&m, &free, &points, &with_ends);
     let fit = identify(&request).unwrap();
-    assert!(fit.parameters[1].at_bound && fit.parameters[1].value == 0.0, "{:#?}", fit.parameters);
-    assert!(says(&fit, "terminals.grip is at its bound, 0 mm"), "{:?}", fit.notes);
+    assert!(
+        fit.parameters[1].at_bound && fit.parameters[1].value == 0.0,
+        "{:#?}",
+        fit.parameters
+    );
+    assert!(
+        says(&fit, "terminals.grip is at its bound, 0 mm"),
+        "{:?}",
+        fit.notes
+    );
 }
 
-/// Benches with a known noise, some with both branches: their ± covers further points of the same bench at its rate.
+/// Benches with a known noise, some with both branches: their ± covers further points of the same
+/// bench at its rate.
 #[test]
 fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
     use mckibben::analysis::Evaluation;
     let plain = soft();
-    let rubbing = plain.with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
-    for (m, names) in
-        [(&plain, &["mu", "braid.stiffness"][..]), (&rubbing, &["mu", "friction.c", "friction.beta"][..])]
-    {
+    let rubbing = plain
+        .with_friction(Some(Friction::power_law(60.0, 0.6)))
+        .unwrap();
+    for (m, names) in [
+        (&plain, &["mu", "braid.stiffness"][..]),
+        (&rubbing, &["mu", "friction.c", "friction.beta"][..]),
+    ] {
         let truth = bench(m, 0.0);
         let (mut held, mut all, mut widest) = (0, 0, 0.0_f64);
         for seed in 0..60 {
@@ -229,7 +418,12 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
             let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
             for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
                 // Between the points that were fitted, inside of their range.
-                let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
+                let e = p.at.contraction
+                    + if i % 2 == 0 && p.at.contraction < 0.15 {
+                        0.02
+                    } else {
+                        0.0
+                    };
                 let noise = p.at.force_n - truth[i].at.force_n;
                 let (pressure, branch) = (p.at.pressure_mpa, p.at.direction());
                 let exact = Evaluation::new(&ThickWall::new(m), w, branch).force_n(pressure, e);
@@ -245,13 +439,22 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
             }
         }
         let share = f64::from(held as u32) / f64::from(all as u32);
-        assert!((0.93..0.985).contains(&share) && widest < 25.0, "{share} of {all}, {widest}");
+        assert!(
+            (0.93..0.985).contains(&share) && widest < 25.0,
+            "{share} of {all}, {widest}"
+        );
     }
 }
 
 fn with_bench() -> Muscle {
     let m = soft();
-    identified(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3)).unwrap().with_bench()
+    identified(
+        &m,
+        &["mu", "braid.stiffness"],
+        &noisy(&bench(&m, 0.0), 4.0, 3),
+    )
+    .unwrap()
+    .with_bench()
 }
 
 /// `[identified]` is read as it was written; with another diameter it says nothing.
@@ -259,17 +462,26 @@ fn with_bench() -> Muscle {
 fn the_bench_stands_in_the_muscle_file() {
     let muscle = with_bench();
     let b = muscle.bench().unwrap().clone();
-    assert_eq!((b.points, b.pressure_mpa, b.contraction), (15, (0.1, 0.4), (0.0, 0.2)));
-    assert_eq!((b.model.as_str(), &b.branches[..]), ("thick-wall", &[Direction::Mean][..]));
+    assert_eq!(
+        (b.points, b.pressure_mpa, b.contraction),
+        (15, (0.1, 0.4), (0.0, 0.2))
+    );
+    assert_eq!(
+        (b.model.as_str(), &b.branches[..]),
+        ("thick-wall", &[Direction::Mean][..])
+    );
     let text = to_toml(&muscle);
     let read = parse_muscle(&text).unwrap();
     assert_eq!((&read, read.bench()), (&muscle, Some(&b)));
-    let wider = parse_muscle(&text.replace("diameter = \"20 mm\"", "diameter = \"21 mm\"")).unwrap();
+    let wider =
+        parse_muscle(&text.replace("diameter = \"20 mm\"", "diameter = \"21 mm\"")).unwrap();
     assert_eq!(wider.bench(), None);
     assert!(!to_toml(&wider).contains("[identified]"));
     let wrong = |from: &str, to: &str| {
         assert!(text.contains(from), "{text}");
-        parse_muscle(&text.replacen(from, to, 1)).unwrap_err().to_string()
+        parse_muscle(&text.replacen(from, to, 1))
+            .unwrap_err()
+            .to_string()
     };
     assert!(wrong("points = 15", "points = -1").contains("identified.points"));
     assert!(wrong("branches = [\"mean\"]", "branches = [\"up\"]").contains("identified.branches"));
@@ -279,14 +491,26 @@ fn the_bench_stands_in_the_muscle_file() {
     assert!(wrong("parameters = [", "parameters = [\"more\", ").contains("identified.covariance"));
     assert!(wrong("points = 15", "").contains("identified.points is missing"));
     // c₁₁ c₂₂ < c₁₂²: no covariance.
-    let (one, rest) = text.split_once("covariance = [[").and_then(|t| t.1.split_once(',')).unwrap();
-    let smaller = format!("covariance = [[{:e},{rest}", 1e-3 * one.parse::<f64>().unwrap());
+    let (one, rest) = text
+        .split_once("covariance = [[")
+        .and_then(|t| t.1.split_once(','))
+        .unwrap();
+    let smaller = format!(
+        "covariance = [[{:e},{rest}",
+        1e-3 * one.parse::<f64>().unwrap()
+    );
     let not_one = format!("{}{smaller}", text.split_once("covariance = [[").unwrap().0);
-    assert!(parse_muscle(&not_one).unwrap_err().to_string().contains("a variance below zero"));
+    assert!(
+        parse_muscle(&not_one)
+            .unwrap_err()
+            .to_string()
+            .contains("a variance below zero")
+    );
     assert!(wrong("[identified]", "[identified]\nnonsense = 1").contains("unknown key"));
 }
 
-/// Whatever digit is changed by hand, the branch or the model: the ± is that of a muscle without test data, and that is said.
+/// Whatever digit is changed by hand, the branch or the model: the ± is that of a muscle without
+/// test data, and that is said.
 #[test]
 fn a_bench_that_was_edited_says_nothing() {
     let text = to_toml(&with_bench());
@@ -294,7 +518,10 @@ fn a_bench_that_was_edited_says_nothing() {
     let mut edited: Vec<String> = vec![];
     let mut before = ' ';
     for (at, c) in table.char_indices() {
-        let (line, here) = (table[..at].rsplit('\n').next().unwrap(), &table[at + c.len_utf8()..]);
+        let (line, here) = (
+            table[..at].rsplit('\n').next().unwrap(),
+            &table[at + c.len_utf8()..],
+        );
         let first = c.is_ascii_digit() && !before.is_ascii_alphanumeric() && !".-".contains(before);
         if first && !line.contains('#') {
             let others = ['1', '4'].into_iter().filter(|digit| *digit != c);
@@ -306,14 +533,22 @@ fn a_bench_that_was_edited_says_nothing() {
     edited.push(table.replacen("[\"mean\"]", "[]", 1));
     edited.push(table.replacen("thick-wall", "fe", 1));
     for table in edited {
-        let Ok(read) = parse_muscle(&format!("{muscle}[identified]{table}")) else { continue };
+        let Ok(read) = parse_muscle(&format!("{muscle}[identified]{table}")) else {
+            continue;
+        };
         assert_eq!(read.bench(), None, "{table}");
         let warnings = read.warnings();
-        assert!(warnings.iter().any(|w| w.contains("one of them was changed")), "{warnings:?}");
+        assert!(
+            warnings
+                .iter()
+                .any(|w| w.contains("one of them was changed")),
+            "{warnings:?}"
+        );
     }
 }
 
-/// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit lies beyond the bound, and the file can be read.
+/// A Gent muscle and points of a neo-Hookean one, without noise and with it: no limit lies beyond
+/// the bound, and the file can be read.
 #[test]
 fn chains_that_never_lock_are_said() {
     let (plain, gent) = (soft(), Law::named("gent", &[0.3, 10.0]).unwrap());
@@ -323,7 +558,11 @@ fn chains_that_never_lock_are_said() {
         let fit = identified(&m, &["mu", "jm"], &points).unwrap();
         let limit = fit.parameters[1].value;
         if limit > 100.0 {
-            assert!(limit <= 1000.0 && !fit.parameters[1].identifiable, "{:#?}", fit.parameters);
+            assert!(
+                limit <= 1000.0 && !fit.parameters[1].identifiable,
+                "{:#?}",
+                fit.parameters
+            );
             assert!(says(&fit, "law = \"neo-hookean\""), "{:?}", fit.notes);
         }
         assert!(deviation > 0.0 || limit > 100.0, "{limit}");
@@ -339,27 +578,55 @@ fn pulls_that_are_all_negative_are_named() {
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= -0.1);
     let error = identified(&m, &["mu"], &points).unwrap_err();
-    assert!(matches!(&error, IdentifyError::Flipped(said) if said.contains("lines 2, 3, 4")), "{error}");
+    assert!(
+        matches!(&error, IdentifyError::Flipped(said) if said.contains("lines 2, 3, 4")),
+        "{error}"
+    );
     assert_eq!(doubts(&m, &points).unwrap_err(), error);
     points.iter_mut().for_each(|p| p.at.force_n = 0.0);
-    assert!(doubts(&m, &points).unwrap().iter().all(|n| !n.contains("sign")));
+    assert!(
+        doubts(&m, &points)
+            .unwrap()
+            .iter()
+            .all(|n| !n.contains("sign"))
+    );
     // One far below zero makes a little below zero a question of the sign too.
     let mut points = bench(&m, 0.0);
-    points.iter_mut().zip([-0.1, -1.0, -0.1]).for_each(|(p, factor)| p.at.force_n *= factor);
-    assert!(doubts(&m, &points).unwrap()[0].contains("(lines 2, 3, 4)"), "{:?}", doubts(&m, &points));
+    points
+        .iter_mut()
+        .zip([-0.1, -1.0, -0.1])
+        .for_each(|(p, factor)| p.at.force_n *= factor);
+    assert!(
+        doubts(&m, &points).unwrap()[0].contains("(lines 2, 3, 4)"),
+        "{:?}",
+        doubts(&m, &points)
+    );
 }
 
-/// A wall of 0.1 mm with 25 MPa pulls as one of 1.5 mm with 1.7 MPa would: no rubber is so stiff, and the wall was measured wrong.
+/// A wall of 0.1 mm with 25 MPa pulls as one of 1.5 mm with 1.7 MPa would: no rubber is so stiff,
+/// and the wall was measured wrong.
 #[test]
 fn a_modulus_of_no_rubber_is_named() {
     let thin = |mu_mpa: f64| {
         let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
-        soft().with_tube(Tube { wall_mm: 0.1, rubber, ..soft().tube().clone() }).unwrap()
+        soft()
+            .with_tube(Tube {
+                wall_mm: 0.1,
+                rubber,
+                ..soft().tube().clone()
+            })
+            .unwrap()
     };
     let said = |mu_mpa: f64| {
         let fit = identified(&thin(1.0), &["mu"], &bench(&thin(mu_mpa), 0.0)).unwrap();
-        assert!((fit.parameters[0].value / mu_mpa - 1.0).abs() < 1e-3, "{:#?}", fit.parameters);
-        fit.notes.iter().any(|n| n.contains("rubbers lie between 0.005 and 20 MPa"))
+        assert!(
+            (fit.parameters[0].value / mu_mpa - 1.0).abs() < 1e-3,
+            "{:#?}",
+            fit.parameters
+        );
+        fit.notes
+            .iter()
+            .any(|n| n.contains("rubbers lie between 0.005 and 20 MPa"))
     };
     assert_eq!((said(25.0), said(2.0)), (true, false));
 }

@@ -6,8 +6,8 @@ use mckibben::model::pivoting_n_per_mm;
 const LEVER_MM: f64 = 0.6;
 const PRESLIDING_MM: f64 = 0.8;
 
-/// Loops with a minor loop inside at two pressures, a row every quarter of a millimetre: after a reversal in full sliding
-/// z = s (1 − 2 (1 − |x − x_r|/2x_s)²) up to 2 x_s, s the sign of the way.
+/// Loops with a minor loop inside at two pressures, a row every quarter of a millimetre: after a
+/// reversal in full sliding z = s (1 − 2 (1 − |x − x_r|/2x_s)²) up to 2 x_s, s the sign of the way.
 fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     const TURNS: [f64; 5] = [0.02, 0.1, 0.06, 0.09, 0.02];
     const STEP: f64 = 0.25 / 200.0;
@@ -19,18 +19,33 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
             let way = turn[1] - turn[0];
             let (sign, rows) = (way.signum(), (way.abs() / STEP).round() as usize);
             // The first branch is not after a reversal.
-            let sticks =
-                |way_mm: f64| if leg == 0 { 0.0 } else { (1.0 - 0.5 * way_mm / PRESLIDING_MM).max(0.0) };
+            let sticks = |way_mm: f64| {
+                if leg == 0 {
+                    0.0
+                } else {
+                    (1.0 - 0.5 * way_mm / PRESLIDING_MM).max(0.0)
+                }
+            };
             let state = |way_mm: f64| sign * (1.0 - 2.0 * sticks(way_mm).powi(2));
             for i in 0..rows {
                 let contraction = turn[0] + sign * STEP * i as f64;
-                let half = LEVER_MM * pivoting_n_per_mm(&model, w, pressure_mpa, contraction).unwrap();
+                let half =
+                    LEVER_MM * pivoting_n_per_mm(&model, w, pressure_mpa, contraction).unwrap();
                 let mean = model.force_n(w, pressure_mpa, contraction).unwrap();
                 let force_n = mean - half * state(0.25 * i as f64) + deviation_n * noise.next();
                 let first = out.last().is_none_or(|p| p.set != set);
                 let branch = first.then_some(Direction::Contraction);
-                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
-                out.push(DataPoint { set, line: out.len() as u64 + 2, ..DataPoint::new(at) });
+                let at = MeasuredPoint {
+                    pressure_mpa,
+                    contraction,
+                    force_n,
+                    branch,
+                };
+                out.push(DataPoint {
+                    set,
+                    line: out.len() as u64 + 2,
+                    ..DataPoint::new(at)
+                });
             }
         }
     }
@@ -40,8 +55,15 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
 fn identified(points: &[DataPoint], history: bool) -> Result<Identification, IdentifyError> {
     let m = soft();
     let parse = |text: &str| Parameter::parse(text, &m).unwrap();
-    let free = [parse("mu"), parse("friction.lever"), parse("friction.presliding")];
-    identify(&Request { history, ..Request::new(&m, &free, points, &thick) })
+    let free = [
+        parse("mu"),
+        parse("friction.lever"),
+        parse("friction.presliding"),
+    ];
+    identify(&Request {
+        history,
+        ..Request::new(&m, &free, points, &thick)
+    })
 }
 
 #[test]
@@ -49,14 +71,24 @@ fn closed_form_loops_give_the_modulus_the_lever_and_the_presliding_back() {
     let truth = [0.3, LEVER_MM, PRESLIDING_MM];
     let exact = identified(&loops(0.0, 1), true).unwrap();
     for (p, truth) in exact.parameters.iter().zip(truth) {
-        assert!((p.value / truth - 1.0).abs() < 1e-6, "{} {}", p.name, p.value);
+        assert!(
+            (p.value / truth - 1.0).abs() < 1e-6,
+            "{} {}",
+            p.name,
+            p.value
+        );
     }
     // 95 % intervals: of 30 at most 4 miss in 95 of 100 such tests.
     let mut missed = 0;
     for seed in 1..=10 {
         let fit = identified(&loops(0.5, seed), true).unwrap();
         for (p, truth) in fit.parameters.iter().zip(truth) {
-            assert!(p.identifiable && p.half_width < 0.1 * truth, "{} ± {}", p.name, p.half_width);
+            assert!(
+                p.identifiable && p.half_width < 0.1 * truth,
+                "{} ± {}",
+                p.name,
+                p.half_width
+            );
             missed += usize::from((p.value - truth).abs() > p.half_width);
         }
         assert!((fit.rms_n - 0.5).abs() < 0.06, "{}", fit.rms_n);

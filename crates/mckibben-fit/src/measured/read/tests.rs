@@ -4,14 +4,22 @@ const L0: f64 = 200.0;
 
 fn read_with(text: &str, columns: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
     let columns = Columns::parse(columns).unwrap();
-    read_points(text, &PointOptions { columns, rest_length_mm: Some(L0), log: None })
+    read_points(
+        text,
+        &PointOptions {
+            columns,
+            rest_length_mm: Some(L0),
+            log: None,
+        },
+    )
 }
 
 fn read(text: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
     read_with(text, "")
 }
 
-/// P 0.25 MPa, ε 0.1 of L0 200 mm, F 300 N, said in many ways. The units' values are those of their definitions.
+/// P 0.25 MPa, ε 0.1 of L0 200 mm, F 300 N, said in many ways. The units' values are those of their
+/// definitions.
 #[test]
 fn one_point_in_many_spellings_is_that_point() {
     for line in include_str!("spellings.txt").lines().skip(1) {
@@ -28,24 +36,44 @@ fn one_point_in_many_spellings_is_that_point() {
 #[test]
 fn columns_are_chosen_where_headings_say_nothing() {
     let text = "t,P1,P2,x,F\n0,250,7,20,300\n";
-    let (points, understood) = read_with(text, "pressure=\"P1:kPa\",contraction=\"x:mm\",force=F:N").unwrap();
+    let (points, understood) =
+        read_with(text, "pressure=\"P1:kPa\",contraction=\"x:mm\",force=F:N").unwrap();
     let at = points[0].at;
-    assert_eq!((at.pressure_mpa, at.contraction, at.force_n), (0.25, 0.1, 300.0));
+    assert_eq!(
+        (at.pressure_mpa, at.contraction, at.force_n),
+        (0.25, 0.1, 300.0)
+    );
     assert_eq!(
         understood.line(),
-        "1 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm), F → force (N); not used: t, P2"
+        "1 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm), F → force (N); not \
+         used: t, P2"
     );
-    assert_eq!(understood.columns[0].range.as_deref(), Some("0.25..0.25MPa"));
+    assert_eq!(
+        understood.columns[0].range.as_deref(),
+        Some("0.25..0.25MPa")
+    );
     // What is chosen goes before what a heading says; a table without headings is read by numbers.
     let two = "pressure_mpa,P,contraction,force_n\n1,2.5,0.1,300\n";
-    assert_eq!(read_with(two, "pressure=P:bar").unwrap().0[0].at.pressure_mpa, 0.25);
+    assert_eq!(
+        read_with(two, "pressure=P:bar").unwrap().0[0]
+            .at
+            .pressure_mpa,
+        0.25
+    );
     let numbers = "250;20;300\n300;20;400\n";
-    let (points, understood) = read_with(numbers, "pressure=#1:kPa,shortening=#2:mm,force=#3:N").unwrap();
-    assert_eq!((points.len(), points[0].line, understood.heading_line), (2, 1, None));
+    let (points, understood) =
+        read_with(numbers, "pressure=#1:kPa,shortening=#2:mm,force=#3:N").unwrap();
+    assert_eq!(
+        (points.len(), points[0].line, understood.heading_line),
+        (2, 1, None)
+    );
     // A minus before a heading turns the sign.
     let (points, understood) = read_with("p_bar,hub_mm,F\n1,20,-300\n", "force=−#3:N").unwrap();
     assert_eq!(points[0].at.force_n, 300.0);
-    assert_eq!(understood.columns[2].note.as_deref(), Some("with the opposite sign"));
+    assert_eq!(
+        understood.columns[2].note.as_deref(),
+        Some("with the opposite sign")
+    );
     // A length that is said to be the present one is, even where it does not vary.
     let (points, _) = read_with("p_bar,l,F_N\n1,180,5\n2,180,6\n", "length=l:mm").unwrap();
     assert!((points[1].at.contraction - 0.1).abs() < 1e-12);
@@ -54,21 +82,34 @@ fn columns_are_chosen_where_headings_say_nothing() {
 #[test]
 fn what_is_not_understood_is_named_with_the_way_out() {
     for line in include_str!("refused.tsv").lines().skip(1) {
-        let [text, columns, fragment] = line.split('\t').collect::<Vec<_>>()[..] else { panic!("{line}") };
-        let message = read_with(&text.replace("\\n", "\n"), columns).unwrap_err().to_string();
+        let [text, columns, fragment] = line.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("{line}")
+        };
+        let message = read_with(&text.replace("\\n", "\n"), columns)
+            .unwrap_err()
+            .to_string();
         assert!(message.contains(fragment), "{text}: {message}");
     }
     // Without a muscle there is no L0.
-    let error = read_data("p_bar,hub_mm,F_N\n1,2,3\n").unwrap_err().to_string();
+    let error = read_data("p_bar,hub_mm,F_N\n1,2,3\n")
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("`length_mm`"), "{error}");
 }
 
-/// A column whose heading says nothing of friction, one in German, and the words that the program prints.
+/// A column whose heading says nothing of friction, one in German, and the words that the program
+/// prints.
 #[test]
 fn a_branch_is_stated_or_not() {
     use Direction::{Contraction, Elongation, Mean};
     let points = |heading: &str, word: &str| {
-        read(&format!("pressure_bar,contraction,force_n,{heading}\n2,0.1,3,{word}\n")).unwrap().0[0].at.branch
+        read(&format!(
+            "pressure_bar,contraction,force_n,{heading}\n2,0.1,3,{word}\n"
+        ))
+        .unwrap()
+        .0[0]
+            .at
+            .branch
     };
     for (heading, word, branch) in [
         ("branch", "contraction", Some(Contraction)),
@@ -88,12 +129,17 @@ fn a_branch_is_stated_or_not() {
 /// The sheet that `build` writes, half of it filled in.
 #[test]
 fn rows_that_are_not_filled_in_are_left_out() {
-    let sheet = "pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n0.06,0,,contraction,220\n\
+    let sheet = "pressure_mpa,contraction,force_n,branch,distance between the clamps \
+        (mm)\n0.06,0,,contraction,220\n\
                  0.14,0,62,contraction,220\n0.2,0,,contraction,220\n0.14,0,70,elongation,220\n";
     let (points, understood) = read(sheet).unwrap();
     assert_eq!(points.iter().map(|p| p.line).collect::<Vec<_>>(), [3, 5]);
     assert_eq!((understood.rows, understood.not_filled), (2, 2));
-    assert!(understood.line().contains("; 2 not filled in and left out"), "{}", understood.line());
+    assert!(
+        understood.line().contains("; 2 not filled in and left out"),
+        "{}",
+        understood.line()
+    );
     // Of a reading of contractions it is the contraction that is blank.
     let text = "pressure_bar,contraction,force_n,measured\n1,,9,contraction\n1,0.1,9,contraction\n";
     assert_eq!(read(text).unwrap().0.len(), 1);
@@ -104,20 +150,35 @@ fn constants(set: &[&str], of: (usize, usize), file: &str) -> Result<Columns, Ta
     Columns::default().with(&set, of, file)
 }
 
-/// The pull of a testing machine at a constant pressure, from the length at which the muscle bears nothing there: L0 200, 160 at 3 bar, so that
-/// 1 − (160 + x)/200.
+/// The pull of a testing machine at a constant pressure, from the length at which the muscle bears
+/// nothing there: L0 200, 160 at 3 bar, so that 1 − (160 + x)/200.
 #[test]
 fn a_pull_at_constant_pressure_is_points() {
     let text = "\"Time\",\"Extension\",\"Load\"\n\"(s)\",\"(mm)\",\"(N)\"\n\"0.98\",\"0.5\",\"0.678\"\n\"39.01\",\"20\",\"8.637\"\n";
     let read = |set: &[&str], file: &str| {
         let columns = constants(set, (1, 2), file)?;
-        read_points(text, &PointOptions { columns, rest_length_mm: Some(L0), log: None })
+        read_points(
+            text,
+            &PointOptions {
+                columns,
+                rest_length_mm: Some(L0),
+                log: None,
+            },
+        )
     };
-    let set = ["{pressure}bar", "free_length=170mm", "free_length=16cm", "branch=elongation"];
+    let set = [
+        "{pressure}bar",
+        "free_length=170mm",
+        "free_length=16cm",
+        "branch=elongation",
+    ];
     let (points, understood) = read(&set, "a/pull_at_3_bar.csv").unwrap();
     let at = points[1].at;
     assert!((at.contraction - 0.1).abs() < 1e-12);
-    assert_eq!((at.pressure_mpa, at.force_n, at.branch), (0.3, 8.637, Some(Direction::Elongation)));
+    assert_eq!(
+        (at.pressure_mpa, at.force_n, at.branch),
+        (0.3, 8.637, Some(Direction::Elongation))
+    );
     let line = understood.line();
     for part in [
         "Extension → extension (mm, from the free length at its pressure)",
@@ -128,10 +189,19 @@ fn a_pull_at_constant_pressure_is_points() {
     }
     for (set, said) in [
         (&["pressure=3bar"][..], "free_length=250mm in `set`"),
-        (&["{pressure}bar"], "\"{pressure}bar\" gives no value for pull.csv"),
-        (&["pressure=3"], "`set`: pressure=3 has no unit; write pressure=3kPa"),
+        (
+            &["{pressure}bar"],
+            "\"{pressure}bar\" gives no value for pull.csv",
+        ),
+        (
+            &["pressure=3"],
+            "`set`: pressure=3 has no unit; write pressure=3kPa",
+        ),
         (&["pressure=3bar"; 3], "given 3 times for 2 tables"),
-        (&["colour=3bar"], "`set`: measured points have no quantity \"colour\""),
+        (
+            &["colour=3bar"],
+            "`set`: measured points have no quantity \"colour\"",
+        ),
     ] {
         let message = read(set, "pull.csv").unwrap_err().to_string();
         assert!(message.contains(said), "{message}");
@@ -147,29 +217,53 @@ fn a_pull_at_constant_pressure_is_points() {
     }
 }
 
-/// An isometric test: the load cell's log, and that of a pressure sensor whose clock is 1.37 s late and which is read less often. The pressure rises to
-/// 0.3 MPa in 5 s and falls again; the pull is 1000 N/MPa above 0.03 MPa.
+/// An isometric test: the load cell's log, and that of a pressure sensor whose clock is 1.37 s late
+/// and which is read less often. The pressure rises to 0.3 MPa in 5 s and falls again; the pull is
+/// 1000 N/MPa above 0.03 MPa.
 #[test]
 fn a_log_of_pressures_is_joined_by_time() {
     let pressure = |t: f64| 0.3 * (1.0 - (t - 5.0).abs() / 5.0);
     let rows = (0..=100)
         .map(|i| 0.1 * f64::from(i))
         .map(|t| format!("{t:.2};{:.3}\n", (1e3 * pressure(t) - 30.0).max(0.0)));
-    let text = format!("Zeit [s];Kraft [N]\n{}", rows.collect::<String>().replace('.', ","));
-    let points: Vec<(f64, f64)> =
-        (0..=50).map(|i| 0.19 * f64::from(i) + 0.15).map(|t| (t - 1.37, pressure(t))).collect();
+    let text = format!(
+        "Zeit [s];Kraft [N]\n{}",
+        rows.collect::<String>().replace('.', ",")
+    );
+    let points: Vec<(f64, f64)> = (0..=50)
+        .map(|i| 0.19 * f64::from(i) + 0.15)
+        .map(|t| (t - 1.37, pressure(t)))
+        .collect();
     let columns = constants(&["contraction=0", "branch=velocity"], (0, 1), "log.csv").unwrap();
     let read = |offset_s| {
-        let log = PressureLog { name: "p.csv".into(), points: points.clone(), offset_s };
-        read_points(&text, &PointOptions { columns: columns.clone(), rest_length_mm: None, log: Some(log) })
-            .unwrap()
+        let log = PressureLog {
+            name: "p.csv".into(),
+            points: points.clone(),
+            offset_s,
+        };
+        read_points(
+            &text,
+            &PointOptions {
+                columns: columns.clone(),
+                rest_length_mm: None,
+                log: Some(log),
+            },
+        )
+        .unwrap()
     };
     let (joined, understood) = read(None);
     for p in &joined {
         let t = 0.1 * (p.line as f64 - 2.0);
         assert!((p.at.pressure_mpa - pressure(t)).abs() < 0.006, "{p:?}");
-        let branch = if t < 4.99 { Direction::Contraction } else { Direction::Elongation };
-        assert!(p.at.branch == Some(branch) || (t - 5.0).abs() < 0.2, "{p:?}");
+        let branch = if t < 4.99 {
+            Direction::Contraction
+        } else {
+            Direction::Elongation
+        };
+        assert!(
+            p.at.branch == Some(branch) || (t - 5.0).abs() < 0.2,
+            "{p:?}"
+        );
     }
     let line = understood.line();
     for part in [
@@ -186,19 +280,37 @@ fn a_log_of_pressures_is_joined_by_time() {
 /// A loop over the contraction with noise, and a dwell at its end.
 #[test]
 fn a_log_is_cut_into_branches_by_the_sign_of_its_velocity() {
-    let values = [0.0, 0.02, 0.019, 0.05, 0.1, 0.0995, 0.1, 0.06, 0.0605, 0.03, 0.05, 0.08];
+    let values = [
+        0.0, 0.02, 0.019, 0.05, 0.1, 0.0995, 0.1, 0.06, 0.0605, 0.03, 0.05, 0.08,
+    ];
     let rows = values.map(|e| format!("3,{e},100\n")).concat();
     let columns = constants(&["branch=velocity"], (0, 1), "log.csv").unwrap();
-    let options = PointOptions { columns, ..PointOptions::default() };
-    let (points, _) = read_points(&format!("pressure_bar,contraction,force_n\n{rows}"), &options).unwrap();
-    let sign = |p: &DataPoint| if p.at.branch == Some(Direction::Contraction) { '+' } else { '-' };
+    let options = PointOptions {
+        columns,
+        ..PointOptions::default()
+    };
+    let (points, _) = read_points(
+        &format!("pressure_bar,contraction,force_n\n{rows}"),
+        &options,
+    )
+    .unwrap();
+    let sign = |p: &DataPoint| {
+        if p.at.branch == Some(Direction::Contraction) {
+            '+'
+        } else {
+            '-'
+        }
+    };
     assert_eq!(points.iter().map(sign).collect::<String>(), "+++++++---++");
 }
 
 #[test]
 fn percents_that_are_likely_ratios_are_named() {
     let note = |values: &str| {
-        let read = read(&format!("p_bar,contraction_percent,force_n\n1,0,9\n1,{values},3\n")).unwrap();
+        let read = read(&format!(
+            "p_bar,contraction_percent,force_n\n1,0,9\n1,{values},3\n"
+        ))
+        .unwrap();
         read.1.columns[1].note.clone().unwrap_or_default()
     };
     assert!(note("0.15").contains("if they are ratios"));
@@ -212,9 +324,15 @@ fn tables_of_this_program_are_read_as_ever() {
                 0.1,0.05,200,contraction,201,1,0.5,false,2,1,0.002\n0.1,0.05,200,,,,,,,,\n";
     let (points, understood) = read(text).unwrap();
     let stated = |p: &DataPoint| (p.measured, p.error, p.weight);
-    assert_eq!(stated(&points[0]), (Quantity::Contraction, Some(0.002), 0.5));
+    assert_eq!(
+        stated(&points[0]),
+        (Quantity::Contraction, Some(0.002), 0.5)
+    );
     assert_eq!(stated(&points[1]), (Quantity::Force, None, 1.0));
-    assert_eq!(understood.not_used, ["model_force_n", "residual_n", "outlier", "line", "data"]);
+    assert_eq!(
+        understood.not_used,
+        ["model_force_n", "residual_n", "outlier", "line", "data"]
+    );
     let text = "muscle,outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,start_pressure_mpa,status,cause\n\
                 0,30,3,285,28,0.1,0.05,200,0.01,ok,\n0,30,3,285,28,0.1,0.3,,0.01,not_converged,no\n\
                 1,40,3,300,28,0.1,0.05,300,0.01,ok,\n";
@@ -222,20 +340,40 @@ fn tables_of_this_program_are_read_as_ever() {
     assert_eq!((points.len(), understood.left_out), (2, 1));
     assert_eq!(points[1].section.length_mm, Some(300.0));
     let section = points[0].section;
-    assert_eq!((section.outer_diameter_mm, section.angle_deg, points[1].line), (Some(30.0), Some(28.0), 4));
-    let quantities: Vec<&str> = understood.columns.iter().map(|c| c.quantity.as_str()).collect();
-    assert_eq!(quantities[..4], ["outer_diameter", "wall", "rest_length", "angle"]);
+    assert_eq!(
+        (section.outer_diameter_mm, section.angle_deg, points[1].line),
+        (Some(30.0), Some(28.0), 4)
+    );
+    let quantities: Vec<&str> = understood
+        .columns
+        .iter()
+        .map(|c| c.quantity.as_str())
+        .collect();
+    assert_eq!(
+        quantities[..4],
+        ["outer_diameter", "wall", "rest_length", "angle"]
+    );
 }
 
-/// Volumes count where there are no pulls, and in rows that say so; a volume beside pulls is none of the reading.
+/// Volumes count where there are no pulls, and in rows that say so; a volume beside pulls is none
+/// of the reading.
 #[test]
 fn volumes_are_read_where_they_were_measured() {
     let (points, _) = read("pressure_bar,contraction_percent,Volume [mL]\n2.5,10,40\n").unwrap();
-    assert_eq!((points[0].measured, points[0].volume_mm3), (Quantity::Volume, Some(4e4)));
-    let text =
-        "pressure_mpa,contraction,force_n,volume_mm3,measured\n0.1,0,30,,force\n0.1,0.1,,5000,volume\n";
+    assert_eq!(
+        (points[0].measured, points[0].volume_mm3),
+        (Quantity::Volume, Some(4e4))
+    );
+    let text = "pressure_mpa,contraction,force_n,volume_mm3,measured\n0.1,0,30,,force\n0.1,0.1,,5000,volume\n";
     let (points, _) = read(text).unwrap();
-    assert_eq!(points.iter().map(|p| p.volume_mm3).collect::<Vec<_>>(), [None, Some(5000.0)]);
-    let (points, understood) = read("pressure_mpa,contraction,force_n,volume\n0.1,0,30,nothing\n").unwrap();
-    assert_eq!((points[0].measured, understood.not_used), (Quantity::Force, vec!["volume".to_owned()]));
+    assert_eq!(
+        points.iter().map(|p| p.volume_mm3).collect::<Vec<_>>(),
+        [None, Some(5000.0)]
+    );
+    let (points, understood) =
+        read("pressure_mpa,contraction,force_n,volume\n0.1,0,30,nothing\n").unwrap();
+    assert_eq!(
+        (points[0].measured, understood.not_used),
+        (Quantity::Force, vec!["volume".to_owned()])
+    );
 }

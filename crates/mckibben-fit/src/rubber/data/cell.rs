@@ -23,14 +23,21 @@ pub(super) struct Tests<'a> {
 
 impl Tests<'_> {
     /// Force over the area at rest, in MPa, from a value of a column at a stretch.
-    pub fn nominal_mpa(&self, row: usize, stress: &Column, measured: f64, stretch: f64) -> Result<f64> {
+    pub fn nominal_mpa(
+        &self,
+        row: usize,
+        stress: &Column,
+        measured: f64,
+        stretch: f64,
+    ) -> Result<f64> {
         let nominal_stress_mpa = match stress.meaning {
             Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
             Meaning::Force => measured / self.areas_mm2[row],
             _ => measured,
         };
         if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
-            let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
+            let expected =
+                "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
             return Err(self.table.impossible(row, stress, expected));
         }
         Ok(nominal_stress_mpa)
@@ -38,7 +45,9 @@ impl Tests<'_> {
 
     /// The mode that a row states.
     pub fn mode(&self, row: usize) -> Result<Option<Mode>> {
-        let Some((line, text)) = self.table.text(row, Meaning::Mode) else { return Ok(None) };
+        let Some((line, text)) = self.table.text(row, Meaning::Mode) else {
+            return Ok(None);
+        };
         let unknown = || TableError::word(line, "mode", text, format!("none of {}", Mode::WORDS));
         Mode::parse(text).map(Some).ok_or_else(unknown)
     }

@@ -1,6 +1,8 @@
-//! Rows of specimens that are stretched along two axes: `stretch_1`, `stretch_2` and up to two stresses, or σ1 − σ2.
+//! Rows of specimens that are stretched along two axes: `stretch_1`, `stretch_2` and up to two
+//! stresses, or σ1 − σ2.
 //!
-//! Without a mode in its row a specimen is a general one. A mode of one stretch beside a second stretch has to fit to it.
+//! Without a mode in its row a specimen is a general one. A mode of one stretch beside a second
+//! stretch has to fit to it.
 
 use super::Result;
 use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests};
@@ -26,9 +28,17 @@ impl Tests<'_> {
     pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
         let table = self.table;
         let across = table.some_numbers(Meaning::Stretch2)?;
-        let column = |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
-        let along = [column(Meaning::NominalStress)?, column(Meaning::TrueStress)?, column(Meaning::Force)?];
-        let second = [column(Meaning::NominalStress2)?, column(Meaning::TrueStress2)?];
+        let column =
+            |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
+        let along = [
+            column(Meaning::NominalStress)?,
+            column(Meaning::TrueStress)?,
+            column(Meaning::Force)?,
+        ];
+        let second = [
+            column(Meaning::NominalStress2)?,
+            column(Meaning::TrueStress2)?,
+        ];
         let differences = column(Meaning::TrueStressDifference)?;
         let has_modes = table.column(Meaning::Mode).is_some();
         let mut out = vec![];
@@ -45,8 +55,12 @@ impl Tests<'_> {
             };
             let lambda_2 = self.second_stretch(row, mode, stretch, across[row])?;
             let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {
-                let stress = columns.iter().find_map(|(column, values)| Some(((*column)?, values[row]?)));
-                stress.map(|(column, value)| self.nominal_mpa(row, column, value, along)).transpose()
+                let stress = columns
+                    .iter()
+                    .find_map(|(column, values)| Some(((*column)?, values[row]?)));
+                stress
+                    .map(|(column, value)| self.nominal_mpa(row, column, value, along))
+                    .transpose()
             };
             let before = out.len();
             if let Some(stress) = first(&along, stretch)? {
@@ -56,20 +70,26 @@ impl Tests<'_> {
                 });
             }
             match (first(&second, lambda_2)?, mode) {
-                (Some(stress), Mode::Equibiaxial) => out.push(TensionPoint::new(mode, lambda_2, stress)),
+                (Some(stress), Mode::Equibiaxial) => {
+                    out.push(TensionPoint::new(mode, lambda_2, stress))
+                }
                 // The sides of a strip in simple tension are free: a stress there is zero.
                 (None, _) | (_, Mode::Uniaxial) => {}
                 (Some(stress), _) => out.push(TensionPoint::general(lambda_2, stretch, stress)),
             }
             if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
                 if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
-                    let expected = "is not a difference of stresses that a rubber can bear; check its unit";
+                    let expected =
+                        "is not a difference of stresses that a rubber can bear; check its unit";
                     return Err(table.impossible(row, column, expected));
                 }
                 out.push(TensionPoint::from_difference(stretch, lambda_2, value));
             }
             if out.len() == before {
-                let column = along.iter().chain([&differences]).find_map(|(column, _)| *column);
+                let column = along
+                    .iter()
+                    .chain([&differences])
+                    .find_map(|(column, _)| *column);
                 let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
                 let expected = "is not a valid stress, nor is there another in its line";
                 return Err(table.impossible(row, column, expected));
@@ -79,22 +99,33 @@ impl Tests<'_> {
     }
 
     /// The second stretch of a row.
-    fn second_stretch(&self, row: usize, mode: Mode, stretch: f64, measured: Option<f64>) -> Result<f64> {
+    fn second_stretch(
+        &self,
+        row: usize,
+        mode: Mode,
+        stretch: f64,
+        measured: Option<f64>,
+    ) -> Result<f64> {
         let column = self.table.column(Meaning::Stretch2);
         let impossible = |expected| match column {
             Some(column) => self.table.impossible(row, column, expected),
             None => TableError::empty(),
         };
         if measured.is_some_and(|v| !(0.02..=LARGEST_STRETCH).contains(&v)) {
-            return Err(impossible("is not a valid stretch L/L0, which is 1 at rest and above 0"));
+            return Err(impossible(
+                "is not a valid stretch L/L0, which is 1 at rest and above 0",
+            ));
         }
         match (mode.across(stretch), measured) {
             (Some(ideal), Some(v)) if (v / ideal - 1.0).abs() > WITHIN => Err(impossible(
-                "is not the second stretch of the mode in its line (uniaxial λ^-0.5, planar 1, equibiaxial λ); call that mode general",
+                "is not the second stretch of the mode in its line (uniaxial λ^-0.5, planar 1, \
+                 equibiaxial λ); call that mode general",
             )),
             (Some(ideal), _) => Ok(ideal),
             (None, Some(v)) => Ok(v),
-            (None, None) => Err(impossible("is not a valid stretch; a general test needs both")),
+            (None, None) => Err(impossible(
+                "is not a valid stretch; a general test needs both",
+            )),
         }
     }
 }

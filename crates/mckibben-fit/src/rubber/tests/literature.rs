@@ -3,15 +3,23 @@
 use super::*;
 
 fn constants(fit: &TensionFit, form: Form) -> Vec<f64> {
-    let fitted = fit.laws.iter().find(|l| l.form == form && !l.constrained).unwrap();
+    let fitted = fit
+        .laws
+        .iter()
+        .find(|l| l.form == form && !l.constrained)
+        .unwrap();
     fitted.law.values()
 }
 
-/// X. Li, Y. Wei (2015), relative least squares of Treloar's three tests: neo-Hookean C10 0.1863; Yeoh 0.1789, −0.001219,
-/// 3.678e-5, in MPa. Ours are 0.17885, −0.0012190, 3.6773e-5: one unit of the last digit printed is allowed.
+/// X. Li, Y. Wei (2015), relative least squares of Treloar's three tests: neo-Hookean C10 0.1863;
+/// Yeoh 0.1789, −0.001219, 3.678e-5, in MPa. Ours are 0.17885, −0.0012190, 3.6773e-5: one unit of
+/// the last digit printed is allowed.
 #[test]
 fn treloars_rubber_gives_the_published_neo_hookean_and_yeoh() {
-    let relative = FitSettings { measure: Measure::Relative, ..FitSettings::default() };
+    let relative = FitSettings {
+        measure: Measure::Relative,
+        ..FitSettings::default()
+    };
     let fit = fit_tension(&shipped("treloar/tension.csv"), &relative).unwrap();
     assert!((0.5 * constants(&fit, named("neo-hookean"))[0] - 0.1863).abs() < 5e-5);
     let yeoh = constants(&fit, named("yeoh"));
@@ -20,30 +28,54 @@ fn treloars_rubber_gives_the_published_neo_hookean_and_yeoh() {
     assert!((yeoh[2] - 3.678e-5).abs() < 1e-8, "{yeoh:?}");
     // As data/treloar/README.md says, the published Mooney–Rivlin pair does not come out.
     let mooney = constants(&fit, named("mooney-rivlin"));
-    assert!((mooney[0] - 0.1788).abs() < 5e-5 && (mooney[1] - 0.0037).abs() < 5e-5, "{mooney:?}");
+    assert!(
+        (mooney[0] - 0.1788).abs() < 5e-5 && (mooney[1] - 0.0037).abs() < 5e-5,
+        "{mooney:?}"
+    );
 }
 
-/// R. W. Ogden (1972) fitted three terms to the same tests by eye: least squares must not do worse, in either measure.
+/// R. W. Ogden (1972) fitted three terms to the same tests by eye: least squares must not do worse,
+/// in either measure.
 #[test]
 fn three_terms_follow_treloars_rubber_at_least_as_well_as_those_of_ogden() {
     let data = shipped("treloar/tension.csv");
-    let published = Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] });
+    let published = Law::Ogden(Ogden {
+        terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)],
+    });
     for measure in [Measure::Absolute, Measure::Relative] {
-        let settings = FitSettings { measure, ..only(named("ogden-3")) };
+        let settings = FitSettings {
+            measure,
+            ..only(named("ogden-3"))
+        };
         let fit = fit_tension(&data, &settings).unwrap();
         let problem = Problem::new(data.clone(), measure, false, &[]);
-        let (ours, his) = (problem.squares(&fit.laws[0].law).unwrap(), problem.squares(&published).unwrap());
-        assert!(ours <= his, "{measure:?}: {ours} against {his}, {:?}", fit.laws[0].law);
+        let (ours, his) = (
+            problem.squares(&fit.laws[0].law).unwrap(),
+            problem.squares(&published).unwrap(),
+        );
+        assert!(
+            ours <= his,
+            "{measure:?}: {ours} against {his}, {:?}",
+            fit.laws[0].law
+        );
     }
 }
 
-/// L. Marechal et al. (2021), constants fitted up to 50, 100 and 200 % to the full curves. The shipped ones are thinned,
-/// which moves the neo-Hookean constant by up to 1.3 % (data/silicones/README.md); the Mooney–Rivlin constants stay within
-/// the 95 % intervals of the thinned fit.
+/// L. Marechal et al. (2021), constants fitted up to 50, 100 and 200 % to the full curves. The
+/// shipped ones are thinned, which moves the neo-Hookean constant by up to 1.3 %
+/// (data/silicones/README.md); the Mooney–Rivlin constants stay within the 95 % intervals of the
+/// thinned fit.
 #[test]
 fn silicones_give_the_published_constants() {
-    let table = format!("{}/../../data/silicones/uniaxial_fits.csv", env!("CARGO_MANIFEST_DIR"));
-    let rows: Vec<_> = csv::Reader::from_path(table).unwrap().records().map(|r| r.unwrap()).collect();
+    let table = format!(
+        "{}/../../data/silicones/uniaxial_fits.csv",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let rows: Vec<_> = csv::Reader::from_path(table)
+        .unwrap()
+        .records()
+        .map(|r| r.unwrap())
+        .collect();
     let mut compared = 0;
     for (file, name) in [
         ("dragon_skin_30", "Dragon Skin 30"),
@@ -57,18 +89,33 @@ fn silicones_give_the_published_constants() {
             let number = |i: usize| row[i].parse::<f64>().unwrap();
             let fit = fit_tension(&data, &one_or_two_constants(1.0 + number(1))).unwrap();
             let neo = 500.0 * constants(&fit, named("neo-hookean"))[0];
-            assert!((neo / number(7) - 1.0).abs() < 0.0135, "{name} to {}: {neo} kPa", number(1));
+            assert!(
+                (neo / number(7) - 1.0).abs() < 0.0135,
+                "{name} to {}: {neo} kPa",
+                number(1)
+            );
             compared += 1;
             // Ecoflex up to 50 % has three points left, too few for two constants.
-            let Some(mooney) = fit.laws.iter().find(|l| l.form == named("mooney-rivlin") && !l.constrained)
+            let Some(mooney) = fit
+                .laws
+                .iter()
+                .find(|l| l.form == named("mooney-rivlin") && !l.constrained)
             else {
-                assert_eq!((name, number(1), fit.points.len()), ("Ecoflex 00-50", 0.5, 3));
+                assert_eq!(
+                    (name, number(1), fit.points.len()),
+                    ("Ecoflex 00-50", 0.5, 3)
+                );
                 continue;
             };
             for (p, kpa) in mooney.parameters.iter().zip([number(3), number(4)]) {
-                let half = crate::least_squares::t95(fit.points.len() - 2) * p.standard_error.unwrap();
+                let half =
+                    crate::least_squares::t95(fit.points.len() - 2) * p.standard_error.unwrap();
                 let off = (p.value - 1e-3 * kpa).abs();
-                assert!(off < half, "{name} to {}: {p:?} against {kpa} kPa", number(1));
+                assert!(
+                    off < half,
+                    "{name} to {}: {p:?} against {kpa} kPa",
+                    number(1)
+                );
             }
         }
     }

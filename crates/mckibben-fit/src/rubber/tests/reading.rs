@@ -11,18 +11,36 @@ fn headings_and_units_are_understood() {
     let specimen = ["mode=planar", "area=10mm2", "gauge_length=40mm"].map(str::to_owned);
     for line in include_str!("spellings.tsv").lines().skip(1) {
         let (text, columns) = line.split_once('\t').unwrap();
-        let text = text.replace("\\n", "\n").replace("\\t", "\t").replace("\\u{feff}", "\u{feff}");
-        let columns = Columns::parse(columns).unwrap().with(&specimen, (0, 1), "test.csv").unwrap();
-        let (points, understood) = read_tests(&text, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
-        assert_eq!((understood.rows, understood.columns.len()), (1, 2 + specimen.len()), "{text}");
+        let text = text
+            .replace("\\n", "\n")
+            .replace("\\t", "\t")
+            .replace("\\u{feff}", "\u{feff}");
+        let columns = Columns::parse(columns)
+            .unwrap()
+            .with(&specimen, (0, 1), "test.csv")
+            .unwrap();
+        let (points, understood) =
+            read_tests(&text, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
+        assert_eq!(
+            (understood.rows, understood.columns.len()),
+            (1, 2 + specimen.len()),
+            "{text}"
+        );
         assert_eq!(points.len(), 1, "{text}");
         assert_eq!(points[0].mode, Mode::Planar);
-        assert!((points[0].stretch - 1.5).abs() < 1e-12, "{text}: {points:?}");
-        assert!((points[0].nominal_stress_mpa - 0.3).abs() < 1e-12, "{text}: {points:?}");
+        assert!(
+            (points[0].stretch - 1.5).abs() < 1e-12,
+            "{text}: {points:?}"
+        );
+        assert!(
+            (points[0].nominal_stress_mpa - 0.3).abs() < 1e-12,
+            "{text}: {points:?}"
+        );
     }
 }
 
-/// Three workbooks of a testing machine for three modes: each states its mode and dimensions, as constants of its table or in columns.
+/// Three workbooks of a testing machine for three modes: each states its mode and dimensions, as
+/// constants of its table or in columns.
 #[test]
 fn a_table_states_its_mode_and_its_specimen() {
     let read = |text: &str, set: &[&str]| {
@@ -38,7 +56,12 @@ fn a_table_states_its_mode_and_its_specimen() {
     let point = read(text, &["mode=biaxial"]).unwrap();
     assert_eq!((point.mode, point.stretch), (Mode::Equibiaxial, 1.5));
     assert!((point.nominal_stress_mpa - 0.3).abs() < 1e-12);
-    assert!(read(text, &["mode=bent"]).unwrap_err().to_string().contains("the mode \"bent\""));
+    assert!(
+        read(text, &["mode=bent"])
+            .unwrap_err()
+            .to_string()
+            .contains("the mode \"bent\"")
+    );
 }
 
 #[test]

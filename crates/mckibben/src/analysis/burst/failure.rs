@@ -5,7 +5,8 @@ use serde::Serialize;
 use std::fmt;
 use thiserror::Error;
 
-/// Burst pressure over allowed pressure, of strands and clamps: that of new hose for compressed air (RMA, Hose Handbook, IP-2, 2003).
+/// Burst pressure over allowed pressure, of strands and clamps: that of new hose for compressed air
+/// (RMA, Hose Handbook, IP-2, 2003).
 pub const SAFETY: f64 = 4.0;
 
 /// How a muscle fails.
@@ -23,8 +24,9 @@ pub enum FailureMode {
 }
 
 impl FailureMode {
-    /// The share of a safety factor that this failure needs: a half where the tube fails. It leaks then, and flies apart in no case; the pressure is that of
-    /// the unloaded muscle, at the widest openings, and builders use muscles up to 0.9 of it.
+    /// The share of a safety factor that this failure needs: a half where the tube fails. It leaks
+    /// then, and flies apart in no case; the pressure is that of the unloaded muscle, at the widest
+    /// openings, and builders use muscles up to 0.9 of it.
     pub fn share(self) -> f64 {
         match self {
             Self::Strands | Self::Ends => 1.0,
@@ -60,14 +62,22 @@ impl Default for Safety {
 }
 
 impl Safety {
-    /// A factor of strands and clamps; the tube has the half of it ([`FailureMode::share`]) where none is given.
+    /// A factor of strands and clamps; the tube has the half of it ([`FailureMode::share`]) where
+    /// none is given.
     pub fn new(strands: f64, tube: Option<f64>) -> Self {
-        Self { strands, tube: tube.unwrap_or(FailureMode::Mesh.share() * strands) }
+        Self {
+            strands,
+            tube: tube.unwrap_or(FailureMode::Mesh.share() * strands),
+        }
     }
 
     /// The factor of a failure.
     pub fn factor(self, mode: FailureMode) -> f64 {
-        if mode.share() < 1.0 { self.tube } else { self.strands }
+        if mode.share() < 1.0 {
+            self.tube
+        } else {
+            self.strands
+        }
     }
 }
 
@@ -100,7 +110,8 @@ pub enum NoBurst {
     Missing(&'static str),
     /// The model has no answer beyond this pressure in MPa, and nothing fails up to there.
     #[error(
-        "the model has no answer beyond {0:.3}\u{a0}MPa, and nothing fails up to there; another model may answer"
+        "the model has no answer beyond {0:.3}\u{a0}MPa, and nothing fails up to there; another \
+         model may answer"
     )]
     NoAnswerBeyond(f64),
 }
@@ -135,7 +146,15 @@ impl Burst {
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
         let (rated_mpa, safety, from_thick_wall) = (None, Safety::default(), false);
-        Self { strands: none, mesh: none, bladder: none, ends: none, rated_mpa, safety, from_thick_wall }
+        Self {
+            strands: none,
+            mesh: none,
+            bladder: none,
+            ends: none,
+            rated_mpa,
+            safety,
+            from_thick_wall,
+        }
     }
 
     /// All failure modes.
@@ -150,7 +169,10 @@ impl Burst {
 
     /// The failure that comes first, with its pressure in MPa.
     pub fn first(&self) -> Option<(FailureMode, f64)> {
-        let known = self.modes().into_iter().filter_map(|(mode, p)| Some((mode, p.mpa()?)));
+        let known = self
+            .modes()
+            .into_iter()
+            .filter_map(|(mode, p)| Some((mode, p.mpa()?)));
         known.reduce(|a, b| if b.1 < a.1 { b } else { a })
     }
 
@@ -159,13 +181,17 @@ impl Burst {
         Some(self.first()?.1)
     }
 
-    /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the fittings are rated for less.
+    /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the
+    /// fittings are rated for less.
     pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
         let factor = |mode| Some(self.safety.factor(mode)).filter(|factor| *factor > 0.0);
-        let safe =
-            self.modes().into_iter().filter_map(|(mode, p)| Some((p.mpa()? / factor(mode)?, Some(mode))));
+        let safe = self
+            .modes()
+            .into_iter()
+            .filter_map(|(mode, p)| Some((p.mpa()? / factor(mode)?, Some(mode))));
         let rated = self.rated_mpa.map(|p| (p, None));
-        safe.chain(rated).reduce(|a, b| if b.0 < a.0 { b } else { a })
+        safe.chain(rated)
+            .reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.
@@ -184,10 +210,12 @@ impl Burst {
     /// The strength of a strand in N.
     pub(super) fn strand_strength_n(muscle: &Muscle) -> Result<f64, NoBurst> {
         let strands = muscle.braid().strands.ok_or(NoBurst::Missing(
-            "the strength of the braid is not stated; give `strands` (how many) and `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            "the strength of the braid is not stated; give `strands` (how many) and \
+             `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
         ))?;
         strands.strength_n.ok_or(NoBurst::Missing(
-            "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") \
+             in [braid] of the muscle file",
         ))
     }
 }

@@ -4,16 +4,20 @@
 //!
 //!   g = 2π Rb cosθ/(N/2/b) − b d      (Rb radius of the braid now, N strands, b of them side by side on a carrier, d their diameter)
 //!
-//! and the rhombus between two families holds a circle of radius a = g/2, whatever their angle. Over that circle the wall, of thickness t now and shear modulus μ,
-//! is taken as a spherical cap of a neo-Hookean membrane, stretched alike in both directions. With φ the angle at its rim,
+//! and the rhombus between two families holds a circle of radius a = g/2, whatever their angle.
+//! Over that circle the wall, of thickness t now and shear modulus μ, is taken as a spherical cap
+//! of a neo-Hookean membrane, stretched alike in both directions. With φ the angle at its rim,
 //!
 //!   λ² = 2/(1 + cosφ),   P = 2 μ (t/a) sinφ (1 − λ⁻⁶)
 //!
-//! which has its maximum [`CAP`] · μ t/a at 103°: beyond that pressure the bulge grows without end. A wall that is thick beside the opening bends instead: the
-//! surface of an elastic half-space bulges by P a/(2μ) over a hole, as far as the wall is thick at P = 2 μ t/a, nearly the same.
+//! which has its maximum [`CAP`] · μ t/a at 103°: beyond that pressure the bulge grows without end.
+//! A wall that is thick beside the opening bends instead: the surface of an elastic half-space
+//! bulges by P a/(2μ) over a hole, as far as the wall is thick at P = 2 μ t/a, nearly the same.
 //!
-//! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7°, since an unloaded muscle passes them all; the strands keep their
-//! length here and the rubber its volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and openings differ.
+//! The opening is widest at 45°. P is the least one over the angles from that at rest to 54.7°,
+//! since an unloaded muscle passes them all; the strands keep their length here and the rubber its
+//! volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and
+//! openings differ.
 
 use super::failure::{FailurePressure, NoBurst};
 use super::radii::Radii;
@@ -30,13 +34,16 @@ const ANGLES: usize = 32;
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let Some(openings) = Openings::new(muscle) else {
         return FailurePressure::Unknown(NoBurst::Missing(
-            "the openings of the braid are not stated; give `strands`, `strand_area` and `strands_per_carrier` in [braid] of the muscle file",
+            "the openings of the braid are not stated; give `strands`, `strand_area` and \
+             `strands_per_carrier` in [braid] of the muscle file",
         ));
     };
     let first = muscle.braid().angle_rad();
     let last = NEUTRAL_ANGLE_DEG.to_radians();
     let at = |i: usize| first + (last - first) * i as f64 / ANGLES as f64;
-    let least = (0..=ANGLES).filter_map(|i| openings.pressure_mpa(at(i))).reduce(f64::min);
+    let least = (0..=ANGLES)
+        .filter_map(|i| openings.pressure_mpa(at(i)))
+        .reduce(f64::min);
     least.map_or(FailurePressure::None, FailurePressure::At)
 }
 
@@ -88,7 +95,10 @@ mod tests {
         let mut at = |phi: f64| (phi, pressure(phi));
         let start = at(1.6);
         let best = golden(1.0, start, 3.0, 60, |s| -s.1, &mut at);
-        assert!((best.1 - CAP).abs() < 1e-5 && (best.0.to_degrees() - 103.0).abs() < 0.1, "{best:?}");
+        assert!(
+            (best.1 - CAP).abs() < 1e-5 && (best.0.to_degrees() - 103.0).abs() < 0.1,
+            "{best:?}"
+        );
         // Small bulges follow the linear membrane: λ² − 1 ≈ φ²/4, P ≈ 2 φ · 3 φ²/4.
         assert!((pressure(0.01) / (1.5 * 1e-6) - 1.0).abs() < 1e-3);
     }

@@ -1,4 +1,5 @@
-//! The burst pressure of a muscle: the least pressure at which one of its parts fails, one value for each muscle and model.
+//! The burst pressure of a muscle: the least pressure at which one of its parts fails, one value
+//! for each muscle and model.
 //!
 //! | failure | at | needs |
 //! |---|---|---|
@@ -7,9 +8,11 @@
 //! | [`bladder`]: the rubber tears in the unloaded muscle | largest stretch = that at break | elongation at break |
 //! | [`ends`]: tube and braid are pulled off the plug | F(P, 0) + π Ri² P = T_clamp | the clamps' pull-off force |
 //!
-//! Measured hand-made muscles with polyester sleeves failed at a tenth of what their strands bear: the least of the four counts. All are those
-//! of new parts under a slow rise of the pressure: abrasion, fatigue and ageing are no part of them. The allowed pressure is the least of each divided by its
-//! safety factor, and at most that for which the fittings are rated. The factor is [`SAFETY`] for strands and clamps, which let go suddenly, and half of it for the tube, which
+//! Measured hand-made muscles with polyester sleeves failed at a tenth of what their strands bear:
+//! the least of the four counts. All are those of new parts under a slow rise of the pressure:
+//! abrasion, fatigue and ageing are no part of them. The allowed pressure is the least of each
+//! divided by its safety factor, and at most that for which the fittings are rated. The factor is
+//! [`SAFETY`] for strands and clamps, which let go suddenly, and half of it for the tube, which
 //! leaks ([`FailureMode::share`]).
 
 pub mod bladder;
@@ -27,13 +30,14 @@ use crate::model::ForceModel;
 /// The burst pressure of a model's muscle.
 ///
 /// # Errors
-/// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has no answer at all.
+/// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has
+/// no answer at all.
 pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
     burst_below(model, f64::INFINITY)
 }
 
-/// [`burst`], of which only failures below a pressure in MPa matter: one answer of the model says that strands or clamps bear it, and those that do are not solved
-/// for.
+/// [`burst`], of which only failures below a pressure in MPa matter: one answer of the model says
+/// that strands or clamps bear it, and those that do are not solved for.
 ///
 /// # Errors
 /// Those of [`burst`].
@@ -41,8 +45,19 @@ pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
     let muscle = model.muscle();
     let (strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
     let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model, up_to_mpa)?);
-    let least = [strands, mesh, ends].into_iter().filter_map(FailurePressure::mpa).fold(up_to_mpa, f64::min);
+    let least = [strands, mesh, ends]
+        .into_iter()
+        .filter_map(FailurePressure::mpa)
+        .fold(up_to_mpa, f64::min);
     let bladder = bladder::tearing(muscle, least)?;
     let rated_mpa = muscle.terminals().rated_pressure_mpa;
-    Ok(Burst { strands, mesh, bladder, ends, rated_mpa, safety: Safety::default(), from_thick_wall })
+    Ok(Burst {
+        strands,
+        mesh,
+        bladder,
+        ends,
+        rated_mpa,
+        safety: Safety::default(),
+        from_thick_wall,
+    })
 }

@@ -1,4 +1,5 @@
-//! The tube where the strands lie at an angle: they keep their length, or are stretched by a share, and the rubber keeps its volume.
+//! The tube where the strands lie at an angle: they keep their length, or are stretched by a share,
+//! and the rubber keeps its volume.
 
 use crate::muscle::{Muscle, StrandLay};
 
@@ -12,10 +13,14 @@ pub(super) struct Radii {
 impl Radii {
     pub(super) fn new(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        Self { lay: muscle.strand_lay(), rest_mm: (tube.outer_radius_mm(), tube.inner_radius_mm()) }
+        Self {
+            lay: muscle.strand_lay(),
+            rest_mm: (tube.outer_radius_mm(), tube.inner_radius_mm()),
+        }
     }
 
-    /// Radius of the braid in mm at an angle in radians, with strands whose length is `stretch` times that at rest.
+    /// Radius of the braid in mm at an angle in radians, with strands whose length is `stretch`
+    /// times that at rest.
     pub(super) fn braid_mm(&self, angle_rad: f64, stretch: f64) -> f64 {
         stretch * self.lay.radius_mm * angle_rad.sin() / self.lay.angle_rad.sin()
     }
@@ -33,6 +38,8 @@ impl Radii {
     pub(super) fn largest_stretch(&self, angle_rad: f64, stretch: f64) -> f64 {
         let (outer, inner) = self.tube_mm(angle_rad, stretch);
         let axial = stretch * angle_rad.cos() / self.lay.angle_rad.cos();
-        (inner / self.rest_mm.1).max(outer / self.rest_mm.0).max(axial)
+        (inner / self.rest_mm.1)
+            .max(outer / self.rest_mm.0)
+            .max(axial)
     }
 }

@@ -1,15 +1,18 @@
-//! The pressure at which a part of the blocked muscle carries what it bears, and that of its strands.
+//! The pressure at which a part of the blocked muscle carries what it bears, and that of its
+//! strands.
 //!
 //!   T(P_b, 0) = T_max,   T(P, ε) the tension of the most loaded strand, T_max its strength
 //!
-//! T is the solved one of the model that answers, so that P_b is not in proportion to it: strands stretch, the rubber carries a part of
-//! the pressure, and both change with the pressure. The contraction is 0: the blocked muscle is the worst case. An ideal muscle has
+//! T is the solved one of the model that answers, so that P_b is not in proportion to it: strands
+//! stretch, the rubber carries a part of the pressure, and both change with the pressure. The
+//! contraction is 0: the blocked muscle is the worst case. An ideal muscle has
 //!
 //!   T = P b² cosθ / (2 π N n²)     (b strand length, n turns, N strands)
 //!
-//! which falls with contraction because θ grows, and in a real one the rubber carries more of the pressure the more it is widened. A
-//! muscle that a load stretches beyond its length at rest (ε < 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says
-//! so of the answer in question.
+//! which falls with contraction because θ grows, and in a real one the rubber carries more of the
+//! pressure the more it is widened. A muscle that a load stretches beyond its length at rest (ε <
+//! 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says so of the answer in
+//! question.
 
 use super::failure::{Burst, FailurePressure, NoBurst};
 use crate::analysis::error::{AnalysisError, Result};
@@ -23,7 +26,8 @@ const TOLERANCE: f64 = 1e-10;
 /// Pressures at which no equilibrium is found are closed in on to this share.
 const EDGE: f64 = 1e-6;
 
-/// The pressure at which the strands of a model's muscle break, where they do not bear a pressure in MPa, and whether the thick-wall model gave it.
+/// The pressure at which the strands of a model's muscle break, where they do not bear a pressure
+/// in MPa, and whether the thick-wall model gave it.
 ///
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
@@ -37,7 +41,8 @@ pub fn breaking(model: &dyn ForceModel, up_to_mpa: f64) -> Result<(FailurePressu
 /// What a part carries in a state, in N; `None` of a model that does not give it.
 pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
 
-/// The pressure at which a part of the blocked muscle carries what it bears, in N, where it does not bear a pressure in MPa, and whether the thick-wall model gave it.
+/// The pressure at which a part of the blocked muscle carries what it bears, in N, where it does
+/// not bear a pressure in MPa, and whether the thick-wall model gave it.
 pub(super) fn overloaded(
     model: &dyn ForceModel,
     load: &Load<'_>,
@@ -45,15 +50,29 @@ pub(super) fn overloaded(
     up_to_mpa: f64,
 ) -> Result<(FailurePressure, bool)> {
     let answers = model.companion().unwrap_or(model);
-    let blocked = || Blocked { model: answers, workspace: Workspace::new(), load, bears };
+    let blocked = || Blocked {
+        model: answers,
+        workspace: Workspace::new(),
+        load,
+        bears,
+    };
     if up_to_mpa < HIGHEST_MPA && blocked().over(up_to_mpa).is_ok_and(|over| over < 0.0) {
         return Ok((FailurePressure::None, false));
     }
     let thick = ModelKind::ThickWall.build(model.muscle())?;
     // Of the infinitely long muscle: where the other begins to search.
-    let mut of_thick = Blocked { model: &*thick, workspace: Workspace::new(), load, bears };
+    let mut of_thick = Blocked {
+        model: &*thick,
+        workspace: Workspace::new(),
+        load,
+        bears,
+    };
     let near = of_thick.fails_near(1.0);
-    let start = if let Ok(Failure::Fails(p) | Failure::Ends(p)) = near { p } else { 1.0 };
+    let start = if let Ok(Failure::Fails(p) | Failure::Ends(p)) = near {
+        p
+    } else {
+        1.0
+    };
     match blocked().fails_near(start) {
         Err(AnalysisError::Unknown { .. }) => Ok((closed(near?, &mut of_thick), true)),
         failure => Ok((closed(failure?, &mut of_thick), false)),
@@ -66,13 +85,16 @@ enum Failure {
     Ends(f64),
 }
 
-/// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the same pressure, too.
+/// A muscle without an equilibrium has burst: where the infinitely long one has none beyond the
+/// same pressure, too.
 fn closed(failure: Failure, thick: &mut Blocked<'_>) -> FailurePressure {
     const BEYOND: f64 = 1.1;
     match failure {
         Failure::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
         Failure::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
-            Ok(over) if over < 0.0 => FailurePressure::Unknown(NoBurst::NoAnswerBeyond(pressure_mpa)),
+            Ok(over) if over < 0.0 => {
+                FailurePressure::Unknown(NoBurst::NoAnswerBeyond(pressure_mpa))
+            }
             _ => FailurePressure::At(pressure_mpa),
         },
     }
@@ -89,9 +111,13 @@ struct Blocked<'m> {
 impl Blocked<'_> {
     /// What it carries less what it bears, in N.
     fn over(&mut self, pressure_mpa: f64) -> Result<f64> {
-        let response = self.model.response(&mut self.workspace, pressure_mpa, 0.0)?;
-        let unknown =
-            AnalysisError::Unknown { model: self.model.info().name.to_string(), quantity: "strand tension" };
+        let response = self
+            .model
+            .response(&mut self.workspace, pressure_mpa, 0.0)?;
+        let unknown = AnalysisError::Unknown {
+            model: self.model.info().name.to_string(),
+            quantity: "strand tension",
+        };
         Ok((self.load)(&response).ok_or(unknown)? - self.bears)
     }
 
@@ -121,8 +147,13 @@ impl Blocked<'_> {
                 // The load is nearly in proportion to the pressure.
                 (None, Some((p, over))) => (p * bears / (over + bears) / STRIDE).min(p / STRIDE),
                 (Some((p, over)), None) => {
-                    let next = (p * bears / (over + bears).max(f64::MIN_POSITIVE)).min(4.0 * p) * STRIDE;
-                    let next = if next >= without { 0.5 * (p + without) } else { next };
+                    let next =
+                        (p * bears / (over + bears).max(f64::MIN_POSITIVE)).min(4.0 * p) * STRIDE;
+                    let next = if next >= without {
+                        0.5 * (p + without)
+                    } else {
+                        next
+                    };
                     if p >= HIGHEST_MPA || without - p <= EDGE * p {
                         return Ok(Failure::Ends(p));
                     }
@@ -132,7 +163,8 @@ impl Blocked<'_> {
             };
             if p < 1e-9 {
                 // Not even without pressure.
-                let none = ModelError::NoEquilibrium("the blocked muscle has no equilibrium".into());
+                let none =
+                    ModelError::NoEquilibrium("the blocked muscle has no equilibrium".into());
                 return Err(refused.unwrap_or_else(|| none.into()));
             }
         }
@@ -140,6 +172,8 @@ impl Blocked<'_> {
 
     fn between(&mut self, low: f64, high: f64) -> Result<Failure> {
         // Both signs were found.
-        Ok(Failure::Fails(find_root(|p| self.over(p), low, high, TOLERANCE * high)?.unwrap_or(low)))
+        Ok(Failure::Fails(
+            find_root(|p| self.over(p), low, high, TOLERANCE * high)?.unwrap_or(low),
+        ))
     }
 }

@@ -3,7 +3,10 @@
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer};
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde hands over references"
+)]
 pub fn is_zero(n: &u8) -> bool {
     *n == 0
 }
@@ -19,9 +22,9 @@ pub fn name<'de, D: Deserializer<'de>>(d: D) -> Result<String, D::Error> {
     let name = String::deserialize(d)?;
     match name {
         n if n.trim().is_empty() => Err(D::Error::custom("is empty; expected a name")),
-        n if n.contains(char::is_control) => {
-            Err(D::Error::custom("contains control characters; expected a name on one line"))
-        }
+        n if n.contains(char::is_control) => Err(D::Error::custom(
+            "contains control characters; expected a name on one line",
+        )),
         n => Ok(n),
     }
 }
@@ -32,7 +35,11 @@ fn number<'de, D: Deserializer<'de>>(
     right: fn(f64) -> bool,
 ) -> Result<f64, D::Error> {
     let v = f64::deserialize(d)?;
-    if right(v) { Ok(v) } else { Err(D::Error::invalid_value(Unexpected::Float(v), &expected)) }
+    if right(v) {
+        Ok(v)
+    } else {
+        Err(D::Error::invalid_value(Unexpected::Float(v), &expected))
+    }
 }
 
 pub fn positive<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
@@ -61,5 +68,9 @@ pub fn open_interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64), D::E
 }
 
 fn ordered<E: Error>((low, high): (f64, f64)) -> Result<(f64, f64), E> {
-    if low <= high { Ok((low, high)) } else { Err(E::custom("expected [low, high] with low ≤ high")) }
+    if low <= high {
+        Ok((low, high))
+    } else {
+        Err(E::custom("expected [low, high] with low ≤ high"))
+    }
 }

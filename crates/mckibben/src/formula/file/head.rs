@@ -44,6 +44,10 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
 }
 
 pub(super) fn kind(text: &str) -> Read<Kind> {
-    let Head { format: Format::One, kind, .. } = read(text)?;
+    let Head {
+        format: Format::One,
+        kind,
+        ..
+    } = read(text)?;
     Ok(kind)
 }

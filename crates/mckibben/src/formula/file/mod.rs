@@ -69,7 +69,8 @@ impl Document {
 }
 
 impl Formula {
-    /// The formula as its file holds it, with a newline at the end. Reading it back gives the same formula to the bit.
+    /// The formula as its file holds it, with a newline at the end. Reading it back gives the same
+    /// formula to the bit.
     pub fn to_json(&self) -> String {
         text(self)
     }
@@ -81,7 +82,8 @@ impl UniversalFormula {
         universal::built_in(text)
     }
 
-    /// The formula as its file holds it, with a newline at the end. Reading it back gives the same formula to the bit.
+    /// The formula as its file holds it, with a newline at the end. Reading it back gives the same
+    /// formula to the bit.
     pub fn to_json(&self) -> String {
         text(self)
     }

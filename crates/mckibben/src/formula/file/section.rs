@@ -4,8 +4,8 @@ use super::check::{is_zero, name, up_to};
 use super::head::{Format, Kind, Read, read};
 use crate::formula::error::FormulaError;
 use crate::formula::{
-    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, Term,
-    paper_terms,
+    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance,
+    Scales, Term, paper_terms,
 };
 use serde::{Deserialize, Serialize};
 
@@ -83,22 +83,49 @@ impl Formula {
 
 /// The terms of the paper's formula as its file has them.
 pub fn paper_list(c: &Coefficients) -> Vec<PaperTerm> {
-    paper_terms(c).into_iter().map(|(name, unit, value)| PaperTerm { name, unit, value }).collect()
+    paper_terms(c)
+        .into_iter()
+        .map(|(name, unit, value)| PaperTerm { name, unit, value })
+        .collect()
 }
 
 /// The terms of a sum as its file has them.
 pub fn global_list(t: &GlobalTerms) -> Vec<GlobalTerm> {
     let one = |t: &Term| {
         let [wall_ratio, pressure, contraction, outer_diameter] = t.powers;
-        let powers = Powers { wall_ratio, pressure, contraction, outer_diameter };
-        GlobalTerm { name: t.name(), powers, unit: "MPa", value: t.value }
+        let powers = Powers {
+            wall_ratio,
+            pressure,
+            contraction,
+            outer_diameter,
+        };
+        GlobalTerm {
+            name: t.name(),
+            powers,
+            unit: "MPa",
+            value: t.value,
+        }
     };
     t.terms.iter().map(one).collect()
 }
 
 fn section<T>(file: SectionFile<T>, body: Body) -> Formula {
-    let SectionFile { name, made_for, range, errors, provenance, .. } = file;
-    Formula { name, body, made_for, range, errors, provenance }
+    let SectionFile {
+        name,
+        made_for,
+        range,
+        errors,
+        provenance,
+        ..
+    } = file;
+    Formula {
+        name,
+        body,
+        made_for,
+        range,
+        errors,
+        provenance,
+    }
 }
 
 pub fn paper(text: &str) -> Read<Formula> {
@@ -112,7 +139,11 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
     for (i, PaperTerm { name, value, .. }) in terms.iter().enumerate() {
         let unknown = || {
             let given: String = name.chars().take(40).collect();
-            FormulaError::unknown(&format!("terms[{i}].name"), &given, "A11 … A63, B11 … B63, C11 … C62")
+            FormulaError::unknown(
+                &format!("terms[{i}].name"),
+                &given,
+                "A11 … A63, B11 … B63, C11 … C62",
+            )
         };
         let (f, k, j) = place(name).ok_or_else(unknown)?;
         if given[f][k][j].replace(*value).is_some() {
@@ -125,7 +156,8 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
             for j in 0..3 {
                 let number = if f == 2 { j } else { j + 1 };
                 let optional = f == 2 && j == 0;
-                let missing = || FormulaError::missing(&format!("terms: {letter}{}{number}", k + 1));
+                let missing =
+                    || FormulaError::missing(&format!("terms: {letter}{}{number}", k + 1));
                 x[f][k][j] = match given[f][k][j] {
                     None if optional => 0.0,
                     given => given.ok_or_else(missing)?,
@@ -140,10 +172,16 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
 /// `A11` → family, k, column.
 fn place(name: &str) -> Option<(usize, usize, usize)> {
     let letters: Vec<char> = name.chars().collect();
-    let [letter, k, number] = letters.as_slice() else { return None };
+    let [letter, k, number] = letters.as_slice() else {
+        return None;
+    };
     let family = ['A', 'B', 'C'].iter().position(|l| l == letter)?;
     let (k, number) = (k.to_digit(10)? as usize, number.to_digit(10)? as usize);
-    let column = if family == 2 { number } else { number.checked_sub(1)? };
+    let column = if family == 2 {
+        number
+    } else {
+        number.checked_sub(1)?
+    };
     ((1..=6).contains(&k) && column < 3).then(|| (family, k - 1, column))
 }
 
@@ -152,8 +190,16 @@ pub fn global(text: &str) -> Read<Formula> {
     let scales = file.scales.ok_or_else(|| FormulaError::missing("scales"))?;
     let mut terms: Vec<Term> = vec![];
     for GlobalTerm { powers, value, .. } in &file.terms {
-        let Powers { wall_ratio, pressure, contraction, outer_diameter } = *powers;
-        let term = Term { powers: [wall_ratio, pressure, contraction, outer_diameter], value: *value };
+        let Powers {
+            wall_ratio,
+            pressure,
+            contraction,
+            outer_diameter,
+        } = *powers;
+        let term = Term {
+            powers: [wall_ratio, pressure, contraction, outer_diameter],
+            value: *value,
+        };
         if terms.iter().any(|t| t.powers == term.powers) {
             return Err(FormulaError::twice(&term.name()));
         }

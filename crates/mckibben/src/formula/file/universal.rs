@@ -52,16 +52,37 @@ struct EndPowers {
 
 impl EndPowers {
     fn new(form: Form, [wall, angle, third, modulus, fifth]: [u8; 5]) -> Self {
-        let common = Self { wall, angle, modulus, ..Self::default() };
+        let common = Self {
+            wall,
+            angle,
+            modulus,
+            ..Self::default()
+        };
         match form {
-            Form::Membrane => Self { slope: third, strain: fifth, ..common },
-            Form::Bulge => Self { bulge: third, shortening: fifth, ..common },
+            Form::Membrane => Self {
+                slope: third,
+                strain: fifth,
+                ..common
+            },
+            Form::Bulge => Self {
+                bulge: third,
+                shortening: fifth,
+                ..common
+            },
         }
     }
 
     /// In the order of a form's variables; `None` where another form's are given.
     fn powers(self, form: Form) -> Option<[u8; 5]> {
-        let Self { wall, angle, slope, bulge, modulus, strain, shortening } = self;
+        let Self {
+            wall,
+            angle,
+            slope,
+            bulge,
+            modulus,
+            strain,
+            shortening,
+        } = self;
         let (list, others) = match form {
             Form::Membrane => ([wall, angle, slope, modulus, strain], [bulge, shortening]),
             Form::Bulge => ([wall, angle, bulge, modulus, shortening], [slope, strain]),
@@ -103,15 +124,42 @@ pub fn built_in(text: &str) -> Read<UniversalFormula> {
 }
 
 fn formula(file: UniversalFile) -> Read<UniversalFormula> {
-    let UniversalFile { name, form, terms, range, errors, provenance, .. } = file;
-    let deficit = Deficit { form, terms: vec![] };
-    let mut formula = UniversalFormula { name, deficit, range, errors, provenance };
+    let UniversalFile {
+        name,
+        form,
+        terms,
+        range,
+        errors,
+        provenance,
+        ..
+    } = file;
+    let deficit = Deficit {
+        form,
+        terms: vec![],
+    };
+    let mut formula = UniversalFormula {
+        name,
+        deficit,
+        range,
+        errors,
+        provenance,
+    };
     for (i, EndTerm { powers, value, .. }) in terms.into_iter().enumerate() {
         let foreign = || {
-            FormulaError::new(format!("`terms[{i}].powers`: a variable that the form {form} does not have"))
+            FormulaError::new(format!(
+                "`terms[{i}].powers`: a variable that the form {form} does not have"
+            ))
         };
-        let term = UniversalTerm { powers: powers.powers(form).ok_or_else(foreign)?, value };
-        if formula.deficit.terms.iter().any(|t| t.powers == term.powers) {
+        let term = UniversalTerm {
+            powers: powers.powers(form).ok_or_else(foreign)?,
+            value,
+        };
+        if formula
+            .deficit
+            .terms
+            .iter()
+            .any(|t| t.powers == term.powers)
+        {
             return Err(FormulaError::twice(&formula.term_name(&term)));
         }
         formula.deficit.terms.push(term);

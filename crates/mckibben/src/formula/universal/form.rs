@@ -1,4 +1,5 @@
-//! What a universal formula says of an end: its form and the terms of it. [`crate::model::Universal`] computes with them.
+//! What a universal formula says of an end: its form and the terms of it.
+//! [`crate::model::Universal`] computes with them.
 
 use crate::formula::Term;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,5 @@
-//! A universal formula as a file: the terms of the end deficit, the dimensionless range, the errors, the origin.
+//! A universal formula as a file: the terms of the end deficit, the dimensionless range, the
+//! errors, the origin.
 
 mod form;
 mod range;
@@ -13,7 +14,8 @@ use super::terms::name;
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
-/// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
+/// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same
+/// pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct UniversalSummary {
@@ -92,23 +94,29 @@ impl UniversalFormula {
 
     /// A term in letters: `S N^2`.
     pub fn term_name(&self, term: &UniversalTerm) -> String {
-        name(term.powers, &self.deficit.form.letters(), |n| format!("^{n}"))
+        name(term.powers, &self.deficit.form.letters(), |n| {
+            format!("^{n}")
+        })
     }
 
     /// The equation in one line.
     pub fn equation(&self) -> String {
         let deficit = match self.deficit.form {
             Form::Membrane => {
-                "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); S = s/Ro, A = 4 sin^2(theta0), \
-                 N = sin(phi0), t = T0/(2 pi Ro s mu), M = 1/(1 + t), E = x/sqrt(1 + x^2), x = 10 (strand stretch - 1)"
+                "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); \
+                 S = s/Ro, A = 4 sin^2(theta0), \
+                 N = sin(phi0), t = T0/(2 pi Ro s mu), M = 1/(1 + t), E = x/sqrt(1 + x^2), x = 10 \
+                 (strand stretch - 1)"
             }
             Form::Bulge => {
-                "delta = Ro (1 - Ro/r) sum(value A^b B^c M^d L^e); A = 4 sin^2(theta0), B = 1 - Ro/r, \
+                "delta = Ro (1 - Ro/r) sum(value A^b B^c M^d L^e); A = 4 sin^2(theta0), B = 1 - \
+                 Ro/r, \
                  M = mu s/(P Ro + mu s), L = 1 - l"
             }
         };
         format!(
-            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and outer radius of the middle)"
+            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and \
+             outer radius of the middle)"
         )
     }
 
@@ -118,21 +126,32 @@ impl UniversalFormula {
             .deficit
             .terms
             .iter()
-            .map(|t| format!("{:+.6} {}", t.value, self.term_name(t).replace("1", "").replace(' ', "\\,")))
+            .map(|t| {
+                format!(
+                    "{:+.6} {}",
+                    t.value,
+                    self.term_name(t).replace("1", "").replace(' ', "\\,")
+                )
+            })
             .collect();
         let sum = sum.join(" ");
         let (first, rest) = match self.deficit.form {
             Form::Membrane => (
-                "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi - \\lambda}{\\lambda_s\\sin\\varphi}\\,\\mathrm{d}r + R_o(\\lambda_{s0} - \\lambda)\\frac{S}{\\sqrt{t}}",
-                "S &= s/R_o,\\quad A = 4\\sin^2\\theta_0,\\quad N = \\sin\\varphi_0,\\quad M = 1/(1+t)",
+                "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi \
+                 - \\lambda}{\\lambda_s\\sin\\varphi}\\,\\mathrm{d}r + R_o(\\lambda_{s0} \
+                 - \\lambda)\\frac{S}{\\sqrt{t}}",
+                "S &= s/R_o,\\quad A = 4\\sin^2\\theta_0,\\quad N = \\sin\\varphi_0,\\quad M = \
+                 1/(1+t)",
             ),
             Form::Bulge => (
                 "\\delta &= R_o(1 - R_o/r)",
-                "A &= 4\\sin^2\\theta_0,\\quad B = 1 - R_o/r,\\quad M = \\frac{\\mu s}{P R_o + \\mu s},\\quad L = 1 - \\lambda",
+                "A &= 4\\sin^2\\theta_0,\\quad B = 1 - R_o/r,\\quad M = \\frac{\\mu s}{P R_o \
+                 + \\mu s},\\quad L = 1 - \\lambda",
             ),
         };
         format!(
-            "\\begin{{aligned}}\nF &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - 2\\delta/L_0\\\\\n{first}\\bigl({sum}\\bigr)\\\\\n{rest}\n\\end{{aligned}}\n"
+            "\\begin{{aligned}}\nF &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - \
+             2\\delta/L_0\\\\\n{first}\\bigl({sum}\\bigr)\\\\\n{rest}\n\\end{{aligned}}\n"
         )
     }
 }
@@ -144,8 +163,14 @@ mod tests {
     #[test]
     fn the_built_in_formulas_are_read_and_written_to_the_same_text() {
         for (formula, text) in [
-            (UniversalFormula::large(), include_str!("../../../data/universal.json")),
-            (UniversalFormula::small(), include_str!("../../../data/universal-small.json")),
+            (
+                UniversalFormula::large(),
+                include_str!("../../../data/universal.json"),
+            ),
+            (
+                UniversalFormula::small(),
+                include_str!("../../../data/universal-small.json"),
+            ),
         ] {
             assert_eq!(formula.unwrap().to_json(), text);
         }
@@ -165,7 +190,9 @@ mod tests {
             ("\"left_out\"", "\"leftout\"", "errors.left_out"),
         ] {
             assert!(text.contains(from), "{from}");
-            let error = crate::formula::Document::parse(&text.replace(from, to)).unwrap_err().to_string();
+            let error = crate::formula::Document::parse(&text.replace(from, to))
+                .unwrap_err()
+                .to_string();
             assert!(error.contains(says), "{error}");
         }
     }

@@ -39,13 +39,16 @@ fn c01_share() -> (f64, f64) {
 }
 
 impl UniversalRange {
-    /// Highest pressure of a muscle in MPa: by P/μ, and by the strain P D0/(4 sin²θ0 k) of its strands.
+    /// Highest pressure of a muscle in MPa: by P/μ, and by the strain P D0/(4 sin²θ0 k) of its
+    /// strands.
     pub fn highest_pressure_mpa(&self, muscle: &Muscle) -> f64 {
         let by_rubber = self.pressure_per_modulus.1 * muscle.rubber().law.shear_modulus_mpa();
         let sin = muscle.braid().angle_rad().sin();
         let by_braid = muscle
             .family_stiffness_n_per_mm()
-            .map_or(f64::INFINITY, |k| 4.0 * sin * sin * k * self.strand_strain / muscle.outer_diameter_mm());
+            .map_or(f64::INFINITY, |k| {
+                4.0 * sin * sin * k * self.strand_strain / muscle.outer_diameter_mm()
+            });
         by_rubber.min(by_braid)
     }
 }

@@ -4,14 +4,18 @@ use crate::analysis::{Evaluation, Result};
 use crate::liquid::LiquidSupply;
 
 impl Evaluation<'_> {
-    /// Liquid from rest (ε = 0, no pressure, filled without air) to (P, ε): ΔV in mm³ at atmospheric pressure
-    /// ([`Liquid::pushed_mm3`](crate::liquid::Liquid::pushed_mm3)).
+    /// Liquid from rest (ε = 0, no pressure, filled without air) to (P, ε): ΔV in mm³ at
+    /// atmospheric pressure ([`Liquid::pushed_mm3`](crate::liquid::Liquid::pushed_mm3)).
     ///
     /// # Errors
-    /// [`AnalysisError::Unknown`](crate::analysis::AnalysisError::Unknown) for a model without volume; the model's own errors.
+    /// [`AnalysisError::Unknown`](crate::analysis::AnalysisError::Unknown) for a model without
+    /// volume; the model's own errors.
     pub fn liquid_per_stroke_mm3(
         &mut self,
-        LiquidSupply { liquid, dead_volume_mm3 }: &LiquidSupply,
+        LiquidSupply {
+            liquid,
+            dead_volume_mm3,
+        }: &LiquidSupply,
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<f64> {

@@ -1,10 +1,12 @@
-//! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at which it is held.
+//! The way of a muscle that is filled: at its length at rest, with its load, at the contraction at
+//! which it is held.
 
 use super::filling::Filling;
 use crate::analysis::{Evaluation, Result, Sweep};
 use crate::model::gauss;
 
-/// Parts into which a leg of the way is cut in search of the volume; they grow with the distance from its start.
+/// Parts into which a leg of the way is cut in search of the volume; they grow with the distance
+/// from its start.
 const STEPS: usize = 16;
 /// Points of Gauss on a leg.
 const POINTS: usize = 12;
@@ -28,7 +30,9 @@ pub(super) struct Way<'a> {
 
 impl Way<'_> {
     pub(super) fn load_n(&self, contraction: f64) -> f64 {
-        self.filling.load.map_or(0.0, |load| load.force_n(contraction * self.length_mm))
+        self.filling
+            .load
+            .map_or(0.0, |load| load.force_n(contraction * self.length_mm))
     }
 
     /// (P, ε) at a place of a leg.
@@ -43,7 +47,11 @@ impl Way<'_> {
     pub(super) fn pushed_mm3(&mut self, leg: Leg, at: f64) -> Result<f64> {
         let (p, e) = self.place(leg, at)?;
         let cavity_mm3 = self.evaluation.cavity_mm3(p, e)?;
-        Ok(self.filling.liquid.pushed_mm3((self.rest_mm3, cavity_mm3), self.filling.dead_volume_mm3, p))
+        Ok(self.filling.liquid.pushed_mm3(
+            (self.rest_mm3, cavity_mm3),
+            self.filling.dead_volume_mm3,
+            p,
+        ))
     }
 
     /// The place of a leg at which the volume is in; else the last one with an answer.
@@ -53,7 +61,8 @@ impl Way<'_> {
         }
         let wanted_mm3 = self.filling.volume_mm3;
         let place = |share: f64| from + (to - from) * share;
-        let excess = |share| -> Result<f64> { Ok(self.pushed_mm3(leg, place(share))? - wanted_mm3) };
+        let excess =
+            |share| -> Result<f64> { Ok(self.pushed_mm3(leg, place(share))? - wanted_mm3) };
         let mut sweep = Sweep::new(true, 0.0, excess);
         // More than the volume may be in from the start of the leg on.
         if sweep.sample(0.0)?.is_some_and(|excess| excess >= 0.0) {
@@ -82,8 +91,8 @@ impl Way<'_> {
                     Leg::At(_) => slopes.volume_by_pressure,
                     Leg::Load => {
                         let load = self.filling.load;
-                        let held =
-                            slopes.stiffness + load.map_or(0.0, |l| l.slope_n_per_mm(e * self.length_mm));
+                        let held = slopes.stiffness
+                            + load.map_or(0.0, |l| l.slope_n_per_mm(e * self.length_mm));
                         let pressure = held * self.length_mm / slopes.force_by_pressure;
                         slopes.volume_by_contraction + slopes.volume_by_pressure * pressure
                     }
@@ -118,7 +127,8 @@ impl Slopes {
         let volume_by_contraction = match r.volume_per_contraction_mm3 {
             Some(slope) => slope,
             None => {
-                (evaluation.cavity_mm3(p, e + STEP)? - evaluation.cavity_mm3(p, e - STEP)?) / (2.0 * STEP)
+                (evaluation.cavity_mm3(p, e + STEP)? - evaluation.cavity_mm3(p, e - STEP)?)
+                    / (2.0 * STEP)
             }
         };
         Ok(Self {

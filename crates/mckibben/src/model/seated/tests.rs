@@ -11,10 +11,14 @@ fn contraction_at_pull(model: &dyn ForceModel, force_n: f64, p: f64) -> Option<f
 }
 
 fn muscle(seating_mm: f64) -> Muscle {
-    with(Terminals { seating_mm: Some(seating_mm), ..Terminals::default() })
+    with(Terminals {
+        seating_mm: Some(seating_mm),
+        ..Terminals::default()
+    })
 }
 
-/// Seating 0 leaves every digit; δ shifts the contraction by δ/L0, in pull, volume, inverses and range.
+/// Seating 0 leaves every digit; δ shifts the contraction by δ/L0, in pull, volume, inverses and
+/// range.
 #[test]
 fn a_seated_muscle_is_the_same_one_contracted_by_the_seating() {
     let workspace = &mut Workspace::new();
@@ -34,11 +38,15 @@ fn a_seated_muscle_is_the_same_one_contracted_by_the_seating() {
                 assert!((exact - (e - 0.01)).abs() < 1e-9);
             }
         }
-        assert!((gives.info().range.contraction.1 - (held.info().range.contraction.1 - 0.01)).abs() < 1e-12);
+        assert!(
+            (gives.info().range.contraction.1 - (held.info().range.contraction.1 - 0.01)).abs()
+                < 1e-12
+        );
     }
 }
 
-/// K δ: what rigid strands lose of the blocked force of a muscle, to first order in δ; the error is of second order.
+/// K δ: what rigid strands lose of the blocked force of a muscle, to first order in δ; the error is
+/// of second order.
 #[test]
 fn the_blocked_force_falls_by_stiffness_times_seating_to_second_order() {
     let workspace = &mut Workspace::new();
@@ -57,9 +65,18 @@ fn the_blocked_force_falls_by_stiffness_times_seating_to_second_order() {
 #[test]
 fn slopes_by_seating_and_length_are_those_of_differences() {
     let workspace = &mut Workspace::new();
-    let names = ["terminals.seating".to_owned(), "tube.length".into(), "tube.wall_thickness".into()];
-    let at =
-        |m: &Muscle, w: &mut Workspace| ModelKind::ThickWall.build(m).unwrap().force_n(w, 0.25, 0.1).unwrap();
+    let names = [
+        "terminals.seating".to_owned(),
+        "tube.length".into(),
+        "tube.wall_thickness".into(),
+    ];
+    let at = |m: &Muscle, w: &mut Workspace| {
+        ModelKind::ThickWall
+            .build(m)
+            .unwrap()
+            .force_n(w, 0.25, 0.1)
+            .unwrap()
+    };
     let base = muscle(3.0);
     let longer = |h: f64| {
         let mut tube = base.tube().clone();
@@ -70,14 +87,24 @@ fn slopes_by_seating_and_length_are_those_of_differences() {
     let by_length = (at(&longer(0.1), workspace) - at(&longer(-0.1), workspace)) / 0.2;
     let model = ModelKind::ThickWall.build(&base).unwrap();
     let Some(slopes) = model.force_by(workspace, 0.25, 0.1, &names).unwrap() else {
-        let stiffness = model.response(workspace, 0.25, 0.1).unwrap().stiffness_n_per_mm.unwrap();
+        let stiffness = model
+            .response(workspace, 0.25, 0.1)
+            .unwrap()
+            .stiffness_n_per_mm
+            .unwrap();
         assert!((by_seating + stiffness).abs() < 1e-5 * stiffness);
         // The thick wall is endless: its pull depends on L0 through δ/L0 alone.
         assert!((by_length - stiffness * (3.0 / 285.0)).abs() < 1e-5 * stiffness);
         return;
     };
-    assert!((slopes[0] - by_seating).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
-    assert!((slopes[1] - by_length).abs() < 1e-5 * by_seating.abs(), "{slopes:?}");
+    assert!(
+        (slopes[0] - by_seating).abs() < 1e-5 * by_seating.abs(),
+        "{slopes:?}"
+    );
+    assert!(
+        (slopes[1] - by_length).abs() < 1e-5 * by_seating.abs(),
+        "{slopes:?}"
+    );
 }
 
 fn slipping(grip_mm: f64, slip_mm_per_n: f64) -> Muscle {
@@ -89,7 +116,8 @@ fn slipping(grip_mm: f64, slip_mm_per_n: f64) -> Muscle {
     })
 }
 
-/// The ends carry F + π Ri² P: whoever stretches the ends' spring by hand and asks the muscle between them finds the same pull.
+/// The ends carry F + π Ri² P: whoever stretches the ends' spring by hand and asks the muscle
+/// between them finds the same pull.
 #[test]
 fn slip_is_a_spring_under_the_load_of_the_plug() {
     let workspace = &mut Workspace::new();
@@ -110,7 +138,8 @@ fn slip_is_a_spring_under_the_load_of_the_plug() {
     }
 }
 
-/// K, ∂F/∂P, ∂V/∂P and ∂V/∂ε against central differences, and L0 ∂F/∂P = ∂V/∂ε, which is that of any muscle with a potential.
+/// K, ∂F/∂P, ∂V/∂P and ∂V/∂ε against central differences, and L0 ∂F/∂P = ∂V/∂ε, which is that of
+/// any muscle with a potential.
 #[test]
 fn tangents_of_slipping_ends_are_those_of_differences() {
     let workspace = &mut Workspace::new();

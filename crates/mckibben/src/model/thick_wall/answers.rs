@@ -20,7 +20,9 @@ impl ForceModel for ThickWall {
             contraction,
             force_n: s.force,
             volume_mm3: Some(PI * (s.r * s.r * l - self.wall.section()) * length),
-            volume_per_pressure_mm3_per_mpa: Some(PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p),
+            volume_per_pressure_mm3_per_mpa: Some(
+                PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p,
+            ),
             volume_per_contraction_mm3: Some(by_stretch * l_eps),
             stiffness_n_per_mm: Some(-s.force_l * l_eps / length),
             force_per_pressure_mm2: Some(s.force_p + s.force_l * l_p),
@@ -37,11 +39,14 @@ impl ForceModel for ThickWall {
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    /// In closed form where strands do not stretch, else by Newton's method for the radius. A tube pushes as hard at a lower pressure, with
-    /// its strands slack.
+    /// In closed form where strands do not stretch, else by Newton's method for the radius. A tube
+    /// pushes as hard at a lower pressure, with its strands slack.
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         if force_n < 0.0
-            || matches!(self.info.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. }))
+            || matches!(
+                self.info.muscle.terminals().end_factor,
+                Some(EndFactor::OfPressure { .. })
+            )
         {
             return None;
         }

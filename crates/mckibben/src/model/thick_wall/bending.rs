@@ -1,15 +1,19 @@
-//! Bending of the infinitely long muscle: its stiffness against small curvatures, and the load at which it buckles as a column.
+//! Bending of the infinitely long muscle: its stiffness against small curvatures, and the load at
+//! which it buckles as a column.
 //!
-//! The section stays a circle of radius r. A curvature κ of the muscle's axis gives the fibre at the angle φ the axial stretch
-//! λ (1 + κ a cosφ), with a = √((ro² + ri²)/2) (exact for the second moment of the wall's section), and the tube may widen on one side: its
-//! outer radius counts as r + β cosφ there. To second order the energy of the wall, W(λ, r) of [`super`], is per length at rest
+//! The section stays a circle of radius r. A curvature κ of the muscle's axis gives the fibre at
+//! the angle φ the axial stretch λ (1 + κ a cosφ), with a = √((ro² + ri²)/2) (exact for the second
+//! moment of the wall's section), and the tube may widen on one side: its outer radius counts as
+//! r + β cosφ there. To second order the energy of the wall, W(λ, r) of [`super`], is per length at
+//! rest
 //!
 //!   ½ EI κ² = min over β of  ¼ [ λ² κ² a² W_λλ + 2 κ β λ a (W_λr − W_λ/r) + β² W_rr ]
 //!
-//! The volume under the outer surface, π r² λ, does not change (Pappus). Strands slide on the tube without friction and do not follow its
-//! fibres: strands that do not slide would stiffen it.
+//! The volume under the outer surface, π r² λ, does not change (Pappus). Strands slide on the tube
+//! without friction and do not follow its fibres: strands that do not slide would stiffen it.
 //!
-//! A muscle between two joints buckles at F = π² EI/(λ² L0²) (Euler), EI here per length now. Shear is left out. Derived here; no measured muscle is known to compare with.
+//! A muscle between two joints buckles at F = π² EI/(λ² L0²) (Euler), EI here per length now. Shear
+//! is left out. Derived here; no measured muscle is known to compare with.
 
 use super::ThickWall;
 use crate::model::{ForceModel, Result};
@@ -51,7 +55,11 @@ mod tests {
         };
         let m = Muscle::prototype().with_tube(tube).unwrap();
         let stiffness = BraidStiffness::NewtonPerMm(100.0);
-        let braid = Braid { angle_deg: 60.0, stiffness, ..m.braid().clone() };
+        let braid = Braid {
+            angle_deg: 60.0,
+            stiffness,
+            ..m.braid().clone()
+        };
         ThickWall::new(&m.with_braid(braid).unwrap())
     }
 

@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 const LARGEST_STRAND_STRETCH: f64 = 1.5;
 const ITERATIONS: usize = 60;
 
-/// One equilibrium of the infinitely long muscle; derivatives in λ and P are along the equilibrium, (∂λ, ∂P).
+/// One equilibrium of the infinitely long muscle; derivatives in λ and P are along the equilibrium,
+/// (∂λ, ∂P).
 #[derive(Debug, Clone, Copy)]
 pub(in crate::model) struct State {
     pub(in crate::model) r: f64,
@@ -55,7 +56,15 @@ impl ThickWall {
         let stretch = (a * l * l + b * rb * rb).sqrt();
         let strain = stretch - 1.0;
         if strain <= 0.0 && !self.compression {
-            return BraidEnergy { w: 0.0, l: 0.0, r: 0.0, ll: 0.0, lr: 0.0, rr: 0.0, strain };
+            return BraidEnergy {
+                w: 0.0,
+                l: 0.0,
+                r: 0.0,
+                ll: 0.0,
+                lr: 0.0,
+                rr: 0.0,
+                strain,
+            };
         }
         let c = 4.0 * PI * self.rs * k;
         let (fl, fr) = (a * l / stretch, b * rb / stretch);
@@ -85,8 +94,8 @@ impl ThickWall {
         4.0 * PI * self.rs * self.cos2.sqrt() * k * Crimp::force(self.crimp.as_ref(), strain)
     }
 
-    /// Energy of wall and braid at a stretch and outer radius, and its derivatives; without the braid where strands do not
-    /// stretch.
+    /// Energy of wall and braid at a stretch and outer radius, and its derivatives; without the
+    /// braid where strands do not stretch.
     pub(in crate::model) fn energy(&self, l: f64, r: f64) -> WallEnergy {
         let w = self.wall.energy(&self.law, l, r);
         let Some(k) = self.k else { return w };
@@ -111,14 +120,22 @@ impl ThickWall {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
-            return Err(ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 });
+            return Err(ModelError::Geometry {
+                contraction,
+                lowest: 1.0 - straight,
+                highest: 1.0,
+            });
         }
         match self.k {
             Some(k) => self.extensible(k, p, l, near),
             None => {
                 let r = self.pantograph(l);
                 if self.wall.bore2(l, r) <= 0.0 {
-                    return Err(ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 });
+                    return Err(ModelError::Geometry {
+                        contraction,
+                        lowest: 1.0 - straight,
+                        highest: 1.0,
+                    });
                 }
                 let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
                 // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
@@ -131,14 +148,16 @@ impl ThickWall {
         }
     }
 
-    /// Strands that do not stretch: everything along rb(λ) = Rs √((1 − λ² cos²θ0)/sin²θ0), r = rb − t/2.
+    /// Strands that do not stretch: everything along rb(λ) = Rs √((1 − λ² cos²θ0)/sin²θ0), r = rb −
+    /// t/2.
     fn rigid(&self, p: f64, l: f64, r: f64, w: &WallEnergy, contact: f64) -> State {
         let g = self.rs * self.rs / self.sin2;
         let (rb, off) = (r + self.offset, PI * self.offset);
         let r1 = -g * self.cos2 * l / rb;
         let r2 = -(g * self.cos2 + r1 * r1) / rb;
         // −∂(π r² λ)/∂λ
-        let area = PI * g * (3.0 * l * l * self.cos2 - 1.0) + off * (2.0 * rb - self.offset + 2.0 * l * r1);
+        let area = PI * g * (3.0 * l * l * self.cos2 - 1.0)
+            + off * (2.0 * rb - self.offset + 2.0 * l * r1);
         let force = p * area + w.l + w.r * r1;
         let area_l = 2.0 * off * (2.0 * r1 + l * r2);
         let force_l = p * 6.0 * PI * g * self.cos2 * l
@@ -182,7 +201,8 @@ impl ThickWall {
         self.solve(k, p, l, lowest, highest, guess)
     }
 
-    /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the bracket.
+    /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the
+    /// bracket.
     fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State> {
         let (mut low, mut high, mut r) = (low, high, guess);
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
@@ -238,15 +258,28 @@ impl ThickWall {
                 strand_stretch: LARGEST_STRAND_STRETCH,
             });
         }
-        Err(ModelError::NotConverged { pressure_mpa: p, contraction: 1.0 - l })
+        Err(ModelError::NotConverged {
+            pressure_mpa: p,
+            contraction: 1.0 - l,
+        })
     }
 
     fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {
-        self.rs * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt() - self.offset
+        self.rs * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt()
+            - self.offset
     }
 
     #[allow(clippy::too_many_arguments)]
-    fn at(&self, k: f64, p: f64, l: f64, r: f64, w: &WallEnergy, b: &BraidEnergy, g_r: f64) -> Result<State> {
+    fn at(
+        &self,
+        k: f64,
+        p: f64,
+        l: f64,
+        r: f64,
+        w: &WallEnergy,
+        b: &BraidEnergy,
+        g_r: f64,
+    ) -> Result<State> {
         if g_r <= 0.0 {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
@@ -259,8 +292,10 @@ impl ThickWall {
         let axial = w.l + b.l;
         let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
         let stretch = 1.0 + b.strain;
-        let (strain_l, strain_r) =
-            (self.cos2 * l / stretch, self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch));
+        let (strain_l, strain_r) = (
+            self.cos2 * l / stretch,
+            self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch),
+        );
         Ok(State {
             r,
             r_by,
@@ -281,9 +316,9 @@ impl ThickWall {
 
     /// The pressure at which the pull is `force` at a stretch, with the strands taut.
     ///
-    /// ∂Π/∂r = 0 and F = ∂Π/∂λ are both linear in P; without it they leave one equation in r:
-    /// ∂(W + B)/∂λ − (r/2λ) ∂(W + B)/∂r = F, and P = ∂(W + B)/∂r/(2π r λ). `None` where Newton's method does not reach a
-    /// taut root within a few steps; the general search takes over then.
+    /// ∂Π/∂r = 0 and F = ∂Π/∂λ are both linear in P; without it they leave one equation in r: ∂(W +
+    /// B)/∂λ − (r/2λ) ∂(W + B)/∂r = F, and P = ∂(W + B)/∂r/(2π r λ). `None` where Newton's method
+    /// does not reach a taut root within a few steps; the general search takes over then.
     pub(super) fn pressure_for(&self, force: f64, l: f64) -> Option<f64> {
         let taut = self.pantograph(l);
         if l.is_nan() || l <= 0.0 || self.wall.bore2(l, taut) <= 0.0 {
@@ -313,7 +348,8 @@ impl ThickWall {
                 let w = self.wall.energy(&self.law, l, r);
                 let b = self.braid(k, l, r);
                 let p = (w.r + b.r) / (2.0 * PI * r * l);
-                let stable = w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
+                let stable =
+                    w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
                 return (b.strain > 0.0 && stable && p >= 0.0).then_some(p);
             }
         }
@@ -321,11 +357,20 @@ impl ThickWall {
     }
 
     pub(super) fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy> {
-        if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() { Ok(w) } else { Err(self.locked(l, r)) }
+        if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() {
+            Ok(w)
+        } else {
+            Err(self.locked(l, r))
+        }
     }
 
     fn locked(&self, l: f64, r: f64) -> ModelError {
-        let bore = self.wall.bore2(l, r).max(0.0).sqrt() / self.info.muscle.tube().inner_radius_mm();
-        ModelError::Locked { contraction: 1.0 - l, hoop_stretch: bore, law: self.law.name() }
+        let bore =
+            self.wall.bore2(l, r).max(0.0).sqrt() / self.info.muscle.tube().inner_radius_mm();
+        ModelError::Locked {
+            contraction: 1.0 - l,
+            hoop_stretch: bore,
+            law: self.law.name(),
+        }
     }
 }

@@ -1,19 +1,21 @@
-//! The infinitely long muscle: a thick rubber wall under a braid whose strands may stretch; exact for a long muscle.
+//! The infinitely long muscle: a thick rubber wall under a braid whose strands may stretch; exact
+//! for a long muscle.
 //!
-//! Away from the terminals the muscle is uniform. Per unit of length at rest, with λ = 1 − ε the axial stretch and r the
-//! outer radius now,
+//! Away from the terminals the muscle is uniform. Per unit of length at rest, with λ = 1 − ε the
+//! axial stretch and r the outer radius now,
 //!
 //!   Π(λ, r) = W(λ, r) + 2π Ro k (λf − 1)² − P π (r² λ − (Ro² − Ri²)),   λf² = cos²θ0 λ² + sin²θ0 (r/Ro)²
 //!
-//! W: energy of the wall ([`super::Wall`]); k: stiffness of one strand family in N/mm; strands off the surface, in a wide sleeve or with crimp
-//! as [`crate::muscle::StrandLay`] and [`crate::muscle::Crimp`] have them. One scalar equation ∂Π/∂r = 0
-//! gives r, and the pull is F = ∂Π/∂λ. Strands that do not stretch (k → ∞) keep λf = 1, r follows the pantograph, and
+//! W: energy of the wall ([`super::Wall`]); k: stiffness of one strand family in N/mm; strands off
+//! the surface, in a wide sleeve or with crimp as [`crate::muscle::StrandLay`] and
+//! [`crate::muscle::Crimp`] have them. One scalar equation ∂Π/∂r = 0 gives r, and the pull is F =
+//! ∂Π/∂λ. Strands that do not stretch (k → ∞) keep λf = 1, r follows the pantograph, and
 //!
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
-//! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
-//! that stretch.
+//! Strands carry no compression unless the braid says so: where the tube alone would not reach the
+//! braid, they are left out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020)
+//! \[soleymani2020\] for inextensible strands; derived here for strands that stretch.
 
 mod answers;
 mod bending;
@@ -32,24 +34,29 @@ use std::sync::Arc;
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "thick-wall",
     description: "energy of a long muscle: any rubber, any wall, strands that stretch",
-    source: "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch",
+    source: "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, \
+        extended here to strands that stretch",
 };
 
 /// The error over D0/L0 as a share of the blocked force, with strands that stretch and with others.
 const STRETCHING: (f64, &str) = (
     0.76,
-    "0.76 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements: the ends, which this model neglects; it mostly predicts too much pull",
+    "0.76 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 \
+     5–20, strand strain up to 6 %) against axisymmetric finite elements: the ends, which this \
+     model neglects; it mostly predicts too much pull",
 );
 const RIGID: (f64, &str) = (
     0.65,
-    "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model neglects",
+    "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 \
+     5–20) against axisymmetric finite elements with inextensible strands: the ends, which this \
+     model neglects",
 );
 
 /// The thick-wall energy model for any rubber law.
 ///
-/// Valid for long muscles: the terminals cost the paper's prototype (L0/D0 9.5) 3 % of the force at ε = 0 and 10 % at .10. The
-/// rubber is taken as incompressible. An end factor of the terminals multiplies ε in the pressure term and the wall
-/// energy alike (Tondu & Lopez 2000 \[tondu2000\]).
+/// Valid for long muscles: the terminals cost the paper's prototype (L0/D0 9.5) 3 % of the force at
+/// ε = 0 and 10 % at .10. The rubber is taken as incompressible. An end factor of the terminals
+/// multiplies ε in the pressure term and the wall energy alike (Tondu & Lopez 2000 \[tondu2000\]).
 #[derive(Debug, Clone)]
 pub struct ThickWall {
     info: ModelInfo,
@@ -112,7 +119,9 @@ impl ThickWall {
     /// Axial stretch at which the strands have their length at rest, at an outer radius.
     pub(super) fn taut_stretch(&self, r: f64) -> f64 {
         let rb = r + self.offset;
-        ((1.0 - self.sin2 * rb * rb / (self.rs * self.rs)) / self.cos2).max(0.0).sqrt()
+        ((1.0 - self.sin2 * rb * rb / (self.rs * self.rs)) / self.cos2)
+            .max(0.0)
+            .sqrt()
     }
 
     /// Its slope in the outer radius.
@@ -150,7 +159,10 @@ impl ThickWall {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let (rb, stretch) = (s.r + self.offset, 1.0 + s.strain);
-        let (sin, cos) = (self.sin2.sqrt() * rb / (self.rs * stretch), self.cos2.sqrt() * l / stretch);
+        let (sin, cos) = (
+            self.sin2.sqrt() * rb / (self.rs * stretch),
+            self.cos2.sqrt() * l / stretch,
+        );
         // pc dA per length at rest, both families: 2 q λf sin²θ/rb · 2π Rs, N·T = 4π Rs cosθ0 q.
         let pressed = s.tension / self.cos2.sqrt() * stretch * sin * sin / rb;
         let turning = sin * cos * (s.r_by[0] / rb - 1.0 / l);
@@ -169,7 +181,11 @@ impl ThickWall {
         match self.info.muscle.terminals().end_factor {
             None => (1.0 - contraction, -1.0, 0.0),
             Some(k) => {
-                let slope = if matches!(k, EndFactor::Constant(_)) { 0.0 } else { -k.slope(p) * contraction };
+                let slope = if matches!(k, EndFactor::Constant(_)) {
+                    0.0
+                } else {
+                    -k.slope(p) * contraction
+                };
                 (1.0 - k.at(p) * contraction, -k.at(p), slope)
             }
         }

@@ -1,6 +1,7 @@
 //! Energy of wall and braid at an axial stretch λ and x = r², the square of the outer radius.
 //!
-//! λf² = cos²θ0 λ² + sin²θ0 x/Ro² is linear in x, and ∂Π/∂x = ∂(W + B)/∂x − π λ P does not have P in its slope.
+//! λf² = cos²θ0 λ² + sin²θ0 x/Ro² is linear in x, and ∂Π/∂x = ∂(W + B)/∂x − π λ P does not have P
+//! in its slope.
 
 use super::ThickWall;
 use std::f64::consts::PI;

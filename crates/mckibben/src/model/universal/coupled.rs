@@ -1,12 +1,16 @@
-//! Middle and ends at once: Newton's method in λ, the radius and the stretches of both sections together.
+//! Middle and ends at once: Newton's method in λ, the radius and the stretches of both sections
+//! together.
 //!
-//! One step evaluates the energy three times: at the middle and at both sections of the membrane. Each equation is corrected to
-//! first order at its place, and δ with its slope in λ follows from the corrected values, so that the step in λ is that of Newton's method
-//! for all four. With steps below the limits here the answer has an error of their squares. It serves where the muscle
-//! pulls, the strands of the middle are taut and stretch, and the end is a membrane; `None` elsewhere, or when it does not settle: the nested
-//! search of [`super::Universal`] takes over and finds the same root.
+//! One step evaluates the energy three times: at the middle and at both sections of the membrane.
+//! Each equation is corrected to first order at its place, and δ with its slope in λ follows from
+//! the corrected values, so that the step in λ is that of Newton's method for all four. With steps
+//! below the limits here the answer has an error of their squares. It serves where the muscle
+//! pulls, the strands of the middle are taut and stretch, and the end is a membrane; `None`
+//! elsewhere, or when it does not settle: the nested search of [`super::Universal`] takes over and
+//! finds the same root.
 //!
-//! The unknown of the middle is q = λf², in which its equation is nearly linear however stiff the strands are.
+//! The unknown of the middle is q = λf², in which its equation is nearly linear however stiff the
+//! strands are.
 
 use super::Universal;
 use super::dual::Dual;
@@ -20,7 +24,8 @@ const SMALL_STEP: f64 = 4e-6;
 const SMALL_PULL: f64 = 2e-5;
 /// Step of λs that may cross the kink of strands that go slack.
 const KINK_STEP: f64 = 1e-11;
-/// Largest square of the relative steps of r² and λs with which it ends, over the strain: the tension of stiff strands feels them most.
+/// Largest square of the relative steps of r² and λs with which it ends, over the strain: the
+/// tension of stiff strands feels them most.
 const SMALL_SQUARE: f64 = 1e-10;
 const ITERATIONS: usize = 9;
 const LARGEST_STEP: f64 = 0.1;
@@ -53,7 +58,8 @@ impl Universal {
         let (sin2, cos2) = wall.squares();
         let (ro, section) = (self.zone.ro, wall.section());
         let ro2 = ro * ro;
-        // Strands carry the pressure less what a thin neo-Hookean wall takes: ∂B/∂q = ½c (1 − 1/λf).
+        // Strands carry the pressure less what a thin neo-Hookean wall takes: ∂B/∂q = ½c (1 −
+        // 1/λf).
         let by = 2.0 * ro2 / (4.0 * PI * ro * wall.stiffness().unwrap_or(0.0) * sin2);
         let squared = |l: f64, x: f64| {
             let hoop = l * (x - 0.5 * section / l) / (ro2 - 0.5 * section);
@@ -93,7 +99,11 @@ impl Universal {
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
         let (b, section) = (sin2 / (self.zone.ro * self.zone.ro), wall.section());
-        let Start { mut l, mut q, mut stretches } = self.start(p, contraction);
+        let Start {
+            mut l,
+            mut q,
+            mut stretches,
+        } = self.start(p, contraction);
         for _ in 0..ITERATIONS {
             let x = wall.square_at(q, l);
             if !(l > 0.0 && x * l > section) {
@@ -113,17 +123,26 @@ impl Universal {
             }
             let tension = Dual::new(e.l + e.lx * dx, [e.ll + e.lx * x_l]);
             let energy = e.w + dx * (e.x + 0.5 * e.xx * dx);
-            let h = Dual::new(energy - l * tension.v, [PI * l * p * x_l - l * tension.by[0]]);
+            let h = Dual::new(
+                energy - l * tension.v,
+                [PI * l * p * x_l - l * tension.by[0]],
+            );
             let strand_by = (cos2 * l + 0.5 * b * x_l) / e.strand;
             let strain = Dual::new(e.strand - 1.0 + 0.5 * b * dx / e.strand, [strand_by]);
             let radius = Dual::new(r, [0.5 * x_l / r]);
             let way = radius - Dual::constant(self.zone.ro);
             let radii = self.zone.radii(way);
-            let (at_start, on_way) =
-                (self.stepped(radii[0], h, stretches[0])?, self.stepped(radii[1], h, stretches[1])?);
+            let (at_start, on_way) = (
+                self.stepped(radii[0], h, stretches[0])?,
+                self.stepped(radii[1], h, stretches[1])?,
+            );
             let (first, second) = (at_start.section, on_way.section);
-            let middle =
-                Uniform { stretch: Dual::new(l, [1.0]), pressure: Dual::constant(p), radius, tension };
+            let middle = Uniform {
+                stretch: Dual::new(l, [1.0]),
+                pressure: Dual::constant(p),
+                radius,
+                tension,
+            };
             let end = self.zone.shape(&middle, way, [first, second])?;
             let delta = self.deficit.with_wall(&end, strain);
             let slope = 1.0 + 2.0 * delta.by[0] / self.length;
@@ -144,11 +163,17 @@ impl Universal {
                 && on_way.settled(step, flat);
             l += step;
             q += b * dx + q_l * step;
-            stretches = [&first, &second].map(|section| section.stretch.v + section.stretch.by[0] * step);
+            stretches =
+                [&first, &second].map(|section| section.stretch.v + section.stretch.by[0] * step);
             if settled {
                 let force = tension.v - p * PI * x1 + force_l * step;
                 let r = r + radius.by[0] * step;
-                return (force >= 0.0).then_some(Root { force, l, r, stretches });
+                return (force >= 0.0).then_some(Root {
+                    force,
+                    l,
+                    r,
+                    stretches,
+                });
             }
         }
         None
@@ -168,8 +193,16 @@ impl Universal {
         let by = ((e.x - s * e.lx) * x.by[0] - h.by[0]) * slope;
         let stretch = Dual::new(s + step, [by]);
         let tension = Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]);
-        let section = Section { radius, stretch, tension };
-        (e.ll > 0.0).then_some(Stepped { section, rest: step.abs(), room: (e.strand - 1.0).abs() })
+        let section = Section {
+            radius,
+            stretch,
+            tension,
+        };
+        (e.ll > 0.0).then_some(Stepped {
+            section,
+            rest: step.abs(),
+            room: (e.strand - 1.0).abs(),
+        })
     }
 }
 
@@ -183,7 +216,8 @@ struct Stepped {
 }
 
 impl Stepped {
-    /// Whether its error after a step of λ is below the limits; not where both may have crossed the kink of strands that go slack.
+    /// Whether its error after a step of λ is below the limits; not where both may have crossed the
+    /// kink of strands that go slack.
     #[inline(always)]
     fn settled(&self, step: f64, flat: f64) -> bool {
         let step = step.abs();

@@ -1,4 +1,5 @@
-//! Numbers with their derivatives: in the axial stretch λ of the middle, or in λ and the pressure P.
+//! Numbers with their derivatives: in the axial stretch λ of the middle, or in λ and the pressure
+//! P.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -12,7 +13,8 @@ pub(super) struct Dual<const N: usize = 2> {
 /// Above this tanh is 1 to the last digit.
 const TANH_IS_ONE: f64 = 20.0;
 
-/// One number for each derivative: a loop is inlined wherever it is used, `std::array::from_fn` and `map` are not.
+/// One number for each derivative: a loop is inlined wherever it is used, `std::array::from_fn` and
+/// `map` are not.
 #[inline(always)]
 fn each<const N: usize>(f: impl Fn(usize) -> f64) -> [f64; N] {
     let mut out = [0.0; N];
@@ -36,7 +38,10 @@ impl<const N: usize> Dual<N> {
     /// f(self) from its value and slope.
     #[inline(always)]
     pub fn chain(self, v: f64, slope: f64) -> Self {
-        Self { v, by: each(|k| slope * self.by[k]) }
+        Self {
+            v,
+            by: each(|k| slope * self.by[k]),
+        }
     }
 
     #[inline(always)]
@@ -51,7 +56,11 @@ impl<const N: usize> Dual<N> {
             return Self::constant(1.0);
         }
         // 1 − 2/(e²ˣ + 1) does not cancel there, and takes half the time.
-        let t = if self.v > 1.0 { 1.0 - 2.0 / ((2.0 * self.v).exp() + 1.0) } else { self.v.tanh() };
+        let t = if self.v > 1.0 {
+            1.0 - 2.0 / ((2.0 * self.v).exp() + 1.0)
+        } else {
+            self.v.tanh()
+        };
         self.chain(t, 1.0 - t * t)
     }
 
@@ -66,7 +75,8 @@ impl<const N: usize> Dual<N> {
         self.v.is_finite() && self.by.iter().all(|d| d.is_finite())
     }
 
-    /// ½(x + √(x² + c²)): x where it is well above c, c²/4|x| where it is well below −c, and smooth.
+    /// ½(x + √(x² + c²)): x where it is well above c, c²/4|x| where it is well below −c, and
+    /// smooth.
     #[inline(always)]
     pub fn positive(self, c: Self) -> Self {
         let (x, c2) = (self.v, c.v * c.v);
@@ -75,9 +85,16 @@ impl<const N: usize> Dual<N> {
             return Self::constant(0.0);
         }
         let i = 1.0 / root;
-        let v = if x >= 0.0 { 0.5 * (x + root) } else { 0.5 * c2 / (root - x) };
+        let v = if x >= 0.0 {
+            0.5 * (x + root)
+        } else {
+            0.5 * c2 / (root - x)
+        };
         let (by_x, by_c) = (v * i, 0.5 * c.v * i);
-        Self { v, by: each(|k| by_x * self.by[k] + by_c * c.by[k]) }
+        Self {
+            v,
+            by: each(|k| by_x * self.by[k] + by_c * c.by[k]),
+        }
     }
 }
 
@@ -85,7 +102,10 @@ impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn add(self, o: Self) -> Self {
-        Self { v: self.v + o.v, by: each(|k| self.by[k] + o.by[k]) }
+        Self {
+            v: self.v + o.v,
+            by: each(|k| self.by[k] + o.by[k]),
+        }
     }
 }
 
@@ -93,7 +113,10 @@ impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, o: Self) -> Self {
-        Self { v: self.v - o.v, by: each(|k| self.by[k] - o.by[k]) }
+        Self {
+            v: self.v - o.v,
+            by: each(|k| self.by[k] - o.by[k]),
+        }
     }
 }
 
@@ -110,7 +133,10 @@ impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, o: Self) -> Self {
-        Self { v: self.v * o.v, by: each(|k| self.by[k] * o.v + self.v * o.by[k]) }
+        Self {
+            v: self.v * o.v,
+            by: each(|k| self.by[k] * o.v + self.v * o.by[k]),
+        }
     }
 }
 
@@ -128,7 +154,10 @@ impl<const N: usize> Div for Dual<N> {
     fn div(self, o: Self) -> Self {
         let i = 1.0 / o.v;
         let v = self.v * i;
-        Self { v, by: each(|k| (self.by[k] - v * o.by[k]) * i) }
+        Self {
+            v,
+            by: each(|k| (self.by[k] - v * o.by[k]) * i),
+        }
     }
 }
 
@@ -149,7 +178,10 @@ mod tests {
         let got = f(l, p, true);
         let by_l = (f(l + d, p, false).v - f(l - d, p, false).v) / (2.0 * d);
         let by_p = (f(l, p + d, false).v - f(l, p - d, false).v) / (2.0 * d);
-        assert!((got.by[0] - by_l).abs() < 1e-8 && (got.by[1] - by_p).abs() < 1e-8, "{got:?} {by_l} {by_p}");
+        assert!(
+            (got.by[0] - by_l).abs() < 1e-8 && (got.by[1] - by_p).abs() < 1e-8,
+            "{got:?} {by_l} {by_p}"
+        );
         // Far below zero nothing cancels.
         let far = Dual::<2>::constant(-1e9).positive(Dual::constant(1.0)).v;
         assert!((far * 4e9 - 1.0).abs() < 1e-9);

@@ -1,25 +1,28 @@
-//! The end of a muscle as a membrane: from the terminal, where it has its radius at rest, to the uniform middle.
+//! The end of a muscle as a membrane: from the terminal, where it has its radius at rest, to the
+//! uniform middle.
 //!
-//! With U(λs, r) the energy of wall and braid per length at rest when the meridian is stretched by λs at outer radius r, the
-//! shape r(Z), z(Z) of the muscle minimises ∫ U(√(r'² + z'²), r) − P π r² z' dZ. Z does not appear, nor does z: two
-//! quantities are the same in every section,
+//! With U(λs, r) the energy of wall and braid per length at rest when the meridian is stretched by
+//! λs at outer radius r, the shape r(Z), z(Z) of the muscle minimises ∫ U(√(r'² + z'²), r) − P π r²
+//! z' dZ. Z does not appear, nor does z: two quantities are the same in every section,
 //!
 //!   F = T cosφ − P π r²,   H = U − λs T,   T = ∂U/∂λs,   cosφ = z'/λs
 //!
-//! and their values are those of the middle (λ, b): H = U(λ, b) − λ T(λ, b). At any r on the way the second gives λs, the first
-//! the slope φ, so that what the end adds to the length of a uniform muscle is an integral over r,
+//! and their values are those of the middle (λ, b): H = U(λ, b) − λ T(λ, b). At any r on the way
+//! the second gives λs, the first the slope φ, so that what the end adds to the length of a uniform
+//! muscle is an integral over r,
 //!
 //!   δ = ∫ (z' − λ) dZ = ∫ (λs cosφ − λ)/(λs sinφ) dr   from Ro to b
 //!
-//! and the volume likewise. The integrand is smooth; the rule of Radau with two points (Ro and two thirds of the way, weights ¼ and ¾)
-//! is used. Derived here. Strands that do not stretch tie λs to r; T is then (U − H)/λs.
+//! and the volume likewise. The integrand is smooth; the rule of Radau with two points (Ro and two
+//! thirds of the way, weights ¼ and ¾) is used. Derived here. Strands that do not stretch tie λs to
+//! r; T is then (U − H)/λs.
 //!
-//! The way back from the bulge decays like e^(−Z/ℓ); in a short muscle the two ends meet before they are through. In the linear theory
-//! that makes δ smaller by the factor tanh(½L0/ℓ). Here it is tanh(1.2 · ½L0/ℓ) with the ℓ = (b − r)/(λs sinφ) found at the second
-//! point.
+//! The way back from the bulge decays like e^(−Z/ℓ); in a short muscle the two ends meet before
+//! they are through. In the linear theory that makes δ smaller by the factor tanh(½L0/ℓ). Here it
+//! is tanh(1.2 · ½L0/ℓ) with the ℓ = (b − r)/(λs sinφ) found at the second point.
 //!
-//! Where the muscle would have to push, no such shape need exist; T and the axial load are kept above zero and cosφ below one by smooth
-//! floors that do nothing where it pulls.
+//! Where the muscle would have to push, no such shape need exist; T and the axial load are kept
+//! above zero and cosφ below one by smooth floors that do nothing where it pulls.
 
 use super::dual::Dual;
 use crate::model::WallEnergy;
@@ -34,7 +37,8 @@ const LEAST_TENSION: (f64, f64) = (0.01, 0.02);
 const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
 /// |b − Ro|/Ro below which the end is that of the linear theory; at twice of it that of the membrane, between the two a mixture.
 const SMALL: f64 = 1e-5;
-/// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
+/// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on
+/// the campaign.
 const MEETING: f64 = 1.2;
 /// A step of Newton's method this small leaves an error of its square.
 const SMALL_STEP: f64 = 1e-10;
@@ -101,7 +105,8 @@ struct Point<const N: usize> {
 }
 
 impl EndZone {
-    /// The end of a muscle whose middle is in a state, from guesses of λs at both sections; `None` where no section is found.
+    /// The end of a muscle whose middle is in a state, from guesses of λs at both sections; `None`
+    /// where no section is found.
     pub fn at(&self, p: f64, l: f64, state: &State, near: Option<[f64; 2]>) -> Option<End> {
         let lambda = Dual::new(l, [1.0, 0.0]);
         let axial = Dual::new(state.axial, state.axial_by);
@@ -179,8 +184,14 @@ impl EndZone {
     /// The slope at a section and what it gives the integrals.
     #[inline(always)]
     fn point<const N: usize>(&self, middle: &Uniform<N>, section: &Section<N>) -> Point<N> {
-        let Uniform { stretch: lambda, radius: b, .. } = *middle;
-        let Section { radius: r, stretch, .. } = *section;
+        let Uniform {
+            stretch: lambda,
+            radius: b,
+            ..
+        } = *middle;
+        let Section {
+            radius: r, stretch, ..
+        } = *section;
         let one = Dual::constant(1.0);
         let tension = self.kept(section.tension);
         let load = self.kept(middle.tension + middle.pressure * (r.squared() - b.squared()) * PI);
@@ -193,13 +204,27 @@ impl EndZone {
         let per_r = stretch * sin;
         let shortening = (stretch * cos - lambda) / per_r;
         let volume = (r.squared() * stretch * cos - b.squared() * lambda) * PI / per_r;
-        Point { shortening, volume, sin, per_r, tension }
+        Point {
+            shortening,
+            volume,
+            sin,
+            per_r,
+            tension,
+        }
     }
 
     /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).
     fn linear(&self, l: f64, state: &State, way: Dual, axial: Dual) -> End {
-        let length = if state.radial > 0.0 { (axial.v / (l * state.radial)).sqrt() } else { 0.0 };
-        let length = if length > 0.0 { length * (MEETING * self.half / length).tanh() } else { 0.0 };
+        let length = if state.radial > 0.0 {
+            (axial.v / (l * state.radial)).sqrt()
+        } else {
+            0.0
+        };
+        let length = if length > 0.0 {
+            length * (MEETING * self.half / length).tanh()
+        } else {
+            0.0
+        };
         End {
             deficit: way * (-state.stretch_by_r * length),
             volume_mm3: Dual::constant(0.0),
@@ -209,7 +234,14 @@ impl EndZone {
         }
     }
 
-    fn section(&self, r: Dual, h: Dual, l: f64, state: &State, near: Option<f64>) -> Option<Section> {
+    fn section(
+        &self,
+        r: Dual,
+        h: Dual,
+        l: f64,
+        state: &State,
+        near: Option<f64>,
+    ) -> Option<Section> {
         let (sin2, cos2) = self.wall.squares();
         let at = r.v / self.ro;
         let taut = self.wall.taut_stretch(r.v);
@@ -224,7 +256,11 @@ impl EndZone {
             let stretch = r.chain(taut, self.wall.taut_stretch_by_r(r.v));
             let tension = (lift(w.w, w.l, w.r, stretch, r) - h) / stretch;
             if tension.v >= w.l {
-                return Some(Section { radius: r, stretch, tension });
+                return Some(Section {
+                    radius: r,
+                    stretch,
+                    tension,
+                });
             }
         }
         self.stretched(r, h, if taut > 0.0 { taut } else { l })
@@ -250,7 +286,11 @@ impl EndZone {
                 high = l;
             }
             let next = l + step.clamp(-0.3 * l, 0.3 * l);
-            l = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * l)) };
+            l = if next > low && next < high {
+                next
+            } else {
+                0.5 * (low + high.min(2.0 * l))
+            };
         }
         None
     }
@@ -259,12 +299,22 @@ impl EndZone {
     fn solved(&self, r: Dual, h: Dual, l: f64, step: f64, e: &WallEnergy) -> Section {
         let by = [0, 1].map(|i| ((e.r - l * e.lr) * r.by[i] - h.by[i]) / (l * e.ll));
         let stretch = Dual::new(l + step, by);
-        let tension = Dual::new(e.l + e.ll * step, [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]));
-        Section { radius: r, stretch, tension }
+        let tension = Dual::new(
+            e.l + e.ll * step,
+            [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]),
+        );
+        Section {
+            radius: r,
+            stretch,
+            tension,
+        }
     }
 }
 
 /// A function of (λs, r) from its value and slopes.
 fn lift(v: f64, by_stretch: f64, by_r: f64, stretch: Dual, r: Dual) -> Dual {
-    Dual::new(v, [0, 1].map(|i| by_stretch * stretch.by[i] + by_r * r.by[i]))
+    Dual::new(
+        v,
+        [0, 1].map(|i| by_stretch * stretch.by[i] + by_r * r.by[i]),
+    )
 }

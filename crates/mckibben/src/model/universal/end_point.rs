@@ -17,7 +17,8 @@ pub struct EndPoint {
 }
 
 impl Universal {
-    /// What a point of known pull says about δ, for fits of the terms; `None` where the infinitely long muscle does not reach that pull.
+    /// What a point of known pull says about δ, for fits of the terms; `None` where the infinitely
+    /// long muscle does not reach that pull.
     pub fn end_point(
         &self,
         pressure_mpa: f64,
@@ -36,13 +37,15 @@ impl Universal {
             }
             if step.abs() < 1e-12 {
                 let known = (&state, &self.zone);
-                let (start_mm, columns_mm) = self.deficit.columns((p, l), known, self.angle, products)?;
+                let (start_mm, columns_mm) =
+                    self.deficit.columns((p, l), known, self.angle, products)?;
                 let m = self.middle(p, l, state, None)?;
                 return Some(EndPoint {
                     deficit_mm: 0.5 * self.length * (1.0 - l - contraction),
                     start_mm,
                     columns_mm,
-                    force_by_deficit_n_per_mm: -2.0 * state.force_l / (self.length * self.slope(&m)),
+                    force_by_deficit_n_per_mm: -2.0 * state.force_l
+                        / (self.length * self.slope(&m)),
                 });
             }
             near = Some(state.r);

@@ -3,11 +3,12 @@
 //!   membrane   δ = δ_membrane + Ro (λs0 − λ) S/√t · Σ c · Sᵃ Aᵇ Nᶜ Mᵈ Eᵉ
 //!   bulge      δ = Ro (1 − Ro/b) Σ c · Sᵃ Aᵇ Bᶜ Mᵈ Lᵉ
 //!
-//! S = s/Ro, A = 4 sin²θ0. At the terminal the membrane has the stretch λs0, the slope N = sinφ0 and the tension T0; t = T0/(2π Ro s μ),
-//! M = 1/(1 + t), E = x/√(1 + x²) with x = 10 (λf − 1) of the middle's strands. Ro S/√t = √(s² · μ s · 2π Ro/T0) is the
-//! length over which a wall that resists bending turns into the slope of a membrane under tension; over that length the muscle has
-//! the stretch λs0 of the terminal in place of λ.
-//! Of the bulge: B = 1 − Ro/b, M = μS/(P + μS), L = 1 − λ. μ is the shear modulus of the rubber at rest.
+//! S = s/Ro, A = 4 sin²θ0. At the terminal the membrane has the stretch λs0, the slope N = sinφ0
+//! and the tension T0; t = T0/(2π Ro s μ), M = 1/(1 + t), E = x/√(1 + x²) with x = 10 (λf − 1) of
+//! the middle's strands. Ro S/√t = √(s² · μ s · 2π Ro/T0) is the length over which a wall that
+//! resists bending turns into the slope of a membrane under tension; over that length the muscle
+//! has the stretch λs0 of the terminal in place of λ. Of the bulge: B = 1 − Ro/b, M = μS/(P + μS),
+//! L = 1 − λ. μ is the shear modulus of the rubber at rest.
 
 use super::dual::Dual;
 use super::end::{End, EndZone};
@@ -61,17 +62,26 @@ impl Bound {
                 None => terms.push((powers, value)),
             }
         }
-        let coefficient = |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
+        let coefficient =
+            |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
         let low = terms.iter().all(|t| t.0.iter().sum::<usize>() <= 2);
         let second = low.then(|| SECOND.map(|powers| coefficient(&powers)));
-        Self { form: deficit.form, terms, second, wall, ro, stiffness_mpa: modulus_mpa * wall }
+        Self {
+            form: deficit.form,
+            terms,
+            second,
+            wall,
+            ro,
+            stiffness_mpa: modulus_mpa * wall,
+        }
     }
 
     pub fn form(&self) -> Form {
         self.form
     }
 
-    /// δ in mm, and the end where the form is that of a membrane, from guesses of λs at its sections.
+    /// δ in mm, and the end where the form is that of a membrane, from guesses of λs at its
+    /// sections.
     pub fn at(
         &self,
         p: f64,
@@ -83,7 +93,10 @@ impl Bound {
         let (delta, end) = match self.form {
             Form::Membrane => {
                 let end = zone.at(p, l, state, near)?;
-                (self.with_wall(&end, Dual::new(state.strain, state.strain_by)), Some(end))
+                (
+                    self.with_wall(&end, Dual::new(state.strain, state.strain_by)),
+                    Some(end),
+                )
             }
             Form::Bulge => {
                 let inner = self.of_bulge(p, l, state);
@@ -100,7 +113,8 @@ impl Bound {
         end.deficit + inner.factor * self.sum(inner.x)
     }
 
-    /// What δ is without its terms, and what each of a list of products adds with coefficient 1; values only, in mm.
+    /// What δ is without its terms, and what each of a list of products adds with coefficient 1;
+    /// values only, in mm.
     pub fn columns(
         &self,
         (p, l): (f64, f64),
@@ -111,13 +125,20 @@ impl Bound {
         let (start, inner) = match self.form {
             Form::Membrane => {
                 let end = zone.at(p, l, state, None)?;
-                (end.deficit.v, self.of_membrane(&end, Dual::new(state.strain, state.strain_by)))
+                (
+                    end.deficit.v,
+                    self.of_membrane(&end, Dual::new(state.strain, state.strain_by)),
+                )
             }
             Form::Bulge => (0.0, self.of_bulge(p, l, state)),
         };
         let x = [self.wall, angle, inner.x[0].v, inner.x[1].v, inner.x[2].v];
         let one = |n: &[u8; 5]| {
-            let product: f64 = n.iter().zip(x).map(|(&n, v)| v.powi(i32::from(n))).product();
+            let product: f64 = n
+                .iter()
+                .zip(x)
+                .map(|(&n, v)| v.powi(i32::from(n)))
+                .product();
             inner.factor.v * product
         };
         Some((start, products.iter().map(one).collect()))
@@ -130,7 +151,10 @@ impl Bound {
         let x = strain * 10.0;
         let e = x / (one + x.squared()).sqrt();
         let factor = end.excess * (self.ro * self.wall) / end.tension.sqrt();
-        Inner { factor, x: [end.slope, m, e] }
+        Inner {
+            factor,
+            x: [end.slope, m, e],
+        }
     }
 
     fn of_bulge(&self, p: f64, l: f64, state: &State) -> Inner<2> {
@@ -138,7 +162,10 @@ impl Bound {
         let b = one - Dual::constant(self.ro) / Dual::new(state.r, state.r_by);
         let p = Dual::new(p.abs(), [0.0, p.signum()]);
         let m = Dual::constant(self.stiffness_mpa) / (p + Dual::constant(self.stiffness_mpa));
-        Inner { factor: b * self.ro, x: [b, m, Dual::new(1.0 - l, [-1.0, 0.0])] }
+        Inner {
+            factor: b * self.ro,
+            x: [b, m, Dual::new(1.0 - l, [-1.0, 0.0])],
+        }
     }
 
     #[inline(always)]
@@ -148,7 +175,10 @@ impl Bound {
             Some(s) => second(s, [a.v, b.v, c.v]),
             None => self.any([a.v, b.v, c.v]),
         };
-        Dual::new(v, from_fn(|i| by[0] * a.by[i] + by[1] * b.by[i] + by[2] * c.by[i]))
+        Dual::new(
+            v,
+            from_fn(|i| by[0] * a.by[i] + by[1] * b.by[i] + by[2] * c.by[i]),
+        )
     }
 
     /// The sum and its slopes.
@@ -161,7 +191,13 @@ impl Bound {
             }
             list
         });
-        let slope = |i: usize, n: usize| if n == 0 { 0.0 } else { n as f64 * powers[i][n - 1] };
+        let slope = |i: usize, n: usize| {
+            if n == 0 {
+                0.0
+            } else {
+                n as f64 * powers[i][n - 1]
+            }
+        };
         let (mut v, mut by) = (0.0, [0.0; 3]);
         for &([a, b, c], value) in &self.terms {
             let (xa, xb, xc) = (powers[0][a], powers[1][b], powers[2][c]);

@@ -1,13 +1,16 @@
-//! One formula for muscles of every size: the infinitely long muscle with the shortening of its middle.
+//! One formula for muscles of every size: the infinitely long muscle with the shortening of its
+//! middle.
 //!
-//! The pull is the same in every section, and away from the terminals a muscle is as an infinitely long one ([`super::ThickWall`]).
-//! So F = F∞(λ; P) with λ the axial stretch of the middle, and the ends only decide what λ is:
+//! The pull is the same in every section, and away from the terminals a muscle is as an infinitely
+//! long one ([`super::ThickWall`]). So F = F∞(λ; P) with λ the axial stretch of the middle, and the
+//! ends only decide what λ is:
 //!
 //!   ε = (1 − λ) − 2δ(λ, P)/L0
 //!
-//! δ is what one end adds to the length of a uniform muscle ([`Deficit`]). Both equations are solved together; derivatives
-//! follow by implicit differentiation. Everything but the coefficients of δ's small correction is exact mechanics: for L0 → ∞
-//! the answer is that of the thick-wall model, and with soft rubber and strands that do not stretch the ideal formula.
+//! δ is what one end adds to the length of a uniform muscle ([`Deficit`]). Both equations are
+//! solved together; derivatives follow by implicit differentiation. Everything but the coefficients
+//! of δ's small correction is exact mechanics: for L0 → ∞ the answer is that of the thick-wall
+//! model, and with soft rubber and strands that do not stretch the ideal formula.
 //! `docs/universal.md` derives it.
 
 mod coupled;
@@ -25,8 +28,8 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result, ThickWall,
-    Workspace, notes,
+    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result,
+    ThickWall, Workspace, notes,
 };
 use crate::formula::{Form, UniversalFormula};
 use crate::muscle::Muscle;
@@ -50,13 +53,16 @@ pub(super) const SMALL: ModelEntry = ModelEntry {
     source: SOURCE,
 };
 
-/// cot²θ0 D0/L0 of a muscle whose error is as often below what 95 % of the fit's points stay within. Of `universal-small` these are 0.61 % of the
-/// blocked force, and 95 % of 5119 errors on 3000 random muscles of its box are below 1.25 % cot²θ0 D0/L0; below 1.53 % it is 95 % in every
+/// cot²θ0 D0/L0 of a muscle whose error is as often below what 95 % of the fit's points stay
+/// within. Of `universal-small` these are 0.61 % of the blocked force, and 95 % of 5119 errors on
+/// 3000 random muscles of its box are below 1.25 % cot²θ0 D0/L0; below 1.53 % it is 95 % in every
 /// range of L0/D0, θ0 and s/D0 as well.
 const ENDS: f64 = 0.4;
 
-/// What a plug as wide as the bore in place of the stated one changes, as a share of the blocked force over |Rc/Ro − 1| cot²θ0 D0/L0, Rc the tube's outer
-/// radius on its plug: so much covers 95 % of the pulls of random muscles (`universal_leaves_out_the_plugs_of_finite_elements` of the finite elements).
+/// What a plug as wide as the bore in place of the stated one changes, as a share of the blocked
+/// force over |Rc/Ro − 1| cot²θ0 D0/L0, Rc the tube's outer radius on its plug: so much covers 95 %
+/// of the pulls of random muscles (`universal_leaves_out_the_plugs_of_finite_elements` of the
+/// finite elements).
 const PLUG: f64 = 0.7;
 
 /// A universal formula with a muscle put in.
@@ -68,7 +74,8 @@ pub struct Universal {
     /// 4 sin²θ0
     angle: f64,
     length: f64,
-    /// ½π(Ro² − Ri²) μ over the square of the radius at mid wall: what a thin wall takes of a pressure, for first guesses
+    /// ½π(Ro² − Ri²) μ over the square of the radius at mid wall: what a thin wall takes of a
+    /// pressure, for first guesses
     wall_modulus: f64,
     id: ModelId,
 }
@@ -77,7 +84,10 @@ impl Universal {
     /// The formula for one muscle.
     pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let (ro, mu) = (tube.outer_radius_mm(), muscle.rubber().law.shear_modulus_mpa());
+        let (ro, mu) = (
+            tube.outer_radius_mm(),
+            muscle.rubber().law.shear_modulus_mpa(),
+        );
         let wall = tube.wall_mm / ro;
         let zone = EndZone {
             wall: ThickWall::new(muscle),
@@ -90,7 +100,15 @@ impl Universal {
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
         let (length, id) = (muscle.length_mm(), ModelId::new());
         let info = info(&formula, &zone.wall.info().muscle, angle);
-        Self { info, zone, deficit, angle, length, wall_modulus, id }
+        Self {
+            info,
+            zone,
+            deficit,
+            angle,
+            length,
+            wall_modulus,
+            id,
+        }
     }
 }
 
@@ -99,9 +117,9 @@ fn wall_modulus(ro: f64, section: f64, mu: f64) -> f64 {
     0.5 * PI * mu * section / (ro * ro - 0.5 * section)
 }
 
-/// How far a muscle's error is above what 95 % of the fit's points stay within. What is wrong with a polynomial for the ends is a
-/// length of the order of D0: in the pull it is a share of D0/L0, and of the slope of the pull over the contraction, which goes with
-/// cot²θ0. `angle`: 4 sin²θ0.
+/// How far a muscle's error is above what 95 % of the fit's points stay within. What is wrong with
+/// a polynomial for the ends is a length of the order of D0: in the pull it is a share of D0/L0,
+/// and of the slope of the pull over the contraction, which goes with cot²θ0. `angle`: 4 sin²θ0.
 fn ends_share(form: Form, muscle: &Muscle, angle: f64) -> f64 {
     match form {
         Form::Membrane => 1.0,
@@ -125,7 +143,8 @@ fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelIn
         share_of_blocked: Some(fitted + plug_share(muscle, angle)),
         blocked_at: BlockedAt::SamePressure,
         reference: Reference::Elements(
-            "covers 95 % of the points of its campaign on muscles left out of the fit, against axisymmetric finite elements, as stated in the formula's file",
+            "covers 95 % of the points of its campaign on muscles left out of the fit, against \
+             axisymmetric finite elements, as stated in the formula's file",
         ),
     };
     let end_factor = muscle.terminals().end_factor.is_some();
@@ -151,7 +170,12 @@ impl ForceModel for Universal {
         &self.info
     }
 
-    fn response(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response> {
         let p = pressure_mpa;
         let place = self.place(workspace, p, contraction)?;
         let (s, volume) = (&place.state, self.volume(p, &place));
@@ -169,10 +193,17 @@ impl ForceModel for Universal {
             max_stretch: Some(self.zone.wall.largest_stretch(place.l, s.r)),
             ..Response::default()
         };
-        response.with_braid_tension(s.tension, self.muscle()).finite(&self.info.name)
+        response
+            .with_braid_tension(s.tension, self.muscle())
+            .finite(&self.info.name)
     }
 
-    fn force_n(&self, workspace: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64> {
         match self.coupled(pressure_mpa, contraction) {
             Some(root) => Ok(root.force),
             None => self.searched_force(workspace, pressure_mpa, contraction),

@@ -1,8 +1,9 @@
 //! Behind the contraction at which the muscle ceases to pull.
 //!
-//! There the membrane would be under compression and has no shape; its floors keep δ finite, but not ε(λ) monotone. So δ goes on along its
-//! tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ − λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes.
-//! Answers there say where F = 0 lies, and that the muscle does not pull.
+//! There the membrane would be under compression and has no shape; its floors keep δ finite, but
+//! not ε(λ) monotone. So δ goes on along its tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ −
+//! λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes. Answers
+//! there say where F = 0 lies, and that the muscle does not pull.
 
 use super::Universal;
 use super::search::{Middle, SearchPoint};
@@ -35,13 +36,16 @@ impl Zero {
     }
 }
 
-/// Where the muscle ceases to pull, at the last pressure (its bits): what a [`Universal`] keeps in its workspace.
+/// Where the muscle ceases to pull, at the last pressure (its bits): what a [`Universal`] keeps in
+/// its workspace.
 type Kept = Option<(u64, Zero)>;
 
 impl Universal {
     /// The same, from what is known of this pressure.
     pub(super) fn zero(&self, workspace: &mut Workspace, p: f64) -> Option<Zero> {
-        let kept = workspace.try_state::<Kept, ModelError>(&self.id, || Ok(None)).ok()?;
+        let kept = workspace
+            .try_state::<Kept, ModelError>(&self.id, || Ok(None))
+            .ok()?;
         if let Some((of, zero)) = *kept
             && of == p.to_bits()
         {
@@ -56,7 +60,11 @@ impl Universal {
         let (l, state) = self.without_pull(p)?;
         let middle = self.middle(p, l, state, None)?;
         let slope = self.slope(&middle).max(LEAST_SLOPE);
-        Some(Zero { contraction: self.contraction(&middle), slope, middle })
+        Some(Zero {
+            contraction: self.contraction(&middle),
+            slope,
+            middle,
+        })
     }
 
     /// λ with F∞(λ, P) = 0, the first below 1.
@@ -67,15 +75,27 @@ impl Universal {
             let Ok(s) = self.zone.wall.state_near(p, l, near) else {
                 // No state: nearer to the last one that pulled.
                 low = l;
-                l = if high.is_finite() { 0.5 * (low + high) } else { return None };
+                l = if high.is_finite() {
+                    0.5 * (low + high)
+                } else {
+                    return None;
+                };
                 near = None;
                 continue;
             };
-            let newton =
-                if s.force_l > 0.0 { -s.force / s.force_l } else { -LARGEST_STEP * s.force.signum() };
+            let newton = if s.force_l > 0.0 {
+                -s.force / s.force_l
+            } else {
+                -LARGEST_STEP * s.force.signum()
+            };
             if newton.abs() < SMALL_STEP && s.force_l > 0.0 {
                 let l = l + newton;
-                return self.zone.wall.state_near(p, l, Some(s.r + s.r_by[0] * newton)).ok().map(|s| (l, s));
+                return self
+                    .zone
+                    .wall
+                    .state_near(p, l, Some(s.r + s.r_by[0] * newton))
+                    .ok()
+                    .map(|s| (l, s));
             }
             if s.force > 0.0 {
                 high = l;
@@ -83,7 +103,11 @@ impl Universal {
                 low = l;
             }
             let next = l + newton.clamp(-LARGEST_STEP, LARGEST_STEP);
-            let next = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0)) };
+            let next = if next > low && next < high {
+                next
+            } else {
+                0.5 * (low + high.min(2.0))
+            };
             near = Some(s.r + s.r_by[0] * (next - l));
             l = next;
         }
@@ -104,12 +128,19 @@ impl Universal {
         let m = &zero.middle;
         let l_p = -m.state.force_p / m.state.force_l;
         let contraction_p = -(self.slope(m) * l_p + 2.0 * m.deficit.by[1] / self.length);
-        let h =
-            PRESSURE_STEP * p.abs().max(PRESSURE_STEP * self.info.muscle.rubber().law.shear_modulus_mpa());
+        let h = PRESSURE_STEP
+            * p.abs()
+                .max(PRESSURE_STEP * self.info.muscle.rubber().law.shear_modulus_mpa());
         let slope_at = |p: f64| self.sought_zero(p).map_or(zero.slope, |z| z.slope);
         let slope_p = (slope_at(p + h) - slope_at(p - h)) / (2.0 * h);
         let by_pressure = l_p + contraction_p / zero.slope
             - (zero.contraction - contraction) * slope_p / (zero.slope * zero.slope);
-        Ok(SearchPoint { l, state, slope: zero.slope, by_pressure, ends: zero.middle })
+        Ok(SearchPoint {
+            l,
+            state,
+            slope: zero.slope,
+            by_pressure,
+            ends: zero.middle,
+        })
     }
 }

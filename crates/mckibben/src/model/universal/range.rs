@@ -28,9 +28,21 @@ pub(super) fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange
         ..ModelRange::open()
     }
     .with_measures(&[
-        (Interval::new(Quantity::WALL_RATIO, range.wall_ratio), muscle.wall_mm() / d0),
-        (Interval::new(Quantity::LENGTH_RATIO, range.length_ratio), muscle.length_mm() / d0),
-        (Interval::new(Quantity::BRAID_ANGLE, range.angle_deg), muscle.braid().angle_deg),
-        (Interval::new(Quantity::C01_SHARE, range.c01_share), c01_share(&muscle.rubber().law)),
+        (
+            Interval::new(Quantity::WALL_RATIO, range.wall_ratio),
+            muscle.wall_mm() / d0,
+        ),
+        (
+            Interval::new(Quantity::LENGTH_RATIO, range.length_ratio),
+            muscle.length_mm() / d0,
+        ),
+        (
+            Interval::new(Quantity::BRAID_ANGLE, range.angle_deg),
+            muscle.braid().angle_deg,
+        ),
+        (
+            Interval::new(Quantity::C01_SHARE, range.c01_share),
+            c01_share(&muscle.rubber().law),
+        ),
     ])
 }

@@ -1,5 +1,6 @@
-//! The nested search: λ by Newton's method inside of a bracket, with the infinitely long muscle and the sections of the membrane solved
-//! at each step. Slower than [`super::coupled`], and without its conditions.
+//! The nested search: λ by Newton's method inside of a bracket, with the infinitely long muscle and
+//! the sections of the membrane solved at each step. Slower than [`super::coupled`], and without
+//! its conditions.
 
 use super::Universal;
 use super::coupled::LEAST_SLOPE;
@@ -47,7 +48,10 @@ impl SearchPoint {
 
 impl Universal {
     pub(super) fn not_converged(pressure_mpa: f64, contraction: f64) -> ModelError {
-        ModelError::NotConverged { pressure_mpa, contraction }
+        ModelError::NotConverged {
+            pressure_mpa,
+            contraction,
+        }
     }
 
     /// λ near which that of the middle is sought.
@@ -59,15 +63,33 @@ impl Universal {
     }
 
     /// The middle in a state, from guesses of λs at the sections of the end.
-    pub(super) fn middle(&self, p: f64, l: f64, state: State, near: Option<[f64; 2]>) -> Option<Middle> {
+    pub(super) fn middle(
+        &self,
+        p: f64,
+        l: f64,
+        state: State,
+        near: Option<[f64; 2]>,
+    ) -> Option<Middle> {
         let (deficit, end) = self.deficit.at(p, l, &state, &self.zone, near)?;
-        Some(Middle { l, state, deficit, volume_mm3: end.map(|e| e.volume_mm3) })
+        Some(Middle {
+            l,
+            state,
+            deficit,
+            volume_mm3: end.map(|e| e.volume_mm3),
+        })
     }
 
     /// The middle at λ, from guesses of the radius and of λs at the sections of the end.
-    fn tried(&self, p: f64, l: f64, near: Option<f64>, sections: Option<[f64; 2]>) -> Result<Middle> {
+    fn tried(
+        &self,
+        p: f64,
+        l: f64,
+        near: Option<f64>,
+        sections: Option<[f64; 2]>,
+    ) -> Result<Middle> {
         let state = self.zone.wall.state_near(p, l, near)?;
-        self.middle(p, l, state, sections).ok_or_else(|| Self::not_converged(p, 1.0 - l))
+        self.middle(p, l, state, sections)
+            .ok_or_else(|| Self::not_converged(p, 1.0 - l))
     }
 
     /// −dε/dλ = 1 + (2/L0) ∂δ/∂λ
@@ -87,13 +109,18 @@ impl Universal {
         for _ in 0..ITERATIONS {
             let m = match self.tried(p, l, near, None) {
                 Ok(m) => m,
-                // Outside of where the infinitely long muscle has a state: back towards where it has one.
+                // Outside of where the infinitely long muscle has a state: back towards where it
+                // has one.
                 Err(error) => {
                     let back = good.unwrap_or(1.0 - contraction);
                     if (back - l).abs() < 1e-9 {
                         return Err(error);
                     }
-                    l = if good.is_some() { 0.5 * (l + back) } else { back };
+                    l = if good.is_some() {
+                        0.5 * (l + back)
+                    } else {
+                        back
+                    };
                     continue;
                 }
             };
@@ -133,7 +160,8 @@ impl Universal {
         if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::not_finite(&self.info.name, p, contraction));
         }
-        // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
+        // Strands that do not stretch, and the short form: mostly a pull, which the search finds at
+        // once.
         let free = match self.is_coupled() {
             true => None,
             false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
@@ -145,13 +173,22 @@ impl Universal {
         }
         match self.zero(workspace, p) {
             Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
-            Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
-            None => free.unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0)).map(Ok),
+            Some(zero) => self
+                .nested(p, contraction, zero.stretch(contraction), zero.middle.l)
+                .map(Ok),
+            None => free
+                .unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0))
+                .map(Ok),
         }
     }
 
     /// F by this search.
-    pub(super) fn searched_force(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<f64> {
+    pub(super) fn searched_force(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<f64> {
         let force_n = match self.pulling(workspace, p, contraction)? {
             Ok((m, step)) => m.state.force + m.state.force_l * step,
             Err(l) => self.zone.wall.state_near(p, l, None)?.force,
@@ -160,7 +197,12 @@ impl Universal {
     }
 
     /// The middle at a question, with its derivatives.
-    pub(super) fn place(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<SearchPoint> {
+    pub(super) fn place(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<SearchPoint> {
         let (l, near, sections) = match self.coupled(p, contraction) {
             Some(root) => (root.l, Some(root.r), Some(root.stretches)),
             None => match self.pulling(workspace, p, contraction)? {
@@ -174,6 +216,12 @@ impl Universal {
             return Err(Self::not_converged(p, contraction));
         }
         let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
-        Ok(SearchPoint { l, state: m.state, slope, by_pressure, ends: m })
+        Ok(SearchPoint {
+            l,
+            state: m.state,
+            slope,
+            by_pressure,
+            ends: m,
+        })
     }
 }

@@ -9,10 +9,15 @@ const BAD: &str = include_str!("bad_files.tsv");
 fn bad_files_are_refused_with_line_key_and_expectation() {
     let mut wrong = Vec::new();
     for row in BAD.lines() {
-        let [line, fragment, text]: [&str; 3] = row.split('\t').collect::<Vec<_>>().try_into().unwrap();
+        let [line, fragment, text]: [&str; 3] =
+            row.split('\t').collect::<Vec<_>>().try_into().unwrap();
         let (line, text) = (line.parse().ok(), text.replace("\\n", "\n"));
         // A BOM in front and CRLF move nothing.
-        for text in [text.clone(), format!("\u{feff}{text}"), text.replace('\n', "\r\n")] {
+        for text in [
+            text.clone(),
+            format!("\u{feff}{text}"),
+            text.replace('\n', "\r\n"),
+        ] {
             match parse_muscle(&text) {
                 Ok(_) => wrong.push(format!("{text:?} is accepted")),
                 Err(e) if e.place.map(|p| p.line) == line && e.to_string().contains(fragment) => {}
@@ -58,7 +63,8 @@ fn what_is_no_readable_file_is_refused_by_name() {
     let message = |path: &std::path::Path| read_muscle(path).unwrap_err().to_string();
     let bad = dir.file("muscle.toml", b"[tube]\n\nwall_thickness = \"-3 mm\"\n");
     assert!(message(&bad).ends_with(
-        "muscle.toml:3:18: tube.wall_thickness = \"-3 mm\": is -3\u{a0}mm; it must be above zero and finite"
+        "muscle.toml:3:18: tube.wall_thickness = \"-3 mm\": is -3\u{a0}mm; it must be above zero \
+         and finite"
     ));
     let missing = read_muscle(dir.0.join("none.toml")).unwrap_err();
     assert!(missing.to_string().contains("none.toml: cannot be read: "));
@@ -69,12 +75,16 @@ fn what_is_no_readable_file_is_refused_by_name() {
     assert!(message(&latin).contains("latin.toml:2:5: the byte at offset 11 is not UTF-8"));
     let utf16 = dir.file("utf16.toml", b"\xff\xfe[\0t\0");
     assert!(
-        message(&utf16).contains("offset 0 is not UTF-8 text (this looks like UTF-16: save it as UTF-8)")
+        message(&utf16)
+            .contains("offset 0 is not UTF-8 text (this looks like UTF-16: save it as UTF-8)")
     );
     let long = dir.file("long.toml", &vec![b'\n'; MAX_BYTES + 1]);
     assert!(message(&long).contains("is longer than 1048576 bytes"));
     let full = dir.file("full.toml", &vec![b'\n'; MAX_BYTES]);
     assert!(read_muscle(full).is_ok());
-    let good = dir.file("good.toml", "\u{feff}[tube]\r\nlength = \"300 mm\"\r\n".as_bytes());
+    let good = dir.file(
+        "good.toml",
+        "\u{feff}[tube]\r\nlength = \"300 mm\"\r\n".as_bytes(),
+    );
     assert_eq!(read_muscle(good).unwrap().length_mm(), 300.0);
 }

@@ -13,23 +13,51 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         return Ok(None);
     }
     let bench: Bench = section.all()?;
-    let is_name = |name: &str| !name.is_empty() && name.len() <= LONGEST && !name.contains(char::is_control);
+    let is_name =
+        |name: &str| !name.is_empty() && name.len() <= LONGEST && !name.contains(char::is_control);
     let is_range = |(low, high): (f64, f64)| low <= high;
     let is_table = |rows: &[Vec<f64>]| {
-        rows.len() <= MOST && rows.iter().all(|row| row.len() <= MOST && row.len() == rows[0].len())
+        rows.len() <= MOST
+            && rows
+                .iter()
+                .all(|row| row.len() <= MOST && row.len() == rows[0].len())
     };
-    let (name, range) = ("must be a short text on one line", "must hold the lowest and the highest value");
+    let (name, range) = (
+        "must be a short text on one line",
+        "must hold the lowest and the highest value",
+    );
     let table = "must hold rows of numbers, each of as many, at most 64 of at most 64";
-    let Bench { contraction, parameters, covariance, .. } = &bench;
+    let Bench {
+        contraction,
+        parameters,
+        covariance,
+        ..
+    } = &bench;
     let checks = [
-        ("laboratory", bench.laboratory.as_deref().is_none_or(is_name), name),
+        (
+            "laboratory",
+            bench.laboratory.as_deref().is_none_or(is_name),
+            name,
+        ),
         ("model", is_name(&bench.model), name),
         ("of", is_name(&bench.of), name),
-        ("points", (1..=1_000_000_000).contains(&bench.points), "must be a whole number above zero"),
-        ("branches", bench.branches.len() <= Direction::ALL.len(), "must hold three words at most"),
+        (
+            "points",
+            (1..=1_000_000_000).contains(&bench.points),
+            "must be a whole number above zero",
+        ),
+        (
+            "branches",
+            bench.branches.len() <= Direction::ALL.len(),
+            "must hold three words at most",
+        ),
         ("pressure", is_range(bench.pressure_mpa), range),
         ("contraction", is_range(*contraction), range),
-        ("contraction", contraction.0 > -1.0 && contraction.1 < 1.0, "must lie between -1 and 1"),
+        (
+            "contraction",
+            contraction.0 > -1.0 && contraction.1 < 1.0,
+            "must lie between -1 and 1",
+        ),
         ("fit", is_table(&bench.fit_n), table),
         (
             "fit",
@@ -46,7 +74,8 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         (
             "covariance",
             is_covariance(covariance, parameters.len()),
-            "must be symmetric, with a row and a column for each of `parameters`, and no combination of them may have a variance below zero",
+            "must be symmetric, with a row and a column for each of `parameters`, and no \
+             combination of them may have a variance below zero",
         ),
         (
             "lengths",
@@ -55,10 +84,13 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         ),
     ];
     let wrong = checks.iter().find(|check| !check.1);
-    wrong.map_or(Ok(Some(bench)), |(key, _, must)| Err(section.error(key, *must)))
+    wrong.map_or(Ok(Some(bench)), |(key, _, must)| {
+        Err(section.error(key, *must))
+    })
 }
 
-/// Whether rows are a covariance of so many: symmetric, and with no pivot below zero in LDLᵀ, to rounding.
+/// Whether rows are a covariance of so many: symmetric, and with no pivot below zero in LDLᵀ, to
+/// rounding.
 fn is_covariance(rows: &[Vec<f64>], n: usize) -> bool {
     const ROUNDING: f64 = 1e-9;
     let symmetric = |i: usize, k: usize| {

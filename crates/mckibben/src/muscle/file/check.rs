@@ -14,7 +14,9 @@ const LIST: &str = "a list";
 /// A number without unit, for messages.
 const PLAIN: &str = "a number without unit, such as 0.8";
 /// What a command over time is, for messages.
-pub const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 s\", \"3 bar\"]], or \"ramp 0..3 bar in 2 s\", \"sine 1..3 bar at 2 Hz\", \"chirp 1..3 bar from 0.1..5 Hz in 10 s\", \"table:command.csv\"";
+pub const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 \
+    s\", \"3 bar\"]], or \"ramp 0..3 bar in 2 s\", \"sine 1..3 bar at 2 Hz\", \"chirp 1..3 bar \
+    from 0.1..5 Hz in 10 s\", \"table:command.csv\"";
 
 /// The values of a table; `all` are the keys of the whole file.
 pub(super) fn table(
@@ -30,25 +32,36 @@ pub(super) fn table(
             return Err(unknown(source, path, table, name, keys, all));
         };
         let name = join(path, name);
-        let law = item.as_table_like().and_then(|table| table.get("law")?.as_str());
+        let law = item
+            .as_table_like()
+            .and_then(|table| table.get("law")?.as_str());
         let value = match (key.table(law), item.as_table_like(), item.as_value()) {
             (Some(inner), Some(table), _) => self::table(source, &name, table, &inner, all)?,
-            (inner, None, Some(value)) if inner.is_none() || key.kind == "end-factor" => {
-                key.read(value).map_err(|problem| source.error(&name, problem))?
-            }
+            (inner, None, Some(value)) if inner.is_none() || key.kind == "end-factor" => key
+                .read(value)
+                .map_err(|problem| source.error(&name, problem))?,
             (inner, ..) => {
                 let expected = inner.map_or_else(|| key.expected(), |_| "a table of keys".into());
-                return Err(source.error(&name, format!("is {}; expected {expected}", type_of(item))));
+                return Err(
+                    source.error(&name, format!("is {}; expected {expected}", type_of(item)))
+                );
             }
         };
         out.insert(key.name.into(), value);
     }
-    for key in keys.iter().filter(|key| key.is_needed && !table.contains_key(key.name)) {
+    for key in keys
+        .iter()
+        .filter(|key| key.is_needed && !table.contains_key(key.name))
+    {
         let name = join(path, key.name);
         let Some(inner) = key.table(None) else {
             return Err(source.error(
                 path,
-                format!("{name} is missing; expected {} ({})", expected(&key.kind), key.about),
+                format!(
+                    "{name} is missing; expected {} ({})",
+                    expected(&key.kind),
+                    key.about
+                ),
             ));
         };
         self::table(source, &name, &toml_edit::Table::new(), &inner, all)?;
@@ -66,7 +79,10 @@ fn unknown(
 ) -> FileError {
     let span = table.key(key).and_then(toml_edit::Key::span);
     let is_constant = Law::KINDS.iter().any(|law| law.names().contains(&key));
-    let law = table.get("law").and_then(Item::as_str).and_then(Law::kind_named);
+    let law = table
+        .get("law")
+        .and_then(Item::as_str)
+        .and_then(Law::kind_named);
     if let Some(law) = law.filter(|_| is_constant) {
         return source.key_error(&join(path, key), span, foreign(law));
     }
@@ -79,8 +95,13 @@ fn unknown(
     let suggestion = known.iter().copied().find(of_last_word);
     let suggestion = suggestion.or_else(|| all().find(|dotted| last(dotted)));
     let suggestion = suggestion.or_else(|| nearest(key, known.iter().copied()));
-    let suggestion = suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
-    let problem = format!("unknown key{}; known here: {}", meant(suggestion), known.join(", "));
+    let suggestion =
+        suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
+    let problem = format!(
+        "unknown key{}; known here: {}",
+        meant(suggestion),
+        known.join(", ")
+    );
     source.key_error(&join(path, &shortened(key)), span, problem)
 }
 
@@ -90,13 +111,19 @@ impl Key {
         let what = expected(&self.kind);
         // A kind alone does not say what is in a text or a list.
         let is_plain = matches!(what.as_str(), TEXT | LIST);
-        if is_plain { format!("{what} ({})", self.about) } else { what }
+        if is_plain {
+            format!("{what} ({})", self.about)
+        } else {
+            what
+        }
     }
 
     fn read(&self, value: &Written) -> Result<Value, String> {
         let read = of_kind(&self.kind, value, &self.expected())?;
         if let (Some(measure), Some(number)) = (self.measure, read.as_f64()) {
-            measure.check(number).map_err(|error| without_key(&error, measure.key))?;
+            measure
+                .check(number)
+                .map_err(|error| without_key(&error, measure.key))?;
         }
         Ok(read)
     }
@@ -111,10 +138,16 @@ fn expected(kind: &str) -> String {
         "word" => format!("one of {}", rest.replace(' ', ", ")),
         "or" => {
             let (words, rest) = words(rest);
-            format!("\"{}\", or {}", words.replace('/', "\", \""), expected(rest))
+            format!(
+                "\"{}\", or {}",
+                words.replace('/', "\", \""),
+                expected(rest)
+            )
         }
         "list" | "pair" => LIST.into(),
-        "values" => "a list such as \"30,40,50\", or a range such as \"0..0.25:0.01\" or \"10..60\"".into(),
+        "values" => {
+            "a list such as \"30,40,50\", or a range such as \"0..0.25:0.01\" or \"10..60\"".into()
+        }
         "range" => "a range such as \"0..80 mm\" or \"-60..60 deg\"".into(),
         "over-time" => OVER_TIME.into(),
         name => dimension(name).map_or(TEXT, Dimension::expectation).into(),
@@ -135,21 +168,35 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
             let read = of_kind(rest, value, expected)?;
             let (number, is_above) = (read.as_f64(), word == ">0");
             let low = number.filter(|v| *v < 0.0 || is_above && *v == 0.0);
-            let unit = dimension(rest).map_or(String::new(), |d| format!("\u{a0}{}", d.unit_inside().name));
-            let must = if is_above { "be above zero" } else { "not be below zero" };
-            low.map_or(Ok(read), |v| Err(format!("is {v}{}; it must {must}", unit.trim_end())))
+            let unit = dimension(rest)
+                .map_or(String::new(), |d| format!("\u{a0}{}", d.unit_inside().name));
+            let must = if is_above {
+                "be above zero"
+            } else {
+                "not be below zero"
+            };
+            low.map_or(Ok(read), |v| {
+                Err(format!("is {v}{}; it must {must}", unit.trim_end()))
+            })
         }
         ("number" | "end-factor", _) => sound(value, PLAIN).map(Value::from),
         ("whole", _) => {
-            let whole = Some(sound(value, PLAIN)?).filter(|v| v.fract() == 0.0 && (0.0..=1e15).contains(v));
-            whole.map(|v| Value::from(v as u64)).ok_or_else(|| "must be a whole number, zero or above".into())
+            let whole =
+                Some(sound(value, PLAIN)?).filter(|v| v.fract() == 0.0 && (0.0..=1e15).contains(v));
+            whole
+                .map(|v| Value::from(v as u64))
+                .ok_or_else(|| "must be a whole number, zero or above".into())
         }
         ("within", _) => {
             let read = sound(value, PLAIN)?;
             let (low, high) = words(rest);
             let within = low.parse().is_ok_and(|low: f64| low <= read)
                 && high.parse().is_ok_and(|high: f64| read <= high);
-            if within { Ok(read.into()) } else { Err(format!("is {read}; it must be from {low} to {high}")) }
+            if within {
+                Ok(read.into())
+            } else {
+                Err(format!("is {read}; it must be from {low} to {high}"))
+            }
         }
         ("boolean", _) => value.as_bool().map(Value::from).ok_or_else(wrong),
         ("word", Some(text)) if rest.split(' ').any(|word| word == text) => Ok(text.into()),
@@ -158,25 +205,41 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
             let (words, rest) = words(rest);
             match text {
                 Some(text) if words.split('/').any(|word| word == text) => Ok(text.into()),
-                Some(text) if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => {
+                Some(text)
+                    if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) =>
+                {
                     Err(unknown(text, words))
                 }
                 _ => of_kind(rest, value, expected),
             }
         }
-        ("list", _) => {
-            value.as_array().ok_or_else(wrong)?.iter().map(|v| of_kind(rest, v, expected)).collect()
-        }
-        ("pair", _) => match value.as_array().map(|array| array.iter().collect::<Vec<_>>()).as_deref() {
+        ("list", _) => value
+            .as_array()
+            .ok_or_else(wrong)?
+            .iter()
+            .map(|v| of_kind(rest, v, expected))
+            .collect(),
+        ("pair", _) => match value
+            .as_array()
+            .map(|array| array.iter().collect::<Vec<_>>())
+            .as_deref()
+        {
             Some(&[first, second]) => {
                 let (one, other) = words(rest);
-                Ok(json!([of_kind(one, first, expected)?, of_kind(other, second, expected)?]))
+                Ok(json!([
+                    of_kind(one, first, expected)?,
+                    of_kind(other, second, expected)?
+                ]))
             }
             _ => Err(wrong()),
         },
         ("values" | "range", _) => {
             let (dimension, suffix) = words(rest);
-            let read = values(value, super::keys::dimension(dimension).unwrap_or(Dimension::Ratio), suffix)?;
+            let read = values(
+                value,
+                super::keys::dimension(dimension).unwrap_or(Dimension::Ratio),
+                suffix,
+            )?;
             match (word, &read.0) {
                 ("range", Values::Interval(low, high)) => Ok(json!([low, high])),
                 ("range", _) => Err(format!("must be {expected}")),
@@ -196,7 +259,8 @@ fn of_kind(kind: &str, value: &Written, expected: &str) -> Result<Value, String>
     }
 }
 
-/// Values: a text with a list or a range, a bare number, or a TOML list; and whether `suffix` is behind them.
+/// Values: a text with a list or a range, a bare number, or a TOML list; and whether `suffix` is
+/// behind them.
 fn values(value: &Written, dimension: Dimension, suffix: &str) -> Result<(Values, bool), String> {
     if let Some(array) = value.as_array() {
         let list: Result<_, String> = array.iter().map(|v| quantity(v, dimension)).collect();
@@ -206,9 +270,13 @@ fn values(value: &Written, dimension: Dimension, suffix: &str) -> Result<(Values
         return Ok((Values::List(vec![quantity(value, dimension)?]), false));
     };
     let text = text.trim();
-    let behind = Some(suffix).filter(|s| !s.is_empty()).and_then(|s| text.strip_suffix(s));
+    let behind = Some(suffix)
+        .filter(|s| !s.is_empty())
+        .and_then(|s| text.strip_suffix(s));
     let values = parse_values(behind.unwrap_or(text), dimension);
-    values.map(|values| (values, behind.is_some())).map_err(|error| error.to_string())
+    values
+        .map(|values| (values, behind.is_some()))
+        .map_err(|error| error.to_string())
 }
 
 fn quantity(value: &Written, dimension: Dimension) -> Result<f64, String> {
@@ -222,9 +290,13 @@ fn quantity(value: &Written, dimension: Dimension) -> Result<f64, String> {
 
 /// A number that is computed with.
 fn sound(value: &Written, expected: &str) -> Result<f64, String> {
-    let number = value.as_float().or_else(|| value.as_integer().map(|i| i as f64));
+    let number = value
+        .as_float()
+        .or_else(|| value.as_integer().map(|i| i as f64));
     let given = match number {
-        Some(number) if number.is_finite() && (plausible(number) || value.is_integer()) => return Ok(number),
+        Some(number) if number.is_finite() && (plausible(number) || value.is_integer()) => {
+            return Ok(number);
+        }
         Some(number) if number.is_finite() => "a number beyond 1e-30 to 1e30",
         Some(_) => "not a finite number",
         None => type_of_value(value),

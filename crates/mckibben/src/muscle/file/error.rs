@@ -13,7 +13,8 @@ pub struct TextPosition {
     pub column: usize,
 }
 
-/// Why a text is not such a file: the file, the place, the key, what stood there, and what is wrong with it.
+/// Why a text is not such a file: the file, the place, the key, what stood there, and what is wrong
+/// with it.
 #[derive(Debug, Default)]
 pub struct FileError {
     /// The file, where the text came from one.
@@ -28,18 +29,25 @@ pub struct FileError {
     pub problem: String,
 }
 
-/// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in front already.
+/// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in
+/// front already.
 pub(super) fn without_key(error: &MuscleError, key: &str) -> String {
     let message = error.to_string();
     let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));
     let key = [format!("{key} "), format!("{key}: ")];
-    let rest = key.iter().chain(&table).find_map(|k| message.strip_prefix(k.as_str()));
+    let rest = key
+        .iter()
+        .chain(&table)
+        .find_map(|k| message.strip_prefix(k.as_str()));
     rest.unwrap_or(&message).to_string()
 }
 
 impl FileError {
     pub(super) fn new(problem: impl Into<String>) -> Self {
-        Self { problem: problem.into(), ..Self::default() }
+        Self {
+            problem: problem.into(),
+            ..Self::default()
+        }
     }
 
     /// The same error with its file.

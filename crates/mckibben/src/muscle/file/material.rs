@@ -9,9 +9,10 @@ use crate::rubber::{Constant, Law, NEEDS_ALL, library};
 pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
     let material = tube.at("material");
     match tube.get::<&str>("rubber") {
-        Some(_) if material.is_written() => {
-            Err(tube.error("rubber", "give either `rubber` or [tube.material]; both are given"))
-        }
+        Some(_) if material.is_written() => Err(tube.error(
+            "rubber",
+            "give either `rubber` or [tube.material]; both are given",
+        )),
         Some(name) => library::find(name).map_err(|e| tube.error("rubber", e.to_string())),
         None if material.is_written() => with_constants(&material),
         None => Ok(Rubber::paper()),
@@ -26,7 +27,9 @@ fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
         fitted_to_stretch: section.get("fitted_to_stretch"),
         softening: section.get("softening"),
         conditioned: section.get("conditioned"),
-        prony: section.get("prony").filter(|series: &Prony| !series.branches.is_empty()),
+        prony: section
+            .get("prony")
+            .filter(|series: &Prony| !series.branches.is_empty()),
     };
     if section.has("held") {
         if rubber.prony.is_none() {
@@ -37,7 +40,8 @@ fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
         rubber.check().map_err(wrong)?;
         rubber = rubber.held(section.get("held").map_or(Held::Long, Held::For));
     }
-    // Constants that are written are those of this muscle, also where they are the library's for another one.
+    // Constants that are written are those of this muscle, also where they are the library's for
+    // another one.
     if library::follows(&rubber) {
         rubber.name = None;
     }
@@ -45,11 +49,23 @@ fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
 }
 
 fn law(section: &Section<'_>) -> Result<Law, FileError> {
-    let kind = section.get("law").and_then(Law::kind_named).unwrap_or(&Law::KINDS[0]);
+    let kind = section
+        .get("law")
+        .and_then(Law::kind_named)
+        .unwrap_or(&Law::KINDS[0]);
     let list = |c: &Constant| {
-        let read = if kind.is_sum { section.get(c.name) } else { section.get(c.name).map(|v| vec![v]) };
+        let read = if kind.is_sum {
+            section.get(c.name)
+        } else {
+            section.get(c.name).map(|v| vec![v])
+        };
         read.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
     };
-    let lists = kind.constants.iter().map(list).collect::<Result<Vec<Vec<f64>>, _>>()?;
-    kind.law_of_terms(&lists).map_err(|e| section.error(e.fields[0], e.message.clone()))
+    let lists = kind
+        .constants
+        .iter()
+        .map(list)
+        .collect::<Result<Vec<Vec<f64>>, _>>()?;
+    kind.law_of_terms(&lists)
+        .map_err(|e| section.error(e.fields[0], e.message.clone()))
 }

@@ -13,8 +13,8 @@
 //! # Ok::<(), mckibben::muscle::file::FileError>(())
 //! ```
 //!
-//! Whatever is omitted is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key must not turn into
-//! a default.
+//! Whatever is omitted is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key
+//! must not turn into a default.
 
 mod bench;
 mod check;
@@ -44,11 +44,13 @@ use std::path::Path;
 /// Reads a muscle file.
 ///
 /// # Errors
-/// [`FileError`] with the file's name: what [`parse_muscle`] finds, and whatever keeps the file from being read: it
-/// is missing, not a regular file, longer than [`MAX_BYTES`], or not UTF-8.
+/// [`FileError`] with the file's name: what [`parse_muscle`] finds, and whatever keeps the file
+/// from being read: it is missing, not a regular file, longer than [`MAX_BYTES`], or not UTF-8.
 pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
     let path = path.as_ref();
-    read_text(path).and_then(|text| parse_muscle(&text)).map_err(|e| e.in_file(path))
+    read_text(path)
+        .and_then(|text| parse_muscle(&text))
+        .map_err(|e| e.in_file(path))
 }
 
 /// The text of a file written by hand.
@@ -61,9 +63,18 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
     String::from_utf8(bytes).map_err(|e| {
         let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
-        let place = std::str::from_utf8(&bytes[..offset]).ok().map(|t| source::place(t, offset));
-        let hint = if utf16 { " (this looks like UTF-16: save it as UTF-8)" } else { "" };
+        let place = std::str::from_utf8(&bytes[..offset])
+            .ok()
+            .map(|t| source::place(t, offset));
+        let hint = if utf16 {
+            " (this looks like UTF-16: save it as UTF-8)"
+        } else {
+            ""
+        };
         let problem = format!("the byte at offset {offset} is not UTF-8 text{hint}");
-        FileError { place, ..FileError::new(problem) }
+        FileError {
+            place,
+            ..FileError::new(problem)
+        }
     })
 }

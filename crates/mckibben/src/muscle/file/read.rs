@@ -37,8 +37,15 @@ pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
     };
     // What has special rules is read where these are.
     let plain = |m: &&Measure| ![&END_FACTOR, &CONE_FACTOR, &STIFFNESS].contains(m);
-    for (name, measure) in SECTIONS.into_iter().flat_map(|name| of_section(name).map(move |m| (name, m))) {
-        if let Some(value) = root.at(name).get(measure.name()).filter(|_| plain(&measure)) {
+    for (name, measure) in SECTIONS
+        .into_iter()
+        .flat_map(|name| of_section(name).map(move |m| (name, m)))
+    {
+        if let Some(value) = root
+            .at(name)
+            .get(measure.name())
+            .filter(|_| plain(&measure))
+        {
             stated.measures.set(measure, value);
         }
     }
@@ -61,14 +68,20 @@ fn sleeve(braid: &Section<'_>) -> Result<Option<Result<Sleeve, MuscleError>>, Fi
     let name: Option<&str> = braid.get("name");
     match (braid.get(RANGE.0), braid.get(RANGE.1)) {
         (None, None) => Ok(name.map(library::find)),
-        (Some(_), None) => {
-            Err(braid.missing(RANGE.1, Some(RANGE.0), "the diameter to which the sleeve opens"))
+        (Some(_), None) => Err(braid.missing(
+            RANGE.1,
+            Some(RANGE.0),
+            "the diameter to which the sleeve opens",
+        )),
+        (None, Some(_)) => {
+            Err(braid.missing(RANGE.0, Some(RANGE.1), "the diameter to which it closes"))
         }
-        (None, Some(_)) => Err(braid.missing(RANGE.0, Some(RANGE.1), "the diameter to which it closes")),
         (Some(_), Some(_)) if name.is_some() => {
             Err(braid.error(RANGE.0, "is that of the named sleeve: leave `name` out"))
         }
-        (Some(least_mm), Some(largest_mm)) => Ok(Some(library::between("pet", least_mm, largest_mm))),
+        (Some(least_mm), Some(largest_mm)) => {
+            Ok(Some(library::between("pet", least_mm, largest_mm)))
+        }
     }
 }
 
@@ -84,14 +97,19 @@ fn located(source: &Source<'_>, error: &MuscleError) -> FileError {
     let key = written.map_or("muscle", |key| key.as_ref());
     // What does not suit the other measures may be a default.
     let sizes = [OUTER_DIAMETER.key, WALL.key, "tube.length"];
-    let default = keys.iter().find(|k| sizes.contains(&k.as_ref()) && !source.has(k));
+    let default = keys
+        .iter()
+        .find(|k| sizes.contains(&k.as_ref()) && !source.has(k));
     let default = default.map(|key| format!("; {key} is not written, so this is its default"));
     source.error(key, without_key(error, key) + &default.unwrap_or_default())
 }
 
-/// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the outer diameter.
+/// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the
+/// outer diameter.
 fn inner_diameter(section: &Section<'_>, stated: &mut Stated) -> Result<(), FileError> {
-    let Some(inner_mm) = section.get::<f64>(INNER) else { return Ok(()) };
+    let Some(inner_mm) = section.get::<f64>(INNER) else {
+        return Ok(());
+    };
     let values = &mut stated.measures;
     let problem = match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
         (Some(outer_mm), None) if outer_mm > inner_mm => {
@@ -103,19 +121,25 @@ fn inner_diameter(section: &Section<'_>, stated: &mut Stated) -> Result<(), File
             values.set(&OUTER_DIAMETER, inner_mm + 2.0 * wall_mm);
             return Ok(());
         }
-        (Some(_), Some(_)) => "follows from outer_diameter and wall_thickness; leave one of the three out",
+        (Some(_), Some(_)) => {
+            "follows from outer_diameter and wall_thickness; leave one of the three out"
+        }
         (None, None) => "needs outer_diameter or wall_thickness beside it",
     };
     Err(section.error(INNER, problem))
 }
 
-/// What models of their own say of the ends; in the table of the terminals are their keys of before.
+/// What models of their own say of the ends; in the table of the terminals are their keys of
+/// before.
 fn factors(root: &Section<'_>) -> Result<(Option<EndFactor>, Option<f64>), FileError> {
     let (section, models) = (root.at("terminals"), root.at("model"));
     let (ends, cones) = (models.at("tondu-lopez"), models.at("conical-ends"));
     for (table, key) in [(&ends, "end_factor"), (&cones, "cone_factor")] {
         if table.has(key) && section.has(key) {
-            let said = format!("is also given at {}: leave one of them out", table.dotted(key));
+            let said = format!(
+                "is also given at {}: leave one of them out",
+                table.dotted(key)
+            );
             return Err(section.error(key, said));
         }
     }
@@ -126,6 +150,14 @@ fn factors(root: &Section<'_>) -> Result<(Option<EndFactor>, Option<f64>), FileE
 /// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.
 fn end_factor(section: &Section<'_>) -> Option<EndFactor> {
     let table = section.at("end_factor");
-    let of_pressure = || Some(EndFactor::OfPressure { a: table.get("a")?, b: table.get("b")? });
-    section.get("end_factor").map(EndFactor::Constant).or_else(of_pressure)
+    let of_pressure = || {
+        Some(EndFactor::OfPressure {
+            a: table.get("a")?,
+            b: table.get("b")?,
+        })
+    };
+    section
+        .get("end_factor")
+        .map(EndFactor::Constant)
+        .or_else(of_pressure)
 }

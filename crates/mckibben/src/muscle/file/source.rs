@@ -15,7 +15,10 @@ pub const MAX_BYTES: usize = 1 << 20;
 pub(super) fn place(text: &str, offset: usize) -> TextPosition {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-    TextPosition { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1 }
+    TextPosition {
+        line: before.matches('\n').count() + 1,
+        column: before[line_start..].chars().count() + 1,
+    }
 }
 
 /// The text, its parsed form, and its values once they are checked.
@@ -27,7 +30,8 @@ pub struct Source<'t> {
 }
 
 impl<'t> Source<'t> {
-    /// Parses a text, and checks it against sections of the list of keys: numbers are then in the units used inside.
+    /// Parses a text, and checks it against sections of the list of keys: numbers are then in the
+    /// units used inside.
     ///
     /// # Errors
     /// [`FileError`] with line, column, key, what stood there and what is expected.
@@ -47,7 +51,11 @@ impl<'t> Source<'t> {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match Document::parse(text) {
-            Ok(document) => Ok(Self { text, document, values: Value::Null }),
+            Ok(document) => Ok(Self {
+                text,
+                document,
+                values: Value::Null,
+            }),
             Err(error) => Err(syntax(text, &error)),
         }
     }
@@ -64,7 +72,11 @@ impl<'t> Source<'t> {
 
     /// The table of everything.
     pub fn root(&self) -> Section<'_> {
-        Section { source: self, path: String::new(), values: Some(&self.values) }
+        Section {
+            source: self,
+            path: String::new(),
+            values: Some(&self.values),
+        }
     }
 
     /// Key and value at a dotted key, where it is written.
@@ -87,9 +99,15 @@ impl<'t> Source<'t> {
     pub fn error(&self, dotted: &str, problem: impl Into<String>) -> FileError {
         let entry = self.find(dotted);
         let value = entry.as_ref().and_then(|(_, item)| item.as_value()?.span());
-        let written = value.clone().and_then(|span| self.text.get(span)).map(shortened);
+        let written = value
+            .clone()
+            .and_then(|span| self.text.get(span))
+            .map(shortened);
         let span = entry.and_then(|(key, item)| value.or(key).or_else(|| item.span()));
-        FileError { written, ..self.key_error(dotted, span, problem) }
+        FileError {
+            written,
+            ..self.key_error(dotted, span, problem)
+        }
     }
 
     /// The problem with a key itself.
@@ -100,7 +118,11 @@ impl<'t> Source<'t> {
         problem: impl Into<String>,
     ) -> FileError {
         let place = span.map(|span| place(self.text, span.start));
-        FileError { place, key: Some(dotted.to_owned()), ..FileError::new(problem) }
+        FileError {
+            place,
+            key: Some(dotted.to_owned()),
+            ..FileError::new(problem)
+        }
     }
 }
 
@@ -115,7 +137,11 @@ pub struct Section<'s> {
 impl<'s> Section<'s> {
     /// A table in this one.
     pub fn at(&self, key: &str) -> Section<'s> {
-        Section { source: self.source, path: join(&self.path, key), values: self.value(key) }
+        Section {
+            source: self.source,
+            path: join(&self.path, key),
+            values: self.value(key),
+        }
     }
 
     fn value(&self, key: &str) -> Option<&'s Value> {
@@ -157,14 +183,20 @@ impl<'s> Section<'s> {
     ///
     /// # Errors
     /// What it says.
-    pub fn valid<T, E: fmt::Display>(&self, key: &str, result: Result<T, E>) -> Result<T, FileError> {
+    pub fn valid<T, E: fmt::Display>(
+        &self,
+        key: &str,
+        result: Result<T, E>,
+    ) -> Result<T, FileError> {
         result.map_err(|error| self.error(key, format!("is invalid: {error}")))
     }
 
-    /// The problem that something is missing here; it is at `beside`, which needs it, or at the table itself.
+    /// The problem that something is missing here; it is at `beside`, which needs it, or at the
+    /// table itself.
     pub fn missing(&self, key: &str, beside: Option<&str>, needs: impl fmt::Display) -> FileError {
         let at = beside.map_or_else(|| self.path.clone(), |beside| self.dotted(beside));
-        self.source.error(&at, format!("{} is missing; {needs}", self.dotted(key)))
+        self.source
+            .error(&at, format!("{} is missing; {needs}", self.dotted(key)))
     }
 }
 
@@ -183,13 +215,28 @@ fn syntax(text: &str, error: &TomlError) -> FileError {
     let Some(span) = error.span() else {
         return FileError::new(format!("not valid TOML: {message} in ``"));
     };
-    let start = text.get(..span.start).map_or(0, |t| t.rfind('\n').map_or(0, |i| i + 1));
-    let line = text.get(start..).and_then(|t| t.lines().next()).unwrap_or("");
+    let start = text
+        .get(..span.start)
+        .map_or(0, |t| t.rfind('\n').map_or(0, |i| i + 1));
+    let line = text
+        .get(start..)
+        .and_then(|t| t.lines().next())
+        .unwrap_or("");
     let value = line.split_once('=').map_or("", |(_, v)| v.trim_start());
     let unquoted = value.starts_with(|c: char| c.is_ascii_digit() || c == '-')
-        && value.split('#').next().is_some_and(|v| v.contains(char::is_alphabetic) && !v.contains('"'));
+        && value
+            .split('#')
+            .next()
+            .is_some_and(|v| v.contains(char::is_alphabetic) && !v.contains('"'));
     let line = shortened(line);
-    let hint = if unquoted { " (write a quantity with a unit in quotes: \"30 mm\")" } else { "" };
+    let hint = if unquoted {
+        " (write a quantity with a unit in quotes: \"30 mm\")"
+    } else {
+        ""
+    };
     let problem = format!("not valid TOML: {message} in `{line}`{hint}");
-    FileError { place: Some(place(text, span.start)), ..FileError::new(problem) }
+    FileError {
+        place: Some(place(text, span.start)),
+        ..FileError::new(problem)
+    }
 }

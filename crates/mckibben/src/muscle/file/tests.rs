@@ -13,16 +13,20 @@ fn number(low: f64, high: f64) -> BoxedStrategy<f64> {
 fn law() -> impl Strategy<Value = Law> {
     let m = || number(1e-4, 1.0);
     prop_oneof![
-        (m(), -5e-5..1.0).prop_map(|(c10_mpa, c01_mpa)| Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa })),
+        (m(), -5e-5..1.0)
+            .prop_map(|(c10_mpa, c01_mpa)| Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa })),
         m().prop_map(|mu_mpa| Law::NeoHookean(NeoHookean { mu_mpa })),
-        (m(), -1e-3..1e-3f64, -1e-9..1e-4f64).prop_map(|(c10_mpa, c20_mpa, c30_mpa)| Law::Yeoh(Yeoh {
-            c10_mpa,
-            c20_mpa,
-            c30_mpa
-        })),
+        (m(), -1e-3..1e-3f64, -1e-9..1e-4f64).prop_map(|(c10_mpa, c20_mpa, c30_mpa)| Law::Yeoh(
+            Yeoh {
+                c10_mpa,
+                c20_mpa,
+                c30_mpa
+            }
+        )),
         (m(), 1.0..200.0).prop_map(|(mu_mpa, jm)| Law::Gent(Gent { mu_mpa, jm })),
         prop::collection::vec(
-            (m(), 0.1..9.0f64).prop_flat_map(|t: (f64, f64)| prop_oneof![Just(t), Just((-t.0, -t.1))]),
+            (m(), 0.1..9.0f64)
+                .prop_flat_map(|t: (f64, f64)| prop_oneof![Just(t), Just((-t.0, -t.1))]),
             1..4
         )
         .prop_map(|terms| Law::Ogden(Ogden { terms })),
@@ -33,19 +37,29 @@ fn rubber() -> impl Strategy<Value = Rubber> {
     let named: Vec<Rubber> = library::entries()
         .unwrap()
         .iter()
-        .flat_map(|e| e.laws().into_iter().map(|law| library::find(&format!("{}:{law}", e.name)).unwrap()))
+        .flat_map(|e| {
+            e.laws()
+                .into_iter()
+                .map(|law| library::find(&format!("{}:{law}", e.name)).unwrap())
+        })
         .collect();
-    let bulk = prop_oneof![Just(Bulk::Incompressible), number(1.0, 3000.0).prop_map(Bulk::Modulus)];
+    let bulk = prop_oneof![
+        Just(Bulk::Incompressible),
+        number(1.0, 3000.0).prop_map(Bulk::Modulus)
+    ];
     let name = prop::option::of("[ -~äµ\n\"\\\\]{0,12}");
     let softening = (1.0..9.0, number(1e-6, 0.5), number(0.0, 1.0))
         .prop_map(|(r, m_mpa, beta)| OgdenRoxburgh { r, m_mpa, beta });
     let conditioned = prop_oneof![
         number(1e-3, 2.0).prop_map(Conditioned::Pressure),
-        (1..20u32).prop_map(|n| Conditioned::Strain { strain: f64::from(n) / 100.0 }),
+        (1..20u32).prop_map(|n| Conditioned::Strain {
+            strain: f64::from(n) / 100.0
+        }),
     ];
     let memory = prop_oneof![
         Just((None, None)),
-        (softening, prop::option::of(conditioned)).prop_map(|(s, conditioned)| (Some(s), conditioned)),
+        (softening, prop::option::of(conditioned))
+            .prop_map(|(s, conditioned)| (Some(s), conditioned)),
     ];
     let branch = (number(0.0, 0.3), number(1e-3, 1e5));
     let prony = prop::option::of(prop::collection::vec(branch, 1..4).prop_map(Prony::from));
@@ -72,40 +86,68 @@ fn braid() -> impl Strategy<Value = Braid> {
         Just(BraidStiffness::Inextensible),
         number(1.0, 1e4).prop_map(BraidStiffness::NewtonPerMm),
     ];
-    let counted =
-        (count.clone(), strength()).prop_map(|(c, s)| Strands { count: c, section: None, strength_n: s });
+    let counted = (count.clone(), strength()).prop_map(|(c, s)| Strands {
+        count: c,
+        section: None,
+        strength_n: s,
+    });
     let make = prop_oneof![
         (stiffness, prop::option::of(counted)),
         (count, section, strength()).prop_map(|(count, section, strength_n)| {
-            (BraidStiffness::OfStrands, Some(Strands { count, section: Some(section), strength_n }))
+            (
+                BraidStiffness::OfStrands,
+                Some(Strands {
+                    count,
+                    section: Some(section),
+                    strength_n,
+                }),
+            )
         }),
     ];
-    let measured = (1e3..5e3, number(0.1, 9.0))
-        .prop_map(|(strand_length_mm, turns)| MeasuredStrand { strand_length_mm, turns });
-    let crimp = (number(1e-4, 0.1), 0.01..1.0)
-        .prop_map(|(strain, stiffness_ratio)| Crimp { strain, stiffness_ratio });
+    let measured =
+        (1e3..5e3, number(0.1, 9.0)).prop_map(|(strand_length_mm, turns)| MeasuredStrand {
+            strand_length_mm,
+            turns,
+        });
+    let crimp = (number(1e-4, 0.1), 0.01..1.0).prop_map(|(strain, stiffness_ratio)| Crimp {
+        strain,
+        stiffness_ratio,
+    });
     let lay = (
         prop_oneof![Just(0.0), number(0.01, 0.9)],
         prop::option::of(number(200.0, 300.0)),
         prop::option::of(crimp),
     );
-    (number(1.0, 54.0), make, prop::option::of(measured), any::<bool>(), lay).prop_map(
-        |(angle_deg, (stiffness, strands), measured, compression, (thickness_mm, diameter_mm, crimp))| {
-            Braid {
+    (
+        number(1.0, 54.0),
+        make,
+        prop::option::of(measured),
+        any::<bool>(),
+        lay,
+    )
+        .prop_map(
+            |(
                 angle_deg,
-                stiffness,
-                strands,
+                (stiffness, strands),
                 measured,
                 compression,
-                thickness_mm,
-                diameter_mm,
-                crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
-                stiffness_factor: 1.0,
-                strands_per_carrier: strands.map(|_| 4.0),
-                sleeve: None,
-            }
-        },
-    )
+                (thickness_mm, diameter_mm, crimp),
+            )| {
+                Braid {
+                    angle_deg,
+                    stiffness,
+                    strands,
+                    measured,
+                    compression,
+                    thickness_mm,
+                    diameter_mm,
+                    crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
+                    stiffness_factor: 1.0,
+                    strands_per_carrier: strands.map(|_| 4.0),
+                    sleeve: None,
+                }
+            },
+        )
 }
 
 prop_compose! {
@@ -188,10 +230,18 @@ proptest! {
 
 #[test]
 fn nothing_written_means_the_prototype() {
-    for text in ["", "\u{feff}", "# nothing\n", "[tube]\n[braid]\r\n[terminals]\n[friction]\n"] {
+    for text in [
+        "",
+        "\u{feff}",
+        "# nothing\n",
+        "[tube]\n[braid]\r\n[terminals]\n[friction]\n",
+    ] {
         assert_eq!(parse_muscle(text).unwrap(), Muscle::prototype(), "{text:?}");
     }
-    assert_eq!(parse_muscle("name = \"left leg\"\nnotes = \"first try\"\n").unwrap(), Muscle::prototype());
+    assert_eq!(
+        parse_muscle("name = \"left leg\"\nnotes = \"first try\"\n").unwrap(),
+        Muscle::prototype()
+    );
 }
 
 /// The example of the documentation, with every unit and every form a value can take.
@@ -236,17 +286,28 @@ fn every_key_is_understood() {
     let terms = vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)];
     let rubber = Rubber {
         bulk: Bulk::Modulus(1500.0),
-        softening: Some(OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 }),
+        softening: Some(OgdenRoxburgh {
+            r: 1.5,
+            m_mpa: 0.05,
+            beta: 0.0,
+        }),
         conditioned: Some(Conditioned::Pressure(0.25)),
         prony: Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)])),
         ..Rubber::new(Law::Ogden(Ogden { terms }))
     };
     assert_eq!(muscle.tube().rubber, rubber);
-    let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: Some(40.0) };
+    let strands = Strands {
+        count: 48,
+        section: Some((0.3, 2500.0)),
+        strength_n: Some(40.0),
+    };
     assert_eq!(muscle.braid().strands, Some(strands));
     assert_eq!(muscle.braid().stiffness, BraidStiffness::OfStrands);
     assert!(muscle.braid().compression);
-    let measured = MeasuredStrand { strand_length_mm: 340.0, turns: 1.6 };
+    let measured = MeasuredStrand {
+        strand_length_mm: 340.0,
+        turns: 1.6,
+    };
     assert_eq!(muscle.braid().measured, Some(measured));
     let terminals = Terminals {
         insertion_mm: Some(20.0),
@@ -261,11 +322,15 @@ fn every_key_is_understood() {
     };
     assert_eq!(muscle.terminals(), &terminals);
     assert_eq!(muscle.friction(), Some(&Friction::power_law(61.0, 0.57)));
-    // A count beside a stiffness only informs; dotted keys and inline tables are TOML like any other.
+    // A count beside a stiffness only informs; dotted keys and inline tables are TOML like any
+    // other.
     let muscle = parse_muscle("braid.stiffness = \"inextensible\"\nbraid.strands = 96\n").unwrap();
     assert_eq!(muscle.braid().stiffness, BraidStiffness::Inextensible);
     let muscle = parse_muscle("tube = { rubber = \"Dragon Skin 30:mooney-rivlin\" }").unwrap();
-    assert_eq!(muscle.tube().rubber.fitted_to_stretch, Some(1.05 * muscle.reach()));
+    assert_eq!(
+        muscle.tube().rubber.fitted_to_stretch,
+        Some(1.05 * muscle.reach())
+    );
 }
 
 /// What users see and keep; a change of this text is a change of the format.
@@ -294,19 +359,35 @@ stiffness = "paper"              # k of one strand family: "321 N/mm", "inextens
 /// A cross-section beside a stiffness is what a file may not say; it stays as a comment.
 #[test]
 fn an_unused_strand_section_is_written_as_a_comment() {
-    let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None };
-    let braid = Braid { strands: Some(strands), ..Braid::paper() };
+    let strands = Strands {
+        count: 48,
+        section: Some((0.3, 2500.0)),
+        strength_n: None,
+    };
+    let braid = Braid {
+        strands: Some(strands),
+        ..Braid::paper()
+    };
     let text = to_toml(&Muscle::prototype().with_braid(braid).unwrap());
     assert!(text.contains("\n# strand_area = \"0.3 mm2\""), "{text}");
     let strands = parse_muscle(&text).unwrap().braid().strands;
-    assert_eq!(strands, Some(Strands { count: 48, section: None, strength_n: None }));
+    assert_eq!(
+        strands,
+        Some(Strands {
+            count: 48,
+            section: None,
+            strength_n: None
+        })
+    );
 }
 
-/// A named sleeve gives angle and strands, stays a name, and says only what it does not say by itself.
+/// A named sleeve gives angle and strands, stays a name, and says only what it does not say by
+/// itself.
 #[test]
 fn named_sleeves_are_read_and_written_by_name() {
     let read = |diameter: f64, braid: &str| {
-        let text = format!("[tube]\nouter_diameter = {diameter}\nwall_thickness = 0.4\n[braid]\n{braid}");
+        let text =
+            format!("[tube]\nouter_diameter = {diameter}\nwall_thickness = 0.4\n[braid]\n{braid}");
         let muscle = parse_muscle(&text).unwrap();
         let written = to_toml(&muscle);
         assert_eq!(parse_muscle(&written).unwrap(), muscle, "{written}");
@@ -316,25 +397,47 @@ fn named_sleeves_are_read_and_written_by_name() {
     assert!((muscle.braid().angle_deg - 18.0).abs() < 1e-12);
     let strands = muscle.braid().strands.unwrap();
     assert_eq!((strands.count, strands.section.unwrap().1), (24, 5000.0));
-    assert!(text.contains("name = \"s-muscle-20\"") && !text.contains("angle ="), "{text}");
-    // Its diameter is not stated by the seller; with it the number of strands follows from the range.
-    let (muscle, text) = read(12.0, "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = \"0.2 mm\"");
+    assert!(
+        text.contains("name = \"s-muscle-20\"") && !text.contains("angle ="),
+        "{text}"
+    );
+    // Its diameter is not stated by the seller; with it the number of strands follows from the
+    // range.
+    let (muscle, text) = read(
+        12.0,
+        "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = \"0.2 mm\"",
+    );
     let sleeve = crate::sleeve::library::find("flexo-overexpanded-0.38in").unwrap();
     let same = sleeve.with(None, Some(0.2), None, None).on(12.0).unwrap();
     assert_eq!(muscle.braid(), &same);
-    assert!(text.contains("strands = 290") && text.contains("strand_area = "), "{text}");
+    assert!(
+        text.contains("strands = 290") && text.contains("strand_area = "),
+        "{text}"
+    );
     // A counted number conflicts with the one that follows.
     let counted = "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = 0.25\nstrands = 96";
     assert_eq!(read(12.0, counted).0.braid().strands.unwrap().count, 96);
     // A stiffness beside the name is k on this tube.
-    let (muscle, text) = read(20.0, "name = \"nfl-19\"\nstiffness = \"300 N/mm\"\nangle = \"31.5 deg\"");
+    let (muscle, text) = read(
+        20.0,
+        "name = \"nfl-19\"\nstiffness = \"300 N/mm\"\nangle = \"31.5 deg\"",
+    );
     assert_eq!(muscle.family_stiffness_n_per_mm(), Some(300.0));
     assert_eq!(muscle.braid().angle_deg, 31.5);
-    assert!(text.contains("name = \"nfl-19\"") && text.contains("angle = \"31.5 deg\""), "{text}");
+    assert!(
+        text.contains("name = \"nfl-19\"") && text.contains("angle = \"31.5 deg\""),
+        "{text}"
+    );
     // An angle that the sleeve does not have is written instead of its name.
-    let other = Braid { angle_deg: 25.0, ..muscle.braid().clone() };
+    let other = Braid {
+        angle_deg: 25.0,
+        ..muscle.braid().clone()
+    };
     let text = to_toml(&muscle.with_braid(other).unwrap());
-    assert!(!text.contains("nfl-19") && text.contains("angle = \"25 deg\""), "{text}");
+    assert!(
+        !text.contains("nfl-19") && text.contains("angle = \"25 deg\""),
+        "{text}"
+    );
 }
 
 /// `strand_diameter` is a circle's: A = π d²/4.
@@ -343,89 +446,153 @@ fn a_strand_diameter_is_a_round_cross_section() {
     let text = "[braid]\nstrands = 48\nstrand_diameter = \"0.5 mm\"\nstrand_modulus = \"2.5 GPa\"";
     let muscle = parse_muscle(text).unwrap();
     let area = std::f64::consts::PI / 16.0;
-    assert_eq!(muscle.braid().strands.unwrap().section, Some((area, 2500.0)));
+    assert_eq!(
+        muscle.braid().strands.unwrap().section,
+        Some((area, 2500.0))
+    );
     let spacing = muscle.braid().strand_spacing_mm(muscle.tube(), 48);
     let k = muscle.family_stiffness_n_per_mm().unwrap();
     assert!((k * spacing / (2500.0 * area) - 1.0).abs() < 1e-12);
     assert_eq!(parse_muscle(&to_toml(&muscle)).unwrap(), muscle);
 }
 
-/// A named rubber stays a name, whichever of its laws is used; one whose constants were changed does not.
+/// A named rubber stays a name, whichever of its laws is used; one whose constants were changed
+/// does not.
 #[test]
 fn named_rubbers_are_written_by_name() {
     let with = |rubber| {
-        let tube = Tube { rubber, ..Tube::prototype() };
+        let tube = Tube {
+            rubber,
+            ..Tube::prototype()
+        };
         to_toml(&Muscle::prototype().with_tube(tube).unwrap())
     };
-    for name in ["dragon-skin-30", "dragon-skin-30:mooney-rivlin", "treloar-natural-rubber:ogden"] {
+    for name in [
+        "dragon-skin-30",
+        "dragon-skin-30:mooney-rivlin",
+        "treloar-natural-rubber:ogden",
+    ] {
         let text = with(library::find(name).unwrap());
-        assert!(text.contains(&format!("\nrubber = \"{name}\" ")) && !text.contains("law ="), "{text}");
+        assert!(
+            text.contains(&format!("\nrubber = \"{name}\" ")) && !text.contains("law ="),
+            "{text}"
+        );
     }
     let rubber = library::find("dragon-skin-30").unwrap();
-    let text = with(Rubber { law: rubber.law.scaled(2.0), ..rubber });
-    assert!(text.contains("[tube.material]\nname = \"dragon-skin-30\""), "{text}");
-    assert!(text.contains("c10 = \"0.17") && text.contains("fitted_to_stretch = 2.06"), "{text}");
+    let text = with(Rubber {
+        law: rubber.law.scaled(2.0),
+        ..rubber
+    });
+    assert!(
+        text.contains("[tube.material]\nname = \"dragon-skin-30\""),
+        "{text}"
+    );
+    assert!(
+        text.contains("c10 = \"0.17") && text.contains("fitted_to_stretch = 2.06"),
+        "{text}"
+    );
 }
 
-/// The factors of single models are in tables of these models; files from before, that have them under the terminals, say
-/// the same.
+/// The factors of single models are in tables of these models; files from before, that have them
+/// under the terminals, say the same.
 #[test]
 fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
     let new = "[model.tondu-lopez]\nend_factor = 1.2\n[model.conical-ends]\ncone_factor = 0.3\n";
     let old = "[terminals]\nend_factor = 1.2\ncone_factor = 0.3\n";
     let muscle = parse_muscle(new).unwrap();
     assert_eq!(muscle, parse_muscle(old).unwrap());
-    assert_eq!(muscle.terminals().end_factor, Some(EndFactor::Constant(1.2)));
+    assert_eq!(
+        muscle.terminals().end_factor,
+        Some(EndFactor::Constant(1.2))
+    );
     let text = to_toml(&muscle);
-    assert!(text.contains("[model.tondu-lopez]\nend_factor = 1.2"), "{text}");
-    assert!(text.contains("[model.conical-ends]\ncone_factor = 0.3"), "{text}");
-    let twice = parse_muscle(&format!("{new}{old}")).unwrap_err().to_string();
+    assert!(
+        text.contains("[model.tondu-lopez]\nend_factor = 1.2"),
+        "{text}"
+    );
+    assert!(
+        text.contains("[model.conical-ends]\ncone_factor = 0.3"),
+        "{text}"
+    );
+    let twice = parse_muscle(&format!("{new}{old}"))
+        .unwrap_err()
+        .to_string();
     assert!(
         twice.contains("terminals.end_factor") && twice.contains("model.tondu-lopez.end_factor"),
         "{twice}"
     );
-    let wrong = parse_muscle("[model.tondu-lopez]\nend_factor = -1\n").unwrap_err().to_string();
-    assert!(wrong.contains("model.tondu-lopez.end_factor = -1"), "{wrong}");
+    let wrong = parse_muscle("[model.tondu-lopez]\nend_factor = -1\n")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        wrong.contains("model.tondu-lopez.end_factor = -1"),
+        "{wrong}"
+    );
     assert!(parse_muscle("[model.ideal]\nend_factor = 1\n").is_err());
 }
 
-/// A muscle that is held has its remaining moduli: all at once, (1 − Σg) of them after long, and energies with them; the softening keeps
-/// its shape.
+/// A muscle that is held has its remaining moduli: all at once, (1 − Σg) of them after long, and
+/// energies with them; the softening keeps its shape.
 #[test]
 fn a_held_muscle_has_what_is_left_of_its_moduli() {
     let read = |held: &str| {
         let text = format!(
-            "[tube.material]\nlaw = \"gent\"\nmu = 0.3\njm = 40\nprony = [[0.2, 2], [0.1, \"3 min\"]]\nsoftening = {{ r = 1.5, m = 0.05 }}\n{held}"
+            "[tube.material]\nlaw = \"gent\"\nmu = 0.3\njm = 40\nprony = [[0.2, 2], [0.1, \"3 \
+             min\"]]\nsoftening = {{ r = 1.5, m = 0.05 }}\n{held}"
         );
         parse_muscle(&text).unwrap().tube().rubber.clone()
     };
     let (at_once, long) = (read(""), read("held = \"long\""));
     assert_eq!(read("held = 0").law, at_once.law);
-    assert_eq!(long.law, Law::Gent(Gent { mu_mpa: 0.7 * 0.3, jm: 40.0 }));
+    assert_eq!(
+        long.law,
+        Law::Gent(Gent {
+            mu_mpa: 0.7 * 0.3,
+            jm: 40.0
+        })
+    );
     assert_eq!(long.softening.unwrap().m_mpa, 0.7 * 0.05);
     assert_eq!((long.prony, at_once.prony.is_some()), (None, true));
     let left = 1.0 - 0.2 * (1.0 - (-30.0_f64).exp()) - 0.1 * (1.0 - (-1.0_f64 / 3.0).exp());
-    let Law::Gent(Gent { mu_mpa, .. }) = read("held = \"1 min\"").law else { panic!() };
+    let Law::Gent(Gent { mu_mpa, .. }) = read("held = \"1 min\"").law else {
+        panic!()
+    };
     assert!((mu_mpa / 0.3 - left).abs() < 1e-14);
 }
 
-/// A strain is a ratio with its `%`, a bare number a pressure in MPa; the largest energy is that of the neo-Hookean law in simple tension,
-/// (μ/2)(λ² + 2/λ − 3).
+/// A strain is a ratio with its `%`, a bare number a pressure in MPa; the largest energy is that of
+/// the neo-Hookean law in simple tension, (μ/2)(λ² + 2/λ − 3).
 #[test]
 fn rubber_is_conditioned_by_a_pressure_or_by_a_strain() {
     let rubber = |text: &str| {
         let material =
             "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.4\nsoftening = { r = 1.5, m = 0.05 }\n";
-        parse_muscle(&format!("{material}conditioned = {text}")).unwrap().tube().rubber.clone()
+        parse_muscle(&format!("{material}conditioned = {text}"))
+            .unwrap()
+            .tube()
+            .rubber
+            .clone()
     };
     for text in ["\"100%\"", "\"100 %\""] {
-        assert_eq!(rubber(text).conditioned, Some(Conditioned::Strain { strain: 1.0 }));
+        assert_eq!(
+            rubber(text).conditioned,
+            Some(Conditioned::Strain { strain: 1.0 })
+        );
         let (_, seen_mpa) = rubber(text).conditioned_alike().unwrap();
         assert!((seen_mpa - 0.2 * (4.0 + 1.0 - 3.0)).abs() < 1e-15);
     }
-    assert_eq!(rubber("0.25").conditioned, Some(Conditioned::Pressure(0.25)));
+    assert_eq!(
+        rubber("0.25").conditioned,
+        Some(Conditioned::Pressure(0.25))
+    );
     assert_eq!(rubber("\"2.5 bar\"").conditioned().map(|c| c.1), Some(0.25));
-    let gent = "[tube.material]\nlaw = \"gent\"\nmu = 0.4\njm = 2\nsoftening = { r = 1.5, m = 0.05 }\n";
-    let locked = parse_muscle(&format!("{gent}conditioned = \"100 %\"")).unwrap_err().to_string();
-    assert!(locked.contains("at which the rubber's law has locked"), "{locked}");
+    let gent =
+        "[tube.material]\nlaw = \"gent\"\nmu = 0.4\njm = 2\nsoftening = { r = 1.5, m = 0.05 }\n";
+    let locked = parse_muscle(&format!("{gent}conditioned = \"100 %\""))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        locked.contains("at which the rubber's law has locked"),
+        "{locked}"
+    );
 }

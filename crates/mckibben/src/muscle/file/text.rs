@@ -64,23 +64,31 @@ fn written(kind: &str, value: &Value) -> String {
     let list = |items: Vec<String>| format!("[{}]", items.join(", "));
     match (word, value) {
         (_, Value::String(word)) => text(word),
-        ("pair", Value::Array(pair)) => {
-            list(pair.iter().zip([one, other]).map(|(value, kind)| written(kind, value)).collect())
-        }
+        ("pair", Value::Array(pair)) => list(
+            pair.iter()
+                .zip([one, other])
+                .map(|(value, kind)| written(kind, value))
+                .collect(),
+        ),
         (_, Value::Array(items)) => list(items.iter().map(|item| written(rest, item)).collect()),
         ("conditioned", _) => match value.get("strain").and_then(Value::as_f64) {
             Some(strain) => percent(strain),
             None => written("pressure", value),
         },
         (_, Value::Object(table)) => {
-            let keys =
-                keys(rest).into_iter().filter_map(|key| Some((key.name, key.kind, table.get(key.name)?)));
-            let items = keys.map(|(name, kind, value)| format!("{name} = {}", written(&kind, value)));
+            let keys = keys(rest)
+                .into_iter()
+                .filter_map(|key| Some((key.name, key.kind, table.get(key.name)?)));
+            let items =
+                keys.map(|(name, kind, value)| format!("{name} = {}", written(&kind, value)));
             format!("{{ {} }}", items.collect::<Vec<_>>().join(", "))
         }
         (">0" | ">=0", _) => written(rest, value),
         ("or", _) => written(other, value),
-        (name, _) => match (dimension(name).filter(|d| *d != Dimension::Ratio), value.as_f64()) {
+        (name, _) => match (
+            dimension(name).filter(|d| *d != Dimension::Ratio),
+            value.as_f64(),
+        ) {
             (Some(dimension), Some(v)) => quantity(v, dimension.unit_inside().name),
             (None, Some(v)) if value.is_f64() => number(v),
             _ => value.to_string(),
@@ -91,7 +99,9 @@ fn written(kind: &str, value: &Value) -> String {
 /// A ratio in percent that reads back as the same number, where there is one.
 fn percent(ratio: f64) -> String {
     let usual = 100.0 * ratio;
-    let exact = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
+    let exact = [usual, usual.next_up(), usual.next_down()]
+        .into_iter()
+        .find(|p| p / 100.0 == ratio);
     quantity(exact.unwrap_or(usual), "%")
 }
 
@@ -114,7 +124,11 @@ pub(super) fn text(text: &str) -> String {
 /// The shortest digits that read back as the same number, with a unit.
 pub(super) fn quantity(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
-    if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
+    if plain {
+        format!("\"{value} {unit}\"")
+    } else {
+        format!("\"{value:e} {unit}\"")
+    }
 }
 
 /// The shortest digits that read back as the same number.

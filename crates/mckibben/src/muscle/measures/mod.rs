@@ -1,10 +1,13 @@
-//! The measures of a muscle, each declared once: every number of tube, braid, terminals and friction.
+//! The measures of a muscle, each declared once: every number of tube, braid, terminals and
+//! friction.
 //!
-//! `data/measures.json` has an entry for each ([`Facts`]): the key in the muscle file, the field in requests, the unit, the bounds, how it is
-//! identified, and sentences about it; [`MEASURES`] how its number is read from and written to the parts of a muscle. From them follow the reader and the
-//! writer of muscle files, the bounds that [`Muscle::new`](super::Muscle::new) checks, the fields of requests with their schema, the flags of the command
-//! line, the arguments in Python, and what can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the
-//! parts.
+//! `data/measures.json` has an entry for each ([`Facts`]): the key in the muscle file, the field in
+//! requests, the unit, the bounds, how it is identified, and sentences about it; [`MEASURES`] how
+//! its number is read from and written to the parts of a muscle. From them follow the reader and
+//! the writer of muscle files, the bounds that [`Muscle::new`](super::Muscle::new) checks, the
+//! fields of requests with their schema, the flags of the command line, the arguments in Python,
+//! and what can be identified from measured points. Relations between measures (a wall thinner than
+//! the radius) are in the parts.
 
 mod table;
 mod values;
@@ -38,14 +41,18 @@ pub struct Parts {
 impl Parts {
     /// Radius in mm of the plugs: half of the bore where no diameter is stated.
     pub fn plug_radius_mm(&self) -> f64 {
-        self.terminals.plug_diameter_mm.map_or(self.tube.inner_radius_mm(), |diameter_mm| 0.5 * diameter_mm)
+        self.terminals
+            .plug_diameter_mm
+            .map_or(self.tube.inner_radius_mm(), |diameter_mm| 0.5 * diameter_mm)
     }
 
-    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri; the wall on them keeps its section, r² = R² + rp² − Ri². Zero
-    /// where no diameter is stated.
+    /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri; the wall on them
+    /// keeps its section, r² = R² + rp² − Ri². Zero where no diameter is stated.
     pub fn plug_mm2(&self) -> f64 {
         let stated = self.terminals.plug_diameter_mm;
-        stated.map_or(0.0, |_| self.plug_radius_mm().powi(2) - self.tube.inner_radius_mm().powi(2))
+        stated.map_or(0.0, |_| {
+            self.plug_radius_mm().powi(2) - self.tube.inner_radius_mm().powi(2)
+        })
     }
 
     /// Outer radius in mm of the tube on its plugs.
@@ -142,12 +149,16 @@ impl Identify {
     /// Lowest and highest value that a muscle can have.
     pub fn bounds(&self, muscle: &Muscle) -> (f64, f64) {
         let times = |end| self.scale.times(end, muscle);
-        self.bounds.map_or((0.0, f64::INFINITY), |(low, high)| (times(low), times(high)))
+        self.bounds.map_or((0.0, f64::INFINITY), |(low, high)| {
+            (times(low), times(high))
+        })
     }
 
-    /// A half-width of the 95 % interval above this means that the data do not determine it; of the value found.
+    /// A half-width of the 95 % interval above this means that the data do not determine it; of the
+    /// value found.
     pub fn limit(&self, value: f64) -> f64 {
-        self.limit.unwrap_or(self.share.unwrap_or(0.5) * value.abs())
+        self.limit
+            .unwrap_or(self.share.unwrap_or(0.5) * value.abs())
     }
 }
 
@@ -166,7 +177,8 @@ pub struct Facts {
     pub about: &'static str,
     /// Comment in muscle files.
     pub comment: &'static str,
-    /// Whether the command line has a flag for it; those that few muscles state have none, and help texts stay short.
+    /// Whether the command line has a flag for it; those that few muscles state have none, and help
+    /// texts stay short.
     pub has_flag: bool,
     /// Letter of its flag.
     pub short: Option<char>,
@@ -194,8 +206,9 @@ pub struct Facts {
     pub identify: Option<Identify>,
 }
 
-static FACTS: LazyLock<Vec<Facts>> =
-    LazyLock::new(|| serde_json::from_str(include_str!("../../../data/measures.json")).unwrap_or_default());
+static FACTS: LazyLock<Vec<Facts>> = LazyLock::new(|| {
+    serde_json::from_str(include_str!("../../../data/measures.json")).unwrap_or_default()
+});
 
 /// Of a measure that the list has not, which no released program has.
 static NOTHING: LazyLock<Facts> = LazyLock::new(Facts::default);
@@ -215,7 +228,12 @@ impl Deref for Measure {
     type Target = Facts;
 
     fn deref(&self) -> &Facts {
-        self.facts.get_or_init(|| FACTS.iter().find(|facts| facts.key == self.key).unwrap_or(&NOTHING))
+        self.facts.get_or_init(|| {
+            FACTS
+                .iter()
+                .find(|facts| facts.key == self.key)
+                .unwrap_or(&NOTHING)
+        })
     }
 }
 
@@ -224,7 +242,11 @@ pub const SECTIONS: [&str; 4] = ["tube", "braid", "terminals", "friction"];
 
 /// The measures of a table of the muscle file.
 pub fn of_section(section: &str) -> impl Iterator<Item = &'static Measure> {
-    let is_in = move |m: &&Measure| m.key.strip_prefix(section).is_some_and(|rest| rest.starts_with('.'));
+    let is_in = move |m: &&Measure| {
+        m.key
+            .strip_prefix(section)
+            .is_some_and(|rest| rest.starts_with('.'))
+    };
     MEASURES.iter().copied().filter(is_in)
 }
 
@@ -234,8 +256,17 @@ pub fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
 }
 
 impl Measure {
-    const fn new(key: &'static str, get: fn(&Parts) -> Option<f64>, set: fn(&mut Parts, f64)) -> Self {
-        Self { key, get, set, facts: OnceLock::new() }
+    const fn new(
+        key: &'static str,
+        get: fn(&Parts) -> Option<f64>,
+        set: fn(&mut Parts, f64),
+    ) -> Self {
+        Self {
+            key,
+            get,
+            set,
+            facts: OnceLock::new(),
+        }
     }
 
     /// The measure of a key in the muscle file.
@@ -260,7 +291,8 @@ impl Measure {
 
     /// Its unit inside; empty for a plain number.
     pub fn unit(&self) -> &'static str {
-        self.unit.unwrap_or_else(|| self.dimension.unit_inside().name)
+        self.unit
+            .unwrap_or_else(|| self.dimension.unit_inside().name)
     }
 
     /// Whether its field carries a plain number.
@@ -272,14 +304,22 @@ impl Measure {
     pub fn flag(&self) -> Option<String> {
         let field = self.field.filter(|_| self.has_flag)?;
         let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
-        let name = unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_')).unwrap_or(field);
+        let name = unit
+            .and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))
+            .unwrap_or(field);
         Some(name.replace('_', "-"))
     }
 
-    /// The placeholder of its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
+    /// The placeholder of its value in help texts: `LENGTH`, or the symbol of a plain number that a
+    /// keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
-        (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
+        (if self.is_plain() && self.symbol.is_ascii() {
+            self.symbol
+        } else {
+            noun
+        })
+        .to_uppercase()
     }
 
     /// Its value where nothing is stated: that of the prototype, or the default.
@@ -292,7 +332,11 @@ impl Measure {
         let mut out = if self.is_plain() {
             self.about.to_owned()
         } else {
-            self.about.replacen(&format!(" {}", self.symbol), "", usize::from(!self.symbol.is_empty()))
+            self.about.replacen(
+                &format!(" {}", self.symbol),
+                "",
+                usize::from(!self.symbol.is_empty()),
+            )
         };
         if !self.models.is_empty() {
             out += &format!(", for {}", self.models.join(" and "));
@@ -334,12 +378,22 @@ impl Measure {
             Bounds::OfPart => Ok(()),
             Bounds::Positive => positive(key, value, unit),
             Bounds::NotNegative => not_negative(key, value, unit),
-            Bounds::Even if (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0 => Ok(()),
-            Bounds::Even => Err(must(key, value, "", "be an even whole number (half of them run each way)")),
-            Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
-            Bounds::Between(low, high) => {
-                Err(must(key, value, unit, &format!("lie between {low} and {high}")))
+            Bounds::Even if (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0 => {
+                Ok(())
             }
+            Bounds::Even => Err(must(
+                key,
+                value,
+                "",
+                "be an even whole number (half of them run each way)",
+            )),
+            Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
+            Bounds::Between(low, high) => Err(must(
+                key,
+                value,
+                unit,
+                &format!("lie between {low} and {high}"),
+            )),
         }
     }
 }
@@ -365,7 +419,8 @@ impl Muscle {
         (measure.get)(&self.parts)
     }
 
-    /// The same muscle with another value of a measure. A braid cut from a named sleeve has the sleeve's angle on another diameter.
+    /// The same muscle with another value of a measure. A braid cut from a named sleeve has the
+    /// sleeve's angle on another diameter.
     pub fn with(&self, measure: &Measure, value: f64) -> Result<Self, MuscleError> {
         // A count cannot hold every number.
         measure.check(value)?;
@@ -397,23 +452,43 @@ mod tests {
     use super::*;
     use crate::muscle::file::{parse_muscle, to_toml};
 
-    /// An identity: what is put in comes out, of every measure of a muscle that states all of them, and nothing else changes.
+    /// An identity: what is put in comes out, of every measure of a muscle that states all of them,
+    /// and nothing else changes.
     #[test]
     fn every_measure_is_read_where_it_was_put() {
         let mut full = Muscle::prototype().parts.clone();
         for (i, m) in MEASURES.iter().enumerate() {
-            let other = if m.key == "braid.strands" { 24.0 } else { 0.5 + 0.01 * i as f64 };
+            let other = if m.key == "braid.strands" {
+                24.0
+            } else {
+                0.5 + 0.01 * i as f64
+            };
             let value = (m.get)(&full).filter(|v| *v > 0.0).unwrap_or(other);
             (m.set)(&mut full, value);
         }
         for m in MEASURES {
-            let Some(value) = (m.get)(&full) else { panic!("{} is not read", m.key) };
+            let Some(value) = (m.get)(&full) else {
+                panic!("{} is not read", m.key)
+            };
             let mut other = full.clone();
             (m.set)(&mut other, 4.0 * value);
-            assert!(((m.get)(&other).unwrap() / (4.0 * value) - 1.0).abs() < 1e-12, "{}", m.key);
+            assert!(
+                ((m.get)(&other).unwrap() / (4.0 * value) - 1.0).abs() < 1e-12,
+                "{}",
+                m.key
+            );
             // The braid's stiffness follows from other measures until it is stated itself.
-            for rest in MEASURES.iter().filter(|r| **r != *m && r.key != "braid.stiffness") {
-                assert_eq!((rest.get)(&other), (rest.get)(&full), "{} changed {}", m.key, rest.key);
+            for rest in MEASURES
+                .iter()
+                .filter(|r| **r != *m && r.key != "braid.stiffness")
+            {
+                assert_eq!(
+                    (rest.get)(&other),
+                    (rest.get)(&full),
+                    "{} changed {}",
+                    m.key,
+                    rest.key
+                );
             }
         }
     }
@@ -436,7 +511,11 @@ mod tests {
         let text = to_toml(&muscle);
         assert_eq!(parse_muscle(&text).unwrap(), muscle, "{text}");
         for m in MEASURES.iter().filter(|m| !m.has_rules) {
-            assert!(text.contains(&format!("\n{} = ", m.name())), "{} in\n{text}", m.key);
+            assert!(
+                text.contains(&format!("\n{} = ", m.name())),
+                "{} in\n{text}",
+                m.key
+            );
         }
     }
 
@@ -444,14 +523,24 @@ mod tests {
     fn keys_fields_and_texts_are_whole_and_each_is_there_once() {
         for (i, m) in MEASURES.iter().enumerate() {
             assert!(
-                MEASURES[..i].iter().all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
+                MEASURES[..i]
+                    .iter()
+                    .all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
             );
             assert!(SECTIONS.contains(&m.section()), "{}", m.key);
             assert!(!m.about.is_empty() && !m.label.is_empty(), "{}", m.key);
-            assert!(m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()), "{}", m.key);
+            assert!(
+                m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()),
+                "{}",
+                m.key
+            );
             if let Some(field) = m.field {
                 let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);
-                assert_eq!(named, Some(m.dimension).filter(|_| !m.is_plain()), "{field}");
+                assert_eq!(
+                    named,
+                    Some(m.dimension).filter(|_| !m.is_plain()),
+                    "{field}"
+                );
             }
         }
     }

@@ -8,7 +8,8 @@ macro_rules! measures {
     ($($(#[$about:meta])* $name:ident $key:literal: $get:expr, $set:expr;)*) => {
         $($(#[$about])* pub static $name: Measure = Measure::new($key, $get, $set);)*
 
-        /// All of them: fields of requests are in this order, keys of a muscle file in this order within their table.
+        /// All of them: fields of requests are in this order, keys of a muscle file in this order
+        /// within their table.
         pub static MEASURES: &[&Measure] = &[$(&$name),*];
     };
 }
@@ -53,7 +54,8 @@ measures! {
     /// kc of Tondu 2012
     CONE_FACTOR "terminals.cone_factor":
         |p| p.terminals.cone_factor, |p, v| p.terminals.cone_factor = Some(v);
-    /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no measure is
+    /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
+    /// measure is
     STIFFNESS "braid.stiffness":
         |p| p.braid.family_stiffness_n_per_mm(&p.tube),
         |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v);
@@ -104,15 +106,25 @@ measures! {
 }
 
 fn strands(p: &mut Parts) -> &mut Strands {
-    p.braid.strands.get_or_insert(Strands { count: 0, section: None, strength_n: None })
+    p.braid.strands.get_or_insert(Strands {
+        count: 0,
+        section: None,
+        strength_n: None,
+    })
 }
 
 fn measured(p: &mut Parts) -> &mut MeasuredStrand {
-    p.braid.measured.get_or_insert(MeasuredStrand { strand_length_mm: 0.0, turns: 0.0 })
+    p.braid.measured.get_or_insert(MeasuredStrand {
+        strand_length_mm: 0.0,
+        turns: 0.0,
+    })
 }
 
 fn crimp(p: &mut Parts) -> &mut Crimp {
-    p.braid.crimp.get_or_insert(Crimp { strain: 0.0, stiffness_ratio: Crimp::STIFFNESS_RATIO })
+    p.braid.crimp.get_or_insert(Crimp {
+        strain: 0.0,
+        stiffness_ratio: Crimp::STIFFNESS_RATIO,
+    })
 }
 
 fn friction(p: &mut Parts) -> &mut Friction {
@@ -121,5 +133,7 @@ fn friction(p: &mut Parts) -> &mut Friction {
 
 /// The part C·P^β, where it is stated.
 fn power_law(p: &Parts) -> Option<&Friction> {
-    p.friction.as_ref().filter(|f| f.coefficient != 0.0 || f.exponent != 0.0 || f.lever_mm == 0.0)
+    p.friction
+        .as_ref()
+        .filter(|f| f.coefficient != 0.0 || f.exponent != 0.0 || f.lever_mm == 0.0)
 }

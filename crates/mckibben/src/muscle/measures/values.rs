@@ -33,14 +33,19 @@ impl MeasureValues {
 impl<const N: usize> From<[(&'static Measure, f64); N]> for MeasureValues {
     fn from(values: [(&'static Measure, f64); N]) -> Self {
         let mut out = Self::default();
-        values.into_iter().for_each(|(measure, value)| out.set(measure, value));
+        values
+            .into_iter()
+            .for_each(|(measure, value)| out.set(measure, value));
         out
     }
 }
 
 impl Serialize for MeasureValues {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.iter().filter_map(|(measure, value)| Some((measure.field?, value))))
+        serializer.collect_map(
+            self.iter()
+                .filter_map(|(measure, value)| Some((measure.field?, value))),
+        )
     }
 }
 
@@ -51,7 +56,11 @@ impl TryFrom<Map<String, Value>> for MeasureValues {
     fn try_from(given: Map<String, Value>) -> Result<Self, serde_json::Error> {
         let mut out = Self::default();
         for (field, measure) in fields() {
-            let value = given.get(field).map(Option::<f64>::deserialize).transpose()?.flatten();
+            let value = given
+                .get(field)
+                .map(Option::<f64>::deserialize)
+                .transpose()?
+                .flatten();
             out.0.extend(value.map(|value| (measure, value)));
         }
         Ok(out)
@@ -77,8 +86,9 @@ impl Measure {
         field
     }
 
-    /// The same in a request, with the values that it may have (`x-above`, `x-minimum`, `x-maximum`: the muscle refuses others, not the reader of
-    /// the request) and the one of a muscle that does not state it.
+    /// The same in a request, with the values that it may have (`x-above`, `x-minimum`,
+    /// `x-maximum`: the muscle refuses others, not the reader of the request) and the one of a
+    /// muscle that does not state it.
     pub fn request_schema(&self) -> Value {
         let mut field = self.schema("");
         for (end, value) in self.bounds.ends() {
@@ -97,8 +107,9 @@ impl schemars::JsonSchema for MeasureValues {
     }
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        let properties: Map<String, Value> =
-            fields().map(|(field, measure)| (field.to_owned(), measure.schema(""))).collect();
+        let properties: Map<String, Value> = fields()
+            .map(|(field, measure)| (field.to_owned(), measure.schema("")))
+            .collect();
         schemars::json_schema!({ "type": "object", "properties": properties })
     }
 }

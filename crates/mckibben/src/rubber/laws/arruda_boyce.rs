@@ -2,7 +2,8 @@
 
 use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants};
 
-/// Arruda–Boyce rubber: eight chains of a given largest length from the middle of a cube to its corners.
+/// Arruda–Boyce rubber: eight chains of a given largest length from the middle of a cube to its
+/// corners.
 ///
 /// ```text
 /// W  = μ' λm² [β x + ln(β/sinh β)] − the same at rest
@@ -17,9 +18,10 @@ use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants};
 /// n   chains in a unit of volume; k Boltzmann's constant, T temperature
 /// ```
 ///
-/// Other programs may call μ' the constant `mu`: theirs is a little smaller. For I1 < 3 λm²; at and beyond the limit the
-/// energy is `+∞` and the derivatives are not numbers. A function of I1 alone: tests along one axis give a usable answer
-/// in two axes as well. Source: `arruda1993`; the first guess of L⁻¹: `kroger2015`.
+/// Other programs may call μ' the constant `mu`: theirs is a little smaller. For I1 < 3 λm²; at and
+/// beyond the limit the energy is `+∞` and the derivatives are not numbers. A function of I1 alone:
+/// tests along one axis give a usable answer in two axes as well. Source: `arruda1993`; the first
+/// guess of L⁻¹: `kroger2015`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArrudaBoyce {
     mu_mpa: f64,
@@ -30,7 +32,11 @@ pub struct ArrudaBoyce {
 impl ArrudaBoyce {
     /// The law of a shear modulus at rest in MPa and a locking stretch, not checked.
     pub fn new(mu_mpa: f64, lambda_m: f64) -> Self {
-        Self { mu_mpa, lambda_m, rest: Chain::at(1.0 / lambda_m) }
+        Self {
+            mu_mpa,
+            lambda_m,
+            rest: Chain::at(1.0 / lambda_m),
+        }
     }
 
     /// μ' = n k T in MPa.
@@ -48,7 +54,11 @@ impl LawConstants for ArrudaBoyce {
     const EXAMPLE: &'static [f64] = &[0.24, 5.0];
 
     fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[mu_mpa, lambda_m] = values { Some(Self::new(mu_mpa, lambda_m)) } else { None }
+        if let &[mu_mpa, lambda_m] = values {
+            Some(Self::new(mu_mpa, lambda_m))
+        } else {
+            None
+        }
     }
 
     fn values(&self) -> Vec<f64> {
@@ -61,14 +71,21 @@ impl LawConstants for ArrudaBoyce {
 }
 
 impl InvariantLaw for ArrudaBoyce {
-    /// With q = L(β)/β: w1 = μ'/(6 q), w11 = μ'/(36 N) (dβ/dx − β/x)/x² and (dβ/dx − β/x)/x² = −2 q_y/(q³ L'), y = β².
+    /// With q = L(β)/β: w1 = μ'/(6 q), w11 = μ'/(36 N) (dβ/dx − β/x)/x² and (dβ/dx − β/x)/x² = −2
+    /// q_y/(q³ L'), y = β².
     fn invariant(&self, i1: f64, _i2: f64) -> InvariantDerivatives {
         let chain = Chain::at((i1 / 3.0).sqrt() / self.lambda_m);
         if !chain.beta.is_finite() {
             return InvariantDerivatives::LOCKED;
         }
         let (modulus, n) = (self.chain_modulus_mpa(), self.lambda_m * self.lambda_m);
-        let Chain { q, q_y, slope, energy, .. } = chain;
+        let Chain {
+            q,
+            q_y,
+            slope,
+            energy,
+            ..
+        } = chain;
         InvariantDerivatives {
             w: modulus * n * (energy - self.rest.energy),
             w1: modulus / (6.0 * q),
@@ -94,11 +111,18 @@ struct Chain {
 }
 
 impl Chain {
-    /// Kröger's approximation of L⁻¹ (to 0.3 %), three steps of Newton's method: the error is squared in each.
+    /// Kröger's approximation of L⁻¹ (to 0.3 %), three steps of Newton's method: the error is
+    /// squared in each.
     fn at(x: f64) -> Self {
         if x.is_nan() || x >= 1.0 {
             let nan = f64::NAN;
-            return Self { beta: f64::INFINITY, q: nan, q_y: nan, slope: nan, energy: f64::INFINITY };
+            return Self {
+                beta: f64::INFINITY,
+                q: nan,
+                q_y: nan,
+                slope: nan,
+                energy: f64::INFINITY,
+            };
         }
         let s = x * x;
         let mut beta = x * (3.0 - s * (6.0 + s - 2.0 * s * s) / 5.0) / (1.0 - s);
@@ -111,8 +135,8 @@ impl Chain {
 
     /// The chain at β, and L(β) − x.
     ///
-    /// Near β = 0 in the series s = sinh(β)/β and p = L s/β, all of whose terms are positive: the differences in coth β − 1/β
-    /// would cost digits there.
+    /// Near β = 0 in the series s = sinh(β)/β and p = L s/β, all of whose terms are positive: the
+    /// differences in coth β − 1/β would cost digits there.
     fn at_beta(beta: f64, x: f64) -> (Self, f64) {
         let y = beta * beta;
         if y < 1.0 {
@@ -124,7 +148,13 @@ impl Chain {
             }
             let (s, s_y) = (1.0 + y * r, r + y * r_y);
             let (q, q_y) = (p / s, (p_y * s - p * s_y) / (s * s));
-            let chain = Self { beta, q, q_y, slope: q + 2.0 * y * q_y, energy: y * q - (y * r).ln_1p() };
+            let chain = Self {
+                beta,
+                q,
+                q_y,
+                slope: q + 2.0 * y * q_y,
+                energy: y * q - (y * r).ln_1p(),
+            };
             return (chain, beta * q - x);
         }
         let m = (-2.0 * beta).exp();
@@ -136,7 +166,16 @@ impl Chain {
         let log_sinh_over_beta = beta + ((1.0 - m) / (2.0 * beta)).ln();
         let q_y = (beta * slope - l) / (2.0 * y * beta);
         let energy = beta * l - log_sinh_over_beta;
-        (Self { beta, q: l / beta, q_y, slope, energy }, (1.0 - x) - lack)
+        (
+            Self {
+                beta,
+                q: l / beta,
+                q_y,
+                slope,
+                energy,
+            },
+            (1.0 - x) - lack,
+        )
     }
 }
 
@@ -158,14 +197,17 @@ mod tests {
     use super::*;
     use crate::rubber::{Law, NeoHookean, RubberLaw};
 
-    /// L(L⁻¹(x)) = x from the smallest stretch to the last below locking, and L against 30 digits of mpmath at both sides of
-    /// the change from series to coth.
+    /// L(L⁻¹(x)) = x from the smallest stretch to the last below locking, and L against 30 digits
+    /// of mpmath at both sides of the change from series to coth.
     #[test]
     fn the_inverse_langevin_function_is_exact() {
         for i in 1..4000 {
             let x = f64::from(i) / 4000.0;
             let chain = Chain::at(x);
-            assert!((chain.q * chain.beta / x - 1.0).abs() < 4.0 * f64::EPSILON, "{x}");
+            assert!(
+                (chain.q * chain.beta / x - 1.0).abs() < 4.0 * f64::EPSILON,
+                "{x}"
+            );
             let near = Chain::at(1e-7 * x).beta;
             assert!((near / (3e-7 * x) - 1.0).abs() < 1e-13, "{x}");
         }
@@ -208,30 +250,47 @@ mod tests {
                     1.3030845138645130509,
                 ],
             ),
-            (40.0, [0.024375, -7.421875e-6, 0.000625, 3.3820266346738816123]),
+            (
+                40.0,
+                [0.024375, -7.421875e-6, 0.000625, 3.3820266346738816123],
+            ),
         ] {
             let chain = Chain::at_beta(beta, 0.0).0;
-            for (got, exact) in [chain.q, chain.q_y, chain.slope, chain.energy].into_iter().zip(exact) {
+            for (got, exact) in [chain.q, chain.q_y, chain.slope, chain.energy]
+                .into_iter()
+                .zip(exact)
+            {
                 assert!((got / exact - 1.0).abs() < 1e-13, "{beta}: {got} {exact}");
             }
         }
     }
 
-    /// μ'/2 Σ 2 Ci i (I1/λm²)^(i−1) with Ci = 1/2, 1/20, 11/1050, 19/7000, 519/673750 (Arruda & Boyce 1993 \[arruda1993\], their series): the
-    /// terms left out begin with ⅔ x^10, x² = I1/(3 λm²).
+    /// μ'/2 Σ 2 Ci i (I1/λm²)^(i−1) with Ci = 1/2, 1/20, 11/1050, 19/7000, 519/673750 (Arruda &
+    /// Boyce 1993 \[arruda1993\], their series): the terms left out begin with ⅔ x^10, x² = I1/(3
+    /// λm²).
     #[test]
     fn stresses_are_those_of_the_series_of_five_terms() {
         let law = ArrudaBoyce::new(0.28, 26.5_f64.sqrt());
-        let coefficients = [1.0 / 2.0, 1.0 / 20.0, 11.0 / 1050.0, 19.0 / 7000.0, 519.0 / 673_750.0];
+        let coefficients = [
+            1.0 / 2.0,
+            1.0 / 20.0,
+            11.0 / 1050.0,
+            19.0 / 7000.0,
+            519.0 / 673_750.0,
+        ];
         for stretch in [0.6_f64, 1.01, 1.5, 2.0, 3.0, 4.0] {
             let i1 = stretch * stretch + 2.0 / stretch;
             let share = i1 / 26.5;
             let term = |(i, c): (usize, &f64)| c * (i + 1) as f64 * share.powi(i as i32);
-            let w1 = law.chain_modulus_mpa() * coefficients.iter().enumerate().map(term).sum::<f64>();
+            let w1 =
+                law.chain_modulus_mpa() * coefficients.iter().enumerate().map(term).sum::<f64>();
             let series = 2.0 * w1 * (stretch - stretch.powi(-2));
             let left_out = (share / 3.0).powi(5) / (1.0 - share / 3.0);
             let off = law.uniaxial_stress_mpa(stretch) / series - 1.0;
-            assert!(off > -1e-13 && off < left_out + 1e-13, "{stretch}: {off} {left_out}");
+            assert!(
+                off > -1e-13 && off < left_out + 1e-13,
+                "{stretch}: {off} {left_out}"
+            );
         }
     }
 
@@ -241,7 +300,12 @@ mod tests {
         assert!((law.shear_modulus_mpa() / 0.28 - 1.0).abs() < 1e-15);
         let n = 9.0_f64;
         let series = [3.0 / 5.0, 99.0 / 175.0, 513.0 / 875.0, 42039.0 / 67375.0];
-        let sum = 1.0 + series.iter().enumerate().map(|(i, c)| c / n.powi(i as i32 + 1)).sum::<f64>();
+        let sum = 1.0
+            + series
+                .iter()
+                .enumerate()
+                .map(|(i, c)| c / n.powi(i as i32 + 1))
+                .sum::<f64>();
         let ratio = law.mu_mpa / law.chain_modulus_mpa() / sum - 1.0;
         assert!(ratio > 0.0 && ratio < n.powi(-5), "{ratio}");
     }
@@ -254,10 +318,13 @@ mod tests {
         let short = ArrudaBoyce::new(0.24, 2.0);
         assert!(short.invariant(11.99, 4.0).w.is_finite());
         assert_eq!(short.invariant(12.0, 4.0).w, f64::INFINITY);
-        let refused = Law::from(ArrudaBoyce::new(0.24, 1.0)).validated().unwrap_err();
+        let refused = Law::from(ArrudaBoyce::new(0.24, 1.0))
+            .validated()
+            .unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "lambda_m of the arruda-boyce law is 1; it must be above 1 (it is the stretch at which a chain locks)"
+            "lambda_m of the arruda-boyce law is 1; it must be above 1 (it is the stretch at which \
+             a chain locks)"
         );
     }
 }

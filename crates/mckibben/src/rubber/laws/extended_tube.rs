@@ -2,7 +2,8 @@
 
 use crate::rubber::{Constant, LawConstants, Principal, RubberLaw};
 
-/// Extended-tube rubber: crosslinks (a function of I1 that locks) and entanglements (of the principal stretches).
+/// Extended-tube rubber: crosslinks (a function of I1 that locks) and entanglements (of the
+/// principal stretches).
 ///
 /// ```text
 /// W = (Gc/2) [(1 − δ²) D/(1 − δ² D) + ln(1 − δ² D)] + (2 Ge/β²) (λ1^−β + λ2^−β + λ3^−β − 3)
@@ -15,10 +16,12 @@ use crate::rubber::{Constant, LawConstants, Principal, RubberLaw};
 /// β   compliance of the crosslinks, here 0.2           –      0 < β ≤ 1
 /// ```
 ///
-/// For D < Jm; at and beyond the limit the energy is `+∞` and the derivatives are not numbers. Convex in the logarithms of the stretches, so stable
-/// up to the limit, for all Gc, Ge ≥ 0 and Jm > 2: ∂W/∂D and ∂²W/∂D² of the first part are positive there, and the second is a term of Ogden's law with
-/// exponent −β. The authors' β is a constant; with the value that they give for Treloar's rubber three constants follow six rubbers in two axes
-/// nearly as well as four (`docs/rubber.md`), and uniaxial tests, which say nothing of β, predict the other modes better. Source:
+/// For D < Jm; at and beyond the limit the energy is `+∞` and the derivatives are not numbers.
+/// Convex in the logarithms of the stretches, so stable up to the limit, for all Gc, Ge ≥ 0 and
+/// Jm > 2: ∂W/∂D and ∂²W/∂D² of the first part are positive there, and the second is a term of Ogden's
+/// law with exponent −β. The authors' β is a constant; with the value that they give for Treloar's
+/// rubber three constants follow six rubbers in two axes nearly as well as four (`docs/rubber.md`),
+/// and uniaxial tests, which say nothing of β, predict the other modes better. Source:
 /// `kaliske1999`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExtendedTube {
@@ -43,7 +46,11 @@ impl LawConstants for ExtendedTube {
     const EXAMPLE: &'static [f64] = &[0.19, 0.2, 110.0];
 
     fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[gc_mpa, ge_mpa, jm] = values { Some(Self { gc_mpa, ge_mpa, jm }) } else { None }
+        if let &[gc_mpa, ge_mpa, jm] = values {
+            Some(Self { gc_mpa, ge_mpa, jm })
+        } else {
+            None
+        }
     }
 
     fn values(&self) -> Vec<f64> {
@@ -66,7 +73,11 @@ impl RubberLaw for ExtendedTube {
         let q = 1.0 - x;
         if q <= 0.0 {
             let nan = f64::NAN;
-            return Principal { w: f64::INFINITY, d: [nan; 3], dd: [[nan; 3]; 3] };
+            return Principal {
+                w: f64::INFINITY,
+                d: [nan; 3],
+                dd: [[nan; 3]; 3],
+            };
         }
         let half = 0.5 * self.gc_mpa;
         let w1 = half * ((1.0 - s) / (q * q) - s / q);
@@ -98,29 +109,48 @@ mod tests {
     /// Without a limit the crosslinks are neo-Hookean and the entanglements a term of Ogden's law.
     #[test]
     fn long_chains_are_neo_hookean_beside_a_term_of_ogdens() {
-        let law = ExtendedTube { gc_mpa: 0.24, ge_mpa: 0.1, jm: 1e9 };
+        let law = ExtendedTube {
+            gc_mpa: 0.24,
+            ge_mpa: 0.1,
+            jm: 1e9,
+        };
         let neo = NeoHookean { mu_mpa: 0.24 };
-        let ogden = Ogden { terms: vec![(-2.0 * 0.1 / BETA, -BETA)] };
+        let ogden = Ogden {
+            terms: vec![(-2.0 * 0.1 / BETA, -BETA)],
+        };
         for (u, v) in [(4.0, 0.8), (1.3, 0.6)] {
             let (a, b, c) = (law.biaxial(u, v), neo.biaxial(u, v), ogden.biaxial(u, v));
             assert!((a.w - b.w - c.w).abs() < 1e-7 && (a.u - b.u - c.u).abs() < 1e-7);
             assert!((a.vv - b.vv - c.vv).abs() < 1e-7);
         }
         assert_eq!(
-            ExtendedTube { jm: 9.0, ..law }.principal([3.4641016151377544, 0.0, 0.0]).w,
+            ExtendedTube { jm: 9.0, ..law }
+                .principal([3.4641016151377544, 0.0, 0.0])
+                .w,
             f64::INFINITY
         );
     }
 
-    /// Up to the limit it is stable over the whole field of a muscle's stretches, whatever its constants.
+    /// Up to the limit it is stable over the whole field of a muscle's stretches, whatever its
+    /// constants.
     #[test]
     fn it_is_stable_until_it_locks() {
-        for (gc, ge, jm) in [(0.2, 0.0, 2.1), (0.0, 0.2, 12.0), (0.3, 0.1, 9.0), (0.01, 1.0, 50.0)] {
-            let law = Law::from(ExtendedTube { gc_mpa: gc, ge_mpa: ge, jm });
+        for (gc, ge, jm) in [
+            (0.2, 0.0, 2.1),
+            (0.0, 0.2, 12.0),
+            (0.3, 0.1, 9.0),
+            (0.01, 1.0, 50.0),
+        ] {
+            let law = Law::from(ExtendedTube {
+                gc_mpa: gc,
+                ge_mpa: ge,
+                jm,
+            });
             let reach = (jm + 1.0).sqrt().min(3.0) * 0.98;
             if let Some(hoop_stretch) = muscle_unstable_from(&law, reach) {
                 let locks = |axial: f64| {
-                    hoop_stretch.powi(2) + axial * axial + (hoop_stretch * axial).powi(-2) - 3.0 >= jm
+                    hoop_stretch.powi(2) + axial * axial + (hoop_stretch * axial).powi(-2) - 3.0
+                        >= jm
                 };
                 assert!(locks(0.6) || locks(1.1), "{gc} {ge} {jm}: {hoop_stretch}");
             }

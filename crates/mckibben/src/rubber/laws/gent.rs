@@ -12,8 +12,9 @@ use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants};
 /// Jm  largest I1 − 3 that the chains can reach  –      > 0
 /// ```
 ///
-/// For I1 − 3 < Jm; at and beyond the limit the energy is `+∞` and the derivatives are not numbers. A function of I1
-/// alone: tests along one axis give a usable answer in two axes as well. Source: `gent1996`.
+/// For I1 − 3 < Jm; at and beyond the limit the energy is `+∞` and the derivatives are not numbers.
+/// A function of I1 alone: tests along one axis give a usable answer in two axes as well. Source:
+/// `gent1996`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gent {
     /// Shear modulus μ in MPa.
@@ -24,12 +25,18 @@ pub struct Gent {
 
 impl LawConstants for Gent {
     const NAME: &'static str = "gent";
-    const CONSTANTS: &'static [Constant] =
-        &[Constant::modulus("mu", "the shear modulus"), Constant::above("jm", 0.0, "the largest I1 − 3")];
+    const CONSTANTS: &'static [Constant] = &[
+        Constant::modulus("mu", "the shear modulus"),
+        Constant::above("jm", 0.0, "the largest I1 − 3"),
+    ];
     const EXAMPLE: &'static [f64] = &[0.24, 30.0];
 
     fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[mu_mpa, jm] = values { Some(Self { mu_mpa, jm }) } else { None }
+        if let &[mu_mpa, jm] = values {
+            Some(Self { mu_mpa, jm })
+        } else {
+            None
+        }
     }
 
     fn values(&self) -> Vec<f64> {

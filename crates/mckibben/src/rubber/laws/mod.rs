@@ -2,7 +2,8 @@
 
 use super::{Biaxial, HyperelasticCard, LawConstants, LawKind, LawVisitor, Principal, RubberLaw};
 
-/// From `file::Type` of every law: the modules, the enum [`Law`] and what goes to the law that it holds.
+/// From `file::Type` of every law: the modules, the enum [`Law`] and what goes to the law that it
+/// holds.
 macro_rules! laws {
     ($($file:ident::$law:ident),* $(,)?) => {
         $(
@@ -10,8 +11,9 @@ macro_rules! laws {
             pub use $file::$law;
         )*
 
-        /// Any of the laws, for data that is read at run time. Kernels are generic over [`RubberLaw`]: take the law
-        /// apart once, outside the quadrature loop ([`RubberLaw::visit`]).
+        /// Any of the laws, for data that is read at run time. Kernels are generic over
+        /// [`RubberLaw`]: take the law apart once, outside the quadrature loop
+        /// ([`RubberLaw::visit`]).
         #[derive(Debug, Clone, PartialEq)]
         pub enum Law {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*

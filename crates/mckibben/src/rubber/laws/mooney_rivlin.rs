@@ -15,9 +15,9 @@ use crate::rubber::{
 /// C01 half the modulus that goes with I2  MPa
 /// ```
 ///
-/// Tests along one axis often give C01 < 0, which is unstable in the two-axis stretch of a muscle: see
-/// [`biaxial_unstable_from`](crate::rubber::biaxial_unstable_from). Good up to about 100–200 % strain; it does not stiffen at
-/// large stretch. Sources: `mooney1940`, `rivlin1948`.
+/// Tests along one axis often give C01 < 0, which is unstable in the two-axis stretch of a muscle:
+/// see [`biaxial_unstable_from`](crate::rubber::biaxial_unstable_from). Good up to about 100–200 %
+/// strain; it does not stiffen at large stretch. Sources: `mooney1940`, `rivlin1948`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MooneyRivlin {
     /// C10 in MPa.
@@ -36,7 +36,11 @@ impl LawConstants for MooneyRivlin {
     const HELD_POSITIVE: Option<&'static str> = Some("with C01 not below 0");
 
     fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[c10_mpa, c01_mpa] = values { Some(Self { c10_mpa, c01_mpa }) } else { None }
+        if let &[c10_mpa, c01_mpa] = values {
+            Some(Self { c10_mpa, c01_mpa })
+        } else {
+            None
+        }
     }
 
     fn values(&self) -> Vec<f64> {
@@ -44,7 +48,11 @@ impl LawConstants for MooneyRivlin {
     }
 
     fn card(&self) -> Option<HyperelasticCard> {
-        Some(HyperelasticCard { form: "MOONEY-RIVLIN".into(), constants: self.values(), compressions: 1 })
+        Some(HyperelasticCard {
+            form: "MOONEY-RIVLIN".into(),
+            constants: self.values(),
+            compressions: 1,
+        })
     }
 }
 
@@ -61,22 +69,26 @@ impl InvariantLaw for MooneyRivlin {
 }
 
 impl Law {
-    /// The law as Mooney–Rivlin, where it is that or neo-Hookean (C10 = μ/2, C01 = 0): formulas in closed form exist for
-    /// these two.
+    /// The law as Mooney–Rivlin, where it is that or neo-Hookean (C10 = μ/2, C01 = 0): formulas in
+    /// closed form exist for these two.
     #[inline(always)]
     pub fn as_mooney_rivlin(&self) -> Option<MooneyRivlin> {
         match *self {
             Law::MooneyRivlin(law) => Some(law),
-            Law::NeoHookean(NeoHookean { mu_mpa }) => {
-                Some(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 })
-            }
+            Law::NeoHookean(NeoHookean { mu_mpa }) => Some(MooneyRivlin {
+                c10_mpa: 0.5 * mu_mpa,
+                c01_mpa: 0.0,
+            }),
             _ => None,
         }
     }
 
-    /// C01 in MPa where it is below zero, as tests along one axis give it: it misleads in the two-axis stretch of a
-    /// muscle, even if the muscle at hand does not reach where the law turns unstable.
+    /// C01 in MPa where it is below zero, as tests along one axis give it: it misleads in the
+    /// two-axis stretch of a muscle, even if the muscle at hand does not reach where the law turns
+    /// unstable.
     pub fn negative_c01_mpa(&self) -> Option<f64> {
-        self.as_mooney_rivlin().map(|law| law.c01_mpa).filter(|c01| *c01 < 0.0)
+        self.as_mooney_rivlin()
+            .map(|law| law.c01_mpa)
+            .filter(|c01| *c01 < 0.0)
     }
 }

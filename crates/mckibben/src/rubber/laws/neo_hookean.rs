@@ -24,7 +24,11 @@ impl LawConstants for NeoHookean {
     const EXAMPLE: &'static [f64] = &[0.24];
 
     fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[mu_mpa] = values { Some(Self { mu_mpa }) } else { None }
+        if let &[mu_mpa] = values {
+            Some(Self { mu_mpa })
+        } else {
+            None
+        }
     }
 
     fn values(&self) -> Vec<f64> {
@@ -33,13 +37,21 @@ impl LawConstants for NeoHookean {
 
     fn card(&self) -> Option<HyperelasticCard> {
         let constants = vec![0.5 * self.mu_mpa];
-        Some(HyperelasticCard { form: "NEO HOOKE".into(), constants, compressions: 1 })
+        Some(HyperelasticCard {
+            form: "NEO HOOKE".into(),
+            constants,
+            compressions: 1,
+        })
     }
 }
 
 impl InvariantLaw for NeoHookean {
     fn invariant(&self, i1: f64, _i2: f64) -> InvariantDerivatives {
         let half = 0.5 * self.mu_mpa;
-        InvariantDerivatives { w: half * (i1 - 3.0), w1: half, ..Default::default() }
+        InvariantDerivatives {
+            w: half * (i1 - 3.0),
+            w1: half,
+            ..Default::default()
+        }
     }
 }

@@ -12,8 +12,8 @@ use crate::rubber::{Constant, HyperelasticCard, LawConstants, Principal, RubberL
 /// αi          exponent of a term      –      other than 0
 /// ```
 ///
-/// Stable at any stretch where every μi αi > 0. Three terms follow natural rubber up to 600 % strain.
-/// Source: `ogden1972`.
+/// Stable at any stretch where every μi αi > 0. Three terms follow natural rubber up to 600 %
+/// strain. Source: `ogden1972`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ogden {
     /// (μi in MPa, αi) of each term.
@@ -35,28 +35,49 @@ impl LawConstants for Ogden {
 
     fn from_values(values: &[f64]) -> Option<Self> {
         let terms = values.chunks_exact(2);
-        terms.remainder().is_empty().then(|| Self { terms: terms.map(|t| (t[0], t[1])).collect() })
+        terms.remainder().is_empty().then(|| Self {
+            terms: terms.map(|t| (t[0], t[1])).collect(),
+        })
     }
 
     fn values(&self) -> Vec<f64> {
-        self.terms.iter().flat_map(|&(mu, alpha)| [mu, alpha]).collect()
+        self.terms
+            .iter()
+            .flat_map(|&(mu, alpha)| [mu, alpha])
+            .collect()
     }
 
     fn card(&self) -> Option<HyperelasticCard> {
         // There Σ 2 μ'i/αi² (…): μ'i = μi αi/2.
         let n = self.terms.len();
-        let constants = self.terms.iter().flat_map(|&(mu, alpha)| [0.5 * mu * alpha, alpha]).collect();
-        Some(HyperelasticCard { form: format!("OGDEN, N={n}"), constants, compressions: n })
+        let constants = self
+            .terms
+            .iter()
+            .flat_map(|&(mu, alpha)| [0.5 * mu * alpha, alpha])
+            .collect();
+        Some(HyperelasticCard {
+            form: format!("OGDEN, N={n}"),
+            constants,
+            compressions: n,
+        })
     }
 }
 
 impl RubberLaw for Ogden {
     fn shear_modulus_mpa(&self) -> f64 {
-        0.5 * self.terms.iter().map(|&(mu, alpha)| mu * alpha).sum::<f64>()
+        0.5 * self
+            .terms
+            .iter()
+            .map(|&(mu, alpha)| mu * alpha)
+            .sum::<f64>()
     }
 
     fn principal(&self, l: [f64; 3]) -> Principal {
-        let mut p = Principal { w: 0.0, d: [0.0; 3], dd: [[0.0; 3]; 3] };
+        let mut p = Principal {
+            w: 0.0,
+            d: [0.0; 3],
+            dd: [[0.0; 3]; 3],
+        };
         for &(mu, alpha) in &self.terms {
             for (i, stretch) in l.into_iter().enumerate() {
                 let power = stretch.powf(alpha - 2.0);

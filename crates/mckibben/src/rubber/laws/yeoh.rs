@@ -11,8 +11,9 @@ use crate::rubber::{Constant, HyperelasticCard, InvariantDerivatives, InvariantL
 /// C10, C20, C30                       MPa
 /// ```
 ///
-/// A negative C20 softens, a positive C30 stiffens at large stretch. A function of I1 alone: tests along one axis give a
-/// usable answer in two axes as well, as far as they reach. Source: `yeoh1993`.
+/// A negative C20 softens, a positive C30 stiffens at large stretch. A function of I1 alone: tests
+/// along one axis give a usable answer in two axes as well, as far as they reach. Source:
+/// `yeoh1993`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Yeoh {
     /// C10 in MPa.
@@ -34,7 +35,11 @@ impl LawConstants for Yeoh {
 
     fn from_values(values: &[f64]) -> Option<Self> {
         if let &[c10_mpa, c20_mpa, c30_mpa] = values {
-            Some(Self { c10_mpa, c20_mpa, c30_mpa })
+            Some(Self {
+                c10_mpa,
+                c20_mpa,
+                c30_mpa,
+            })
         } else {
             None
         }
@@ -45,7 +50,11 @@ impl LawConstants for Yeoh {
     }
 
     fn card(&self) -> Option<HyperelasticCard> {
-        Some(HyperelasticCard { form: "YEOH".into(), constants: self.values(), compressions: 3 })
+        Some(HyperelasticCard {
+            form: "YEOH".into(),
+            constants: self.values(),
+            compressions: 3,
+        })
     }
 }
 

@@ -37,11 +37,13 @@ pub struct RubberEntry {
     pub max_strain: Option<f64>,
     /// Nominal stress there, MPa.
     pub max_stress_mpa: Option<f64>,
-    /// The laws fitted to it as they are published. Of a rubber with a curve they are for comparison.
+    /// The laws fitted to it as they are published. Of a rubber with a curve they are for
+    /// comparison.
     #[serde(skip_serializing)]
     #[schemars(skip)]
     pub fits: Vec<RubberFit>,
-    /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`](super::TABLE_OF_FITS).
+    /// Its measured curve, a path in `data/` of the repository, or
+    /// [`TABLE_OF_FITS`](super::TABLE_OF_FITS).
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
     #[serde(skip)]

@@ -7,10 +7,13 @@
 //! s100:0.6MPa          stress at 100 %:              μ = s100/1.75
 //! ```
 //!
-//! E Young's modulus and μ = E/3 shear modulus of a neo-Hookean rubber, S Shore A; E of Gent 1958 \[gent1958\] = 0.0981 (56 + 7.62336 S)/(0.137505 (254 − 2.54 S)) MPa,
-//! for 20 A to 80 A. The first relation is a fit to nine casting silicones with measured curves (`data/silicones`), 0 to 50 % strain; formulas for
-//! other rubbers give 1.4 to 3 times as much for them. Hardness itself is ± 5 A, a factor of 1.32 in E; both together are the factor within which the stiffness is known, and the ± of a pull
-//! carries it. Data sheets of six casting silicones state stresses at 100 % that are 1.06 to 3.7 times those measured.
+//! E Young's modulus and μ = E/3 shear modulus of a neo-Hookean rubber, S Shore A; E of Gent 1958
+//! \[gent1958\] = 0.0981 (56 + 7.62336 S)/(0.137505 (254 − 2.54 S)) MPa, for 20 A to 80 A. The
+//! first relation is a fit to nine casting silicones with measured curves (`data/silicones`), 0 to
+//! 50 % strain; formulas for other rubbers give 1.4 to 3 times as much for them. Hardness itself is
+//! ± 5 A, a factor of 1.32 in E; both together are the factor within which the stiffness is known,
+//! and the ± of a pull carries it. Data sheets of six casting silicones state stresses at 100 %
+//! that are 1.06 to 3.7 times those measured.
 
 use super::LibraryError;
 use crate::rubber::{Law, NeoHookean, Rubber};
@@ -23,11 +26,16 @@ const HARDNESS: f64 = 1.32;
 /// Factor of a stress at 100 %.
 const STRESS: f64 = 2.0;
 
-/// A rubber by its data sheet, and the factor within which its stiffness is known; `None` where the name is another one.
+/// A rubber by its data sheet, and the factor within which its stiffness is known; `None` where the
+/// name is another one.
 pub(super) fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     let lower = name.trim().to_lowercase();
     let given: String = name.chars().take(60).collect();
-    let wrong = |problem| LibraryError(format!("\"{given}\" is not a rubber by its data sheet: {problem}"));
+    let wrong = |problem| {
+        LibraryError(format!(
+            "\"{given}\" is not a rubber by its data sheet: {problem}"
+        ))
+    };
     let modulus = if let Some(rest) = lower.strip_prefix("shore:") {
         by_hardness(rest).map_err(wrong)
     } else {
@@ -35,14 +43,22 @@ pub(super) fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     };
     Some(modulus.map(|(mu_mpa, factor)| {
         let law = Law::NeoHookean(NeoHookean { mu_mpa });
-        (Rubber { name: Some(lower.clone()), ..Rubber::new(law) }, factor)
+        (
+            Rubber {
+                name: Some(lower.clone()),
+                ..Rubber::new(law)
+            },
+            factor,
+        )
     }))
 }
 
 fn by_hardness(text: &str) -> Result<(f64, f64), &'static str> {
     let (hardness, family) = text.split_once(':').unwrap_or((text, "silicone"));
     let hardness = hardness.trim().strip_suffix('a').unwrap_or(hardness).trim();
-    let s: f64 = hardness.parse().map_err(|_| "write a hardness on the scale A, such as shore:40A")?;
+    let s: f64 = hardness
+        .parse()
+        .map_err(|_| "write a hardness on the scale A, such as shore:40A")?;
     let gent = 0.0981 * (56.0 + 7.62336 * s) / (0.137505 * (254.0 - 2.54 * s));
     let (least, most, young_mpa, relation, outside) = match family.trim() {
         "silicone" => (
@@ -50,10 +66,23 @@ fn by_hardness(text: &str) -> Result<(f64, f64), &'static str> {
             40.0,
             0.1025 * (0.0552 * s).exp(),
             SILICONE,
-            "casting silicones were compared from 10 A to 40 A; name a rubber, or state the stress at 100 % (s100:0.6MPa)",
+            "casting silicones were compared from 10 A to 40 A; name a rubber, or state the stress \
+             at 100 % (s100:0.6MPa)",
         ),
-        "natural" => (20.0, 60.0, gent, OTHERS, "unfilled natural rubber has 20 A to 60 A"),
-        "filled" => (20.0, 80.0, 0.6 * gent, OTHERS, "filled rubber has 20 A to 80 A here"),
+        "natural" => (
+            20.0,
+            60.0,
+            gent,
+            OTHERS,
+            "unfilled natural rubber has 20 A to 60 A",
+        ),
+        "filled" => (
+            20.0,
+            80.0,
+            0.6 * gent,
+            OTHERS,
+            "filled rubber has 20 A to 80 A here",
+        ),
         _ => return Err("the families are silicone, natural and filled, such as shore:50A:filled"),
     };
     if !(least..=most).contains(&s) {
@@ -86,7 +115,8 @@ mod tests {
         find(name).unwrap().unwrap().0.law.shear_modulus_mpa()
     }
 
-    /// By hand: 0.1025 exp(0.0552·30)/3 = 0.17896; Gent at 35 A 1.39496/3 = 0.46499; 0.6·2.45582/3 at 50 A = 0.49116; 0.7/1.75 = 0.4.
+    /// By hand: 0.1025 exp(0.0552·30)/3 = 0.17896; Gent at 35 A 1.39496/3 = 0.46499; 0.6·2.45582/3
+    /// at 50 A = 0.49116; 0.7/1.75 = 0.4.
     #[test]
     fn moduli_are_those_of_the_relations_by_hand() {
         for (name, expected) in [
@@ -95,7 +125,11 @@ mod tests {
             ("shore:50A:filled", 0.491_16),
             ("s100:0.7MPa", 0.4),
         ] {
-            assert!((mu(name) / expected - 1.0).abs() < 2e-4, "{name} {}", mu(name));
+            assert!(
+                (mu(name) / expected - 1.0).abs() < 2e-4,
+                "{name} {}",
+                mu(name)
+            );
         }
         // ln 1.20 = 0.1823, ln 1.32 = 0.2776: exp 0.3321.
         assert!((find("shore:30A").unwrap().unwrap().1 - 1.3939).abs() < 1e-3);

@@ -1,19 +1,23 @@
-//! From a name to a law: its constants follow from the stretches that a muscle reaches, without steps.
+//! From a name to a law: its constants follow from the stretches that a muscle reaches, without
+//! steps.
 
 use super::hardness;
 use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, WindowLaw, entry};
 use crate::rubber::Law;
 use crate::rubber::Rubber;
 
-/// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`](crate::muscle::Muscle::reach)).
+/// Stretch for which a law is meant where there is no muscle: that of the prototype
+/// ([`Muscle::reach`](crate::muscle::Muscle::reach)).
 pub const USUAL_REACH: f64 = 1.9662;
-/// By how much data should reach farther than the ideal muscle does. Strands that stretch let the wall go on: in finite elements at free
-/// contraction, on the braid `paper` at θ0 20° to 35° and walls of 1 to 5 mm, the largest stretch is 1 to 51 % below the reach at 1 and
-/// 2 bar, 10 % below to 5 % above it at 4 bar, and 4 to 11 % above at 8 bar.
+/// By how much data should reach farther than the ideal muscle does. Strands that stretch let the
+/// wall go on: in finite elements at free contraction, on the braid `paper` at θ0 20° to 35° and
+/// walls of 1 to 5 mm, the largest stretch is 1 to 51 % below the reach at 1 and 2 bar, 10 % below
+/// to 5 % above it at 4 bar, and 4 to 11 % above at 8 bar.
 pub const COVERING: f64 = 1.05;
 
-/// The rubber `name` or `name:law` as the prototype would have it; a muscle that is made of it takes the law for its own stretches
-/// ([`Muscle::new`](crate::muscle::Muscle::new)). Its name is the one it can be found by.
+/// The rubber `name` or `name:law` as the prototype would have it; a muscle that is made of it
+/// takes the law for its own stretches ([`Muscle::new`](crate::muscle::Muscle::new)). Its name is
+/// the one it can be found by.
 ///
 /// # Errors
 /// [`LibraryError`] with the nearest name, or the laws the rubber has.
@@ -28,7 +32,8 @@ pub fn find(name: &str) -> Result<Rubber, LibraryError> {
     find_for(name, USUAL_REACH)
 }
 
-/// The rubber `name` or `name:law` for stretches up to `reach`: see the module on which fit that is.
+/// The rubber `name` or `name:law` for stretches up to `reach`: see the module on which fit that
+/// is.
 pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
     find_up_to(name, COVERING * reach)
 }
@@ -55,15 +60,16 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
     Ok(entry.rubber(law.as_deref(), fit))
 }
 
-/// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these stretches, any other as it is. A rubber
-/// is of the library if name and constants are; with a constant changed it no longer is.
+/// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these
+/// stretches, any other as it is. A rubber is of the library if name and constants are; with a
+/// constant changed it no longer is.
 pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
     // The rubber of most muscles has one law: for it the library need not be read.
     if rubber.name.is_none() || rubber == Rubber::paper() {
         return rubber;
     }
-    let followed =
-        known(&rubber).and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)));
+    let followed = known(&rubber)
+        .and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)));
     followed.unwrap_or(rubber)
 }
 
@@ -77,16 +83,24 @@ pub fn follows(rubber: &Rubber) -> bool {
     known(rubber).is_some_and(|(entry, law)| entry.each(law).nth(1).is_some())
 }
 
-/// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what it does in two axes is then a guess
-/// of its law.
+/// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what
+/// it does in two axes is then a guess of its law.
 pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
-    let of_one_axis = |(entry, law): (&RubberEntry, Option<&str>)| entry.one_axis && entry.has(law, rubber);
-    rubber.name.as_deref().and_then(exactly).is_some_and(of_one_axis)
+    let of_one_axis =
+        |(entry, law): (&RubberEntry, Option<&str>)| entry.one_axis && entry.has(law, rubber);
+    rubber
+        .name
+        .as_deref()
+        .and_then(exactly)
+        .is_some_and(of_one_axis)
 }
 
-/// Factor within which the stiffness of a rubber is known: of one that represents others, or follows from one number of a data sheet; 1 of any other.
+/// Factor within which the stiffness of a rubber is known: of one that represents others, or
+/// follows from one number of a data sheet; 1 of any other.
 pub fn stiffness_factor(rubber: &Rubber) -> f64 {
-    let Some(name) = rubber.name.as_deref() else { return 1.0 };
+    let Some(name) = rubber.name.as_deref() else {
+        return 1.0;
+    };
     if let Some(Ok((named, factor))) = hardness::find(name) {
         return if named.law == rubber.law { factor } else { 1.0 };
     }
@@ -95,25 +109,38 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
 
 /// Entry and law of a name that the library itself gave.
 fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
-    let (plain, law) = name.split_once(':').map_or((name, None), |(plain, law)| (plain, Some(law)));
-    Some((super::entries().ok()?.iter().find(|e| e.name == plain)?, law))
+    let (plain, law) = name
+        .split_once(':')
+        .map_or((name, None), |(plain, law)| (plain, Some(law)));
+    Some((
+        super::entries().ok()?.iter().find(|e| e.name == plain)?,
+        law,
+    ))
 }
 
-/// The laws that the data of a rubber, up to the stretch `reach` of a muscle, do not tell from the law that is recommended: that
-/// one and those of equal standing with it (`TensionFit::of_equal_standing` of the fit), but for
-/// its rubber. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
+/// The laws that the data of a rubber, up to the stretch `reach` of a muscle, do not tell from the
+/// law that is recommended: that one and those of equal standing with it
+/// (`TensionFit::of_equal_standing` of the fit), but for its rubber. What a muscle pulls with one
+/// and with another differs by what nobody knows from these data. Empty for rubbers without a
 /// curve. Nothing is fitted.
 pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
-    let Some((entry, law)) = rubber.name.as_deref().and_then(exactly) else { return vec![] };
+    let Some((entry, law)) = rubber.name.as_deref().and_then(exactly) else {
+        return vec![];
+    };
     let stretch = COVERING * reach;
     let Some(window) = entry.up_to(law, stretch).and_then(|fit| fit.window) else {
         return vec![];
     };
-    let good =
-        window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name());
+    let good = window
+        .laws
+        .iter()
+        .filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name());
     good.filter_map(|l| {
         let name = Some(l.name.as_str());
-        Some(Rubber { bulk: rubber.bulk, ..entry.rubber(name, entry.up_to(name, stretch)?) })
+        Some(Rubber {
+            bulk: rubber.bulk,
+            ..entry.rubber(name, entry.up_to(name, stretch)?)
+        })
     })
     .collect()
 }
@@ -129,11 +156,20 @@ pub(super) struct LibraryFit<'a> {
 }
 
 impl RubberEntry {
-    /// Names of the laws that can be chosen, each once; `ogden-2` beside `ogden`, which is the best of them.
+    /// Names of the laws that can be chosen, each once; `ogden-2` beside `ogden`, which is the best
+    /// of them.
     pub fn laws(&self) -> Vec<String> {
         let mut laws: Vec<String> = vec![];
-        let fits = self.fits.iter().filter(|_| self.windows.is_empty()).map(|f| f.law.name().to_owned());
-        let fitted = self.windows.iter().flat_map(|w| &w.laws).map(|l| l.name.clone());
+        let fits = self
+            .fits
+            .iter()
+            .filter(|_| self.windows.is_empty())
+            .map(|f| f.law.name().to_owned());
+        let fitted = self
+            .windows
+            .iter()
+            .flat_map(|w| &w.laws)
+            .map(|l| l.name.clone());
         for name in fits.chain(fitted) {
             if !laws.contains(&name) {
                 laws.push(name);
@@ -143,8 +179,9 @@ impl RubberEntry {
         laws
     }
 
-    /// The fit to data up to a stretch: that of the smallest range which covers it, and between the ends of two ranges constants between theirs, in
-    /// proportion. Of a law that is linear in its constants the energy lies between the two. Beyond all data the fit to all.
+    /// The fit to data up to a stretch: that of the smallest range which covers it, and between the
+    /// ends of two ranges constants between theirs, in proportion. Of a law that is linear in its
+    /// constants the energy lies between the two. Beyond all data the fit to all.
     pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<LibraryFit<'_>> {
         let mut lower: Option<LibraryFit<'_>> = None;
         for mut fit in self.each(law) {
@@ -171,9 +208,11 @@ impl RubberEntry {
         fit.is_some_and(|fit| self.rubber(law, fit) == *rubber)
     }
 
-    /// The fits of a law, or those that the name alone means, from the smallest range to the widest.
+    /// The fits of a law, or those that the name alone means, from the smallest range to the
+    /// widest.
     pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit<'_>> {
-        // Without a curve: the first law of the table, which for the silicones is the neo-Hookean one.
+        // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
+        // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
         let fits = self.fits.iter().filter(|_| self.windows.is_empty());
         let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
@@ -188,12 +227,17 @@ impl RubberEntry {
         };
         let fitted = self.windows.iter().filter_map(move |w| {
             let law = w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone();
-            Some(LibraryFit { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
+            Some(LibraryFit {
+                law,
+                fitted_to_stretch: Some(w.fitted_to_stretch),
+                window: Some(w),
+            })
         });
         published.chain(fitted)
     }
 
-    /// The law of all ranges, with the number of its terms: of those that are meant the one that is recommended, or of equal standing, in most of them.
+    /// The law of all ranges, with the number of its terms: of those that are meant the one that is
+    /// recommended, or of equal standing, in most of them.
     pub(super) fn name_in_windows(&self, is_meant: impl Fn(&WindowLaw) -> bool) -> Option<&String> {
         let laws = || self.windows.iter().flat_map(|w| &w.laws);
         let count = |name: &String, counts: fn(&WindowLaw) -> bool| {
@@ -209,22 +253,30 @@ impl RubberEntry {
         })
     }
 
-    /// The law that the name of a rubber without a curve means: of all fits to one axis the one that can be trusted in two.
+    /// The law that the name of a rubber without a curve means: of all fits to one axis the one
+    /// that can be trusted in two.
     fn published_default(&self) -> Option<&'static str> {
         let laws = || self.fits.iter().map(|f| f.law.name());
-        laws().find(|law| *law == "neo-hookean").or_else(|| laws().next())
+        laws()
+            .find(|law| *law == "neo-hookean")
+            .or_else(|| laws().next())
     }
 
-    /// Engineering strain to which a published fit has data behind it: rubber may fail before the range ends.
+    /// Engineering strain to which a published fit has data behind it: rubber may fail before the
+    /// range ends.
     pub fn reach(&self, fit: &RubberFit) -> Option<f64> {
-        fit.up_to_strain.map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
+        fit.up_to_strain
+            .map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
     }
 
     pub(super) fn rubber(&self, law: Option<&str>, fit: LibraryFit<'_>) -> Rubber {
         // Where the name alone always means this law it says enough.
-        let named = law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));
+        let named =
+            law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));
         Rubber {
-            name: Some(named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name))),
+            name: Some(
+                named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name)),
+            ),
             fitted_to_stretch: fit.fitted_to_stretch,
             ..Rubber::new(fit.law)
         }
@@ -233,5 +285,8 @@ impl RubberEntry {
 
 /// Place of a law among all: sums of terms by their number.
 fn order(name: &str) -> usize {
-    crate::rubber::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
+    crate::rubber::Form::all()
+        .iter()
+        .position(|f| f.name() == name)
+        .unwrap_or(usize::MAX)
 }

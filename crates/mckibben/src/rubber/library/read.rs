@@ -21,7 +21,10 @@ struct Origin {
 }
 
 pub(super) fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
-    let Table { sources, mut rubber } = toml_edit::de::from_str(text).map_err(LibraryError::damaged)?;
+    let Table {
+        sources,
+        mut rubber,
+    } = toml_edit::de::from_str(text).map_err(LibraryError::damaged)?;
     for entry in &mut rubber {
         let wrong = |problem: String| LibraryError::damaged(format!("{}: {problem}", entry.name));
         let unknown = || wrong(format!("unknown source {}", entry.source));
@@ -30,7 +33,10 @@ pub(super) fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
             return Err(wrong("no fits".into()));
         }
         for fit in &entry.fits {
-            fit.law.clone().validated().map_err(|e| wrong(e.to_string()))?;
+            fit.law
+                .clone()
+                .validated()
+                .map_err(|e| wrong(e.to_string()))?;
         }
         (entry.source, entry.terms) = (origin.citation.clone(), origin.terms.clone());
         entry.one_axis = origin.one_axis;

@@ -1,7 +1,8 @@
 //! Laws fitted to the curve of a rubber up to one stretch, as `data/rubber-laws.json` has them.
 //!
-//! The example `rubber_laws` of `mckibben-fit` makes them, so that they are what `rubber DATA --up-to STRETCH` prints; `cargo xtask golds`
-//! writes the file. It is read when a rubber with a curve is named: fits take 1 to 80 ms a window, reading takes none of it.
+//! The example `rubber_laws` of `mckibben-fit` makes them, so that they are what
+//! `rubber DATA --up-to STRETCH` prints; `cargo xtask golds` writes the file. It is read when a
+//! rubber with a curve is named: fits take 1 to 80 ms a window, reading takes none of it.
 
 use super::error::LibraryError;
 use crate::rubber::Law;
@@ -54,7 +55,8 @@ pub enum Standing {
 }
 
 impl Window {
-    /// A law by its name, `yeoh` or `ogden-2`; `ogden` is the best of its numbers of terms. Without a name the recommended one.
+    /// A law by its name, `yeoh` or `ogden-2`; `ogden` is the best of its numbers of terms. Without
+    /// a name the recommended one.
     pub fn law(&self, name: Option<&str>) -> Option<&WindowLaw> {
         self.laws.iter().find(|l| match name {
             Some(name) => l.name == name || l.law.name() == name,

@@ -1,7 +1,9 @@
 //! Rubber over time: softening by the first loading, and relaxation, each a wrapper over any law.
 //!
-//! [`OgdenRoxburgh`] is the Mullins effect: [`Softened`] is a law again, for a given largest energy that the point has seen. [`Prony`] is
-//! linear viscoelasticity in the second Piola–Kirchhoff stress. Here the laws' constants are the *instantaneous* ones, t → 0: those of long times are (1 − Σg) times as large ([`Prony::long_time`]).
+//! [`OgdenRoxburgh`] is the Mullins effect: [`Softened`] is a law again, for a given largest energy
+//! that the point has seen. [`Prony`] is linear viscoelasticity in the second Piola–Kirchhoff
+//! stress. Here the laws' constants are the *instantaneous* ones, t → 0: those of long times are (1
+//! − Σg) times as large ([`Prony::long_time`]).
 
 mod erf;
 mod prony;

@@ -25,8 +25,9 @@ pub struct Branch {
 /// hᵢ   state of a branch, one tensor a point; zero at rest                         MPa
 /// ```
 ///
-/// Held at a stretch that came at once, S = S0 [1 − Σ gᵢ (1 − e^(−t/τᵢ))], at last (1 − Σ gᵢ) S0. Linear in the stress: good where loops at
-/// different rates are alike in shape. Source: `simo1987`, without its damage. As data (serde): a list of pairs, gᵢ and τᵢ in s.
+/// Held at a stretch that came at once, S = S0 [1 − Σ gᵢ (1 − e^(−t/τᵢ))], at last (1 − Σ gᵢ) S0.
+/// Linear in the stress: good where loops at different rates are alike in shape. Source:
+/// `simo1987`, without its damage. As data (serde): a list of pairs, gᵢ and τᵢ in s.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(from = "Vec<(f64, f64)>", into = "Vec<(f64, f64)>")]
 pub struct Prony {
@@ -36,14 +37,23 @@ pub struct Prony {
 
 impl From<Vec<(f64, f64)>> for Prony {
     fn from(pairs: Vec<(f64, f64)>) -> Self {
-        let branch = |(share, time_constant_s)| Branch { share, time_constant_s };
-        Self { branches: pairs.into_iter().map(branch).collect() }
+        let branch = |(share, time_constant_s)| Branch {
+            share,
+            time_constant_s,
+        };
+        Self {
+            branches: pairs.into_iter().map(branch).collect(),
+        }
     }
 }
 
 impl From<Prony> for Vec<(f64, f64)> {
     fn from(prony: Prony) -> Self {
-        prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect()
+        prony
+            .branches
+            .iter()
+            .map(|b| (b.share, b.time_constant_s))
+            .collect()
     }
 }
 
@@ -67,8 +77,9 @@ impl Prony {
 
     /// The law whose stresses are the remaining shares of those of the law at once.
     ///
-    /// Exact at t → ∞, whatever went before, and for a deformation that came at once and stayed; between, where a muscle creeps or its
-    /// ends move, it leaves out that later strains are younger than earlier ones.
+    /// Exact at t → ∞, whatever went before, and for a deformation that came at once and stayed;
+    /// between, where a muscle creeps or its ends move, it leaves out that later strains are
+    /// younger than earlier ones.
     pub fn held(&self, law: &Law, held: Held) -> Law {
         law.scaled(self.left(held))
     }
@@ -80,14 +91,22 @@ impl Prony {
                 return Err(constant("a branch's share g", b.share, "zero or above"));
             }
             if !(b.time_constant_s > 0.0 && b.time_constant_s.is_finite()) {
-                return Err(constant("a branch's time constant in s", b.time_constant_s, "above zero"));
+                return Err(constant(
+                    "a branch's time constant in s",
+                    b.time_constant_s,
+                    "above zero",
+                ));
             }
         }
         let sum = self.relaxing();
         if sum < 1.0 {
             Ok(self)
         } else {
-            Err(constant("the sum of all shares g", sum, "below 1: the remainder is the rubber at rest"))
+            Err(constant(
+                "the sum of all shares g",
+                sum,
+                "below 1: the remainder is the rubber at rest",
+            ))
         }
     }
 
@@ -107,8 +126,9 @@ impl Prony {
         1.0 - self.branches.iter().map(lost).sum::<f64>()
     }
 
-    /// The states after a step in which S0 goes straight by `change`: hᵢ e^(−Δt/τᵢ) + (τᵢ/Δt)(1 − e^(−Δt/τᵢ)) ΔS0; exact for a stress that is
-    /// piecewise linear in time, second order in Δt for a smooth one. No time is a jump.
+    /// The states after a step in which S0 goes straight by `change`: hᵢ e^(−Δt/τᵢ) + (τᵢ/Δt)(1 −
+    /// e^(−Δt/τᵢ)) ΔS0; exact for a stress that is piecewise linear in time, second order in Δt for
+    /// a smooth one. No time is a jump.
     pub fn step<const N: usize>(&self, states: &mut [[f64; N]], change: [f64; N], duration_s: f64) {
         for (h, b) in states.iter_mut().zip(&self.branches) {
             let x = duration_s / b.time_constant_s;

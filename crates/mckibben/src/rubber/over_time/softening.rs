@@ -1,4 +1,5 @@
-//! Mullins softening by Ogden & Roxburgh: the stress of any law times η ≤ 1 where the rubber has been further before.
+//! Mullins softening by Ogden & Roxburgh: the stress of any law times η ≤ 1 where the rubber has
+//! been further before.
 
 use super::constant;
 use super::erf::{erf, erf_integral};
@@ -20,9 +21,10 @@ use std::f64::consts::PI;
 /// β    the same as a share of W_m                      –     ≥ 0,   m + β W_m > 0
 /// ```
 ///
-/// The energy lost in a cycle from rest to W_m and back is ∫(1 − η) dW0 = (s/r) ∫₀^(W_m/s) erf. No permanent set, no rate: reloading goes
-/// back along the unloading. β = 0 is the law as it was published; β and the name `s` follow its form in finite-element programs.
-/// Source: `ogden1999`. As data (serde): `r`, `m` in MPa, `beta`, as in muscle files.
+/// The energy lost in a cycle from rest to W_m and back is ∫(1 − η) dW0 = (s/r) ∫₀^(W_m/s) erf. No
+/// permanent set, no rate: reloading goes back along the unloading. β = 0 is the law as it was
+/// published; β and the name `s` follow its form in finite-element programs. Source: `ogden1999`.
+/// As data (serde): `r`, `m` in MPa, `beta`, as in muscle files.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OgdenRoxburgh {
@@ -42,13 +44,27 @@ impl OgdenRoxburgh {
         let Self { r, m_mpa, beta } = self;
         let spreads = "above zero: one of m and beta spreads the loss";
         let checks = [
-            ("r", r, r >= 1.0, "1 or above: 1/r is the largest loss of stress"),
-            ("m", m_mpa, m_mpa >= 0.0, "an energy of zero or above, in MPa"),
+            (
+                "r",
+                r,
+                r >= 1.0,
+                "1 or above: 1/r is the largest loss of stress",
+            ),
+            (
+                "m",
+                m_mpa,
+                m_mpa >= 0.0,
+                "an energy of zero or above, in MPa",
+            ),
             ("beta", beta, beta >= 0.0, "zero or above"),
             ("m + beta", m_mpa + beta, m_mpa + beta != 0.0, spreads),
         ];
-        let wrong = checks.into_iter().find(|(_, value, holds, _)| !(*holds && value.is_finite()));
-        wrong.map_or(Ok(self), |(name, value, _, expected)| Err(constant(name, value, expected)))
+        let wrong = checks
+            .into_iter()
+            .find(|(_, value, holds, _)| !(*holds && value.is_finite()));
+        wrong.map_or(Ok(self), |(name, value, _, expected)| {
+            Err(constant(name, value, expected))
+        })
     }
 
     fn spread(&self, w_max: f64) -> f64 {
@@ -84,8 +100,9 @@ impl OgdenRoxburgh {
     }
 }
 
-/// A law that has seen the energy `w_max_mpa`: a law again, with exact tangent. The state is held while it is evaluated; beyond `w_max_mpa` it is the law
-/// itself, and whoever steps in time sets the new largest energy from [`Softened::seen_mpa`].
+/// A law that has seen the energy `w_max_mpa`: a law again, with exact tangent. The state is held
+/// while it is evaluated; beyond `w_max_mpa` it is the law itself, and whoever steps in time sets
+/// the new largest energy from [`Softened::seen_mpa`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Softened<'a, L> {
     /// The law of the first loading.
@@ -110,21 +127,29 @@ impl<L: RubberLaw> RubberLaw for Softened<'_, L> {
 
     fn principal(&self, stretches: [f64; 3]) -> Principal {
         let p = self.law.principal(stretches);
-        let (eta, slope) =
-            (self.softening.factor(p.w, self.w_max_mpa), self.softening.slope(p.w, self.w_max_mpa));
+        let (eta, slope) = (
+            self.softening.factor(p.w, self.w_max_mpa),
+            self.softening.slope(p.w, self.w_max_mpa),
+        );
         let mut dd = p.dd;
         for (i, row) in dd.iter_mut().enumerate() {
             for (j, value) in row.iter_mut().enumerate() {
                 *value = eta * *value + slope * p.d[i] * p.d[j];
             }
         }
-        Principal { w: self.softening.energy_mpa(p.w, self.w_max_mpa), d: p.d.map(|d| eta * d), dd }
+        Principal {
+            w: self.softening.energy_mpa(p.w, self.w_max_mpa),
+            d: p.d.map(|d| eta * d),
+            dd,
+        }
     }
 
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
         let b = self.law.biaxial(u, v);
-        let (eta, slope) =
-            (self.softening.factor(b.w, self.w_max_mpa), self.softening.slope(b.w, self.w_max_mpa));
+        let (eta, slope) = (
+            self.softening.factor(b.w, self.w_max_mpa),
+            self.softening.slope(b.w, self.w_max_mpa),
+        );
         Biaxial {
             w: self.softening.energy_mpa(b.w, self.w_max_mpa),
             u: eta * b.u,
