@@ -10,6 +10,7 @@ pub mod nearest;
 mod quantity;
 mod range;
 mod short;
+pub mod typed;
 mod unit;
 
 pub use convert::{rounded, tidy};
