@@ -83,15 +83,16 @@ impl DesignRequest {
     /// envelope.
     pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>> {
         let share = envelope_ratio(self.count()?);
-        let of_envelope = self.max_envelope_mm.map(|mm| mm / share);
-        let limits = self.max_bulged_diameter_mm.into_iter().chain(of_envelope);
+        let of_envelope = self.max_envelope_mm.map(|mm| mm.0 / share);
+        let own = self.max_bulged_diameter_mm.map(f64::from);
+        let limits = own.into_iter().chain(of_envelope);
         Ok(limits.reduce(f64::min))
     }
 
     /// The largest liquid volume of one muscle in mm³: its share of what there is.
     pub(super) fn liquid_volume_mm3(&self) -> Result<Option<f64>> {
         let count = f64::from(self.count()?);
-        Ok(self.max_liquid_volume_mm3.map(|mm3| mm3 / count))
+        Ok(self.max_liquid_volume_mm3.map(|mm3| mm3.0 / count))
     }
 }
 
@@ -126,7 +127,8 @@ pub(super) fn of_winner(
     let bulged = winner.bulged_diameter_mm();
     let pitch_mm = request
         .pitch_mm
-        .or(request.max_envelope_mm.map(|mm| mm / ratio))
+        .map(f64::from)
+        .or(request.max_envelope_mm.map(|mm| mm.0 / ratio))
         .or(bulged);
     let model = build(&winner.muscle).ok();
     let touch = model
