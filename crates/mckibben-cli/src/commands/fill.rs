@@ -1,8 +1,8 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{Args, FLAT, Problem, Units, burst_first, listed, pairs, value};
-use mckibben_app::FillAnswer;
+use crate::{FLAT, Format, Output, Problem, Units, burst_first, listed, pairs, value};
 use mckibben_app::rows::{estimated, limit_rows};
+use mckibben_app::{FillAnswer, FillRequest};
 
 const KEYS: &str = "model about.source=by liquid.name=liquid liquid.gas_share=gas:% \
     liquid.bulk_modulus_mpa=bulk_modulus effective_bulk_modulus_mpa=with_its_gas_at_this_pressure \
@@ -13,9 +13,25 @@ const KEYS: &str = "model about.source=by liquid.name=liquid liquid.gas_share=ga
     liquid_energy_j=stored_in_the_liquid load_work_j=work_on_the_load \
     friction_work_j=taken_by_friction volume_mm3=cavity rest_volume_mm3=cavity_at_the_start";
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let answer = mckibben_app::fill(&args.request()?)?;
-    args.show(&answer, FLAT, text)
+/// A volume of liquid pushed into a muscle.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg
+  mckibben fill examples/festo-dmsp-20.toml --volume 30mL -e 10% \\
+    --liquid oil --gas 1% --dead-volume 15mL")]
+pub struct Fill {
+    #[command(flatten)]
+    request: FillRequest,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Fill {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        self.request.load.read_tables()?;
+        let answer = mckibben_app::fill(&self.request)?;
+        self.output.show(format, &answer, FLAT, text)
+    }
 }
 
 fn text(answer: &FillAnswer, u: &Units) -> String {
