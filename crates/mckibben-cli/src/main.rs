@@ -27,7 +27,7 @@ use output::text::{
 use output::{
     FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
 };
-use output::{Output, print};
+use output::{Output, print_text};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;

@@ -5,8 +5,8 @@ mod pdf;
 
 use crate::output::ShownUnits;
 use crate::{
-    Bar, FLAT, Format, Problem, burst_first, check_ending, ending, listed, pairs, place, print,
-    save, save_all, shown, tabled, value,
+    Bar, FLAT, Format, Problem, burst_first, check_ending, ending, listed, pairs, place,
+    print_text, save, save_all, shown, tabled, value,
 };
 use mckibben_app::{BuildAnswer, BuildRequest, REPORT, build};
 use std::path::{Path, PathBuf};
@@ -52,7 +52,7 @@ impl Build {
                 .for_each(|file| file.content.clone_from(&page));
         }
         folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
-        print(format, &answer, FLAT, |answer, u| {
+        print_text(format, &answer, FLAT, |answer, u| {
             text(answer, folder, target, u)
         })
     }

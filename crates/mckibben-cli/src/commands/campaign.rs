@@ -2,7 +2,7 @@
 
 use crate::{
     Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::Output,
-    output::json, output::print, overwrite, pairs, place, progress::INTERRUPTED, said, shown,
+    output::json, output::print_text, overwrite, pairs, place, progress::INTERRUPTED, said, shown,
     tabled, value, warn,
 };
 use clap::Subcommand;
@@ -164,7 +164,7 @@ fn merge(mut request: CampaignMergeRequest, format: Format) -> Result<u8, Proble
     no_csv(format)?;
     request.overwrite = overwrite();
     let merged = campaign_merge(&request)?;
-    print(format, &merged, "", |merged, _| {
+    print_text(format, &merged, "", |merged, _| {
         let out = place(&merged.output);
         format!(
             "{} points of {} muscles are in {out}\n",

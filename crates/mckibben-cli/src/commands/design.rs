@@ -4,7 +4,7 @@ use crate::output::ShownUnits;
 use crate::typed::in_flags;
 use crate::{
     Bar, Format, NO_ANSWER, Plot, Problem, Units, burst_first, check_ending, each, emit, headed,
-    listed, number, pairs, place, print, said, save, tabled, value,
+    listed, number, pairs, place, print_text, said, save, tabled, value,
 };
 use mckibben::units::rounded;
 use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, DesignRequest, RejectedAnswer};
@@ -58,7 +58,7 @@ impl Design {
         let text = |answer: &DesignAnswer, u: &Units| {
             burst_first(&answer.warnings) + &as_text(answer, target, self.all, u)
         };
-        print(format, &answer, "candidates", text)?;
+        print_text(format, &answer, "candidates", text)?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
             emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
         }

@@ -1,7 +1,9 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
 use crate::output::ShownUnits;
-use crate::{FLAT, Format, Problem, Units, listed, pairs, place, print, save_all, tabled, value};
+use crate::{
+    FLAT, Format, Problem, Units, listed, pairs, place, print_text, save_all, tabled, value,
+};
 use mckibben_app::{
     BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list,
 };
@@ -32,7 +34,7 @@ impl Export {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
         if self.list {
             let answer = export_list(&ExportListRequest {})?;
-            return print(format, &answer, "targets", |answer, u| {
+            return print_text(format, &answer, "targets", |answer, u| {
                 tabled(&answer.targets, TARGETS, u)
             });
         }
@@ -43,7 +45,7 @@ impl Export {
         if let Some(file) = file.filter(|file| is_joint(&file.text)) {
             let answer = export_joint(&request.of_joint(Path::new(&file.name))?)?;
             save(&answer.files)?;
-            return print(format, &answer, FLAT, |a, u| {
+            return print_text(format, &answer, FLAT, |a, u| {
                 let keys = "target torque_error_nm=error_of_the_torque,_at_most \
                     stiffness_error_nm_per_rad=of_the_stiffness";
                 text(value(a), String::new(), keys, folder, u)
@@ -51,7 +53,7 @@ impl Export {
         }
         let answer = export(request)?;
         save(&answer.files)?;
-        print(format, &answer, FLAT, |a, u| {
+        print_text(format, &answer, FLAT, |a, u| {
             text(value(a), a.muscle.line(u) + "\n", KEYS, folder, u)
         })
     }

@@ -2,7 +2,7 @@
 
 use crate::{
     Bar, Format, NO_ANSWER, Problem, Units, check_ending, listed, number, output::show, overwrite,
-    pairs, place, print, save, save_inside, shown, tabled, value,
+    pairs, place, print_text, save, save_inside, shown, tabled, value,
 };
 use mckibben::formula::Document;
 use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report};
@@ -90,7 +90,7 @@ impl Fit {
             save_inside(folder, figures, overwrite())?;
         }
         save(target, answer.formula_file().as_bytes())?;
-        print(format, &answer, "terms", |answer, _| {
+        print_text(format, &answer, "terms", |answer, _| {
             as_text(answer, target)
         })
     }

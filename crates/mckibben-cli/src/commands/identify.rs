@@ -3,7 +3,7 @@
 use crate::output::ShownUnits;
 use crate::{
     Bar, Format, Plot, Problem, Units, burst_first, check_ending, listed, pairs, percent, place,
-    print, save, table, tabled, understood, value,
+    print_text, save, table, tabled, understood, value,
 };
 use mckibben::muscle::Bench;
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, MotionRequest, TextFile, with_error_bar};
@@ -57,7 +57,7 @@ impl Identify {
         self.plot.save(&mut answer.figure)?;
         save(target, answer.muscle_file.as_bytes())?;
         let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(path)));
-        print(format, &answer, "points", |answer, u| {
+        print_text(format, &answer, "points", |answer, u| {
             as_text(answer, u) + &written.unwrap_or_default()
         })
     }
@@ -81,7 +81,7 @@ impl Identify {
         let target = self.output.as_deref();
         save(target, identified.drive_file.as_bytes())?;
         let written = target.map(|path| format!("\nThe drive is in {}.\n", place(path)));
-        print(format, &answer, "series", |answer, u| {
+        print_text(format, &answer, "series", |answer, u| {
             let errors = tabled(
                 &identified.errors,
                 "of=log rms:3 held_out_rms=second_half,_predicted:3",

@@ -3,9 +3,7 @@
 use crate::{
     Bar, Format, Output, Plot, Problem, Units, burst_first, number, output::form, tabled, value,
 };
-use mckibben_app::{
-    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint, rows::limit_rows,
-};
+use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint};
 use std::path::PathBuf;
 
 /// A joint.
@@ -55,7 +53,9 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     let muscles = answer.muscles.iter().zip(1..);
     text.extend(muscles.map(|(muscle, i)| format!("muscle {i}: {}\n", muscle.line(u))));
     text.extend(
-        limit_rows(&answer.limits, "", u)
+        answer
+            .limits
+            .rows(u)
             .iter()
             .map(|(name, value)| format!("{name} {value}\n")),
     );

@@ -6,7 +6,6 @@ use crate::{
 };
 use mckibben_app::{
     LoadFields, MotionAnswer, MotionRequest, MotionRun, ProblemKind, TextFile, motion,
-    rows::limit_rows,
 };
 use std::path::PathBuf;
 
@@ -92,7 +91,9 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
             .map(|muscle| format!("muscle: {}\n", muscle.line(u))),
     );
     text.extend(
-        limit_rows(&answer.limits, "", u)
+        answer
+            .limits
+            .rows(u)
             .iter()
             .map(|(name, value)| format!("{name} {value}\n")),
     );

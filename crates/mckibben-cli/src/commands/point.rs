@@ -1,10 +1,8 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Format, Output, Problem, burst_first, output::loaded::loaded, pairs};
+use crate::{Format, Output, Problem};
 use clap::Args;
-use mckibben_app::{
-    ContractionRequest, ForceRequest, PointAnswer, PointQuantity, PressureRequest, rows::point_rows,
-};
+use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
 /// F(P, ε).
 #[derive(Debug, Args)]
@@ -41,37 +39,22 @@ pub struct Contraction {
 
 impl Force {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
-        let answer = mckibben_app::force(&self.request)?;
-        show(&self.output, format, answer, PointQuantity::Force)
+        self.output
+            .print(format, &mckibben_app::force(&self.request)?)
     }
 }
 
 impl Pressure {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
-        let answer = mckibben_app::pressure(&self.request)?;
-        show(&self.output, format, answer, PointQuantity::Pressure)
+        self.output
+            .print(format, &mckibben_app::pressure(&self.request)?)
     }
 }
 
 impl Contraction {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
         self.request.load.read_tables()?;
-        let answer = mckibben_app::contraction(&self.request)?;
-        show(&self.output, format, answer, PointQuantity::Contraction)
+        self.output
+            .print(format, &mckibben_app::contraction(&self.request)?)
     }
-}
-
-fn show(
-    output: &Output,
-    format: Format,
-    answer: PointAnswer,
-    of: PointQuantity,
-) -> Result<u8, Problem> {
-    output.show(format, &answer, "", |answer, u| {
-        let load = answer
-            .loaded
-            .as_ref()
-            .map_or_else(String::new, |load| loaded(load, u));
-        burst_first(&answer.point.warnings) + &pairs(&point_rows(answer, of, u)) + &load
-    })
 }

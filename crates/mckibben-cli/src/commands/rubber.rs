@@ -1,8 +1,8 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Format, Plot, Problem, Units, check_ending, emit, listed, number, pairs, place, print, save,
-    tabled, understood, value, warn,
+    Format, Plot, Problem, Units, check_ending, emit, listed, number, pairs, place, print_text,
+    save, tabled, understood, value, warn,
 };
 use mckibben::progress::Silent;
 use mckibben_app::{
@@ -73,9 +73,9 @@ impl Rubber {
             let constants = Constants {
                 constants: answer.constants(),
             };
-            return print(format, &constants, "constants", |_, _| String::new());
+            return print_text(format, &constants, "constants", |_, _| String::new());
         }
-        print(format, &answer, "", as_text)?;
+        print_text(format, &answer, "", as_text)?;
         if let (Some(path), Format::Text) = (target, format) {
             let path = place(path);
             let text =
