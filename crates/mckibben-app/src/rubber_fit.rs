@@ -29,7 +29,7 @@ pub struct RubberFitRequest {
     /// The tests: one table or several, each with its mode and dimensions in `set`, where its
     /// columns do not state them.
     #[serde(flatten)]
-    #[arg(skip)]
+    #[command(flatten)]
     pub tables: DataFields,
     /// Laws by name, or `all` [all that the points determine]
     #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::laws())]

@@ -198,3 +198,12 @@ fn first_example(all: &str) -> String {
     let first = lines.collect::<Vec<_>>().join("\n");
     first.replacen("Examples:", "Example:", 1)
 }
+
+#[cfg(test)]
+mod tests {
+    /// What flags exclude and require exists, and no two have one name.
+    #[test]
+    fn flags_agree_with_each_other() {
+        super::command().debug_assert();
+    }
+}

@@ -68,7 +68,7 @@ pub struct StepFields {
     /// Gauge pressure from 0.05 s on
     #[arg(
         id = "step_pressure_mpa",
-        short,
+        short = 'p',
         long = "pressure",
         value_name = "PRESSURE",
         requires = "muscle"
