@@ -193,14 +193,11 @@ fn every_number_of_a_muscle_file_of_any_size_is_an_answer_or_a_problem() {
             let request = |model: &str| ForceRequest {
                 question: mckibben_app::QuestionFields {
                     muscle: MuscleFields::from_file(file("m.toml", &text)),
-                    model: mckibben_app::ModelFields {
-                        model: Some(model.into()),
-                        ..Default::default()
-                    },
+                    model: mckibben_app::ModelFields::named(model),
                     ..Default::default()
                 },
-                pressure_mpa: Some(0.2),
-                contraction: Some(0.05),
+                pressure_mpa: Some(0.2.into()),
+                contraction: Some(0.05.into()),
                 ..ForceRequest::default()
             };
             for model in ["thick-wall", "universal"] {
