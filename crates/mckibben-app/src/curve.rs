@@ -1,5 +1,7 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
+mod page;
+
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
     QuestionFields, Result, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio,
@@ -507,9 +509,13 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     })
 }
 
-/// The points of all curves, row by row.
 fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(panels.iter().flat_map(|panel| {
+    serializer.collect_seq(study_rows(panels))
+}
+
+/// The points of all curves, row by row.
+fn study_rows(panels: &[StudyPanel]) -> impl Iterator<Item = StudyRow> {
+    panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {
                 point: point.into(),
@@ -519,5 +525,5 @@ fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S
                 wall_mm: curve.wall_mm,
             })
         })
-    }))
+    })
 }

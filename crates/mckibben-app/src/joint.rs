@@ -1,6 +1,8 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
 //! against each other.
 
+mod page;
+
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of,
@@ -14,7 +16,7 @@ use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, siz
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, fmt, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -490,6 +492,12 @@ pub enum RestWord {
     Limit,
     /// No torque acts, and it rests at any angle near this one.
     Loose,
+}
+
+impl fmt::Display for RestWord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// A joint's answer.

@@ -189,12 +189,21 @@ impl Args {
 
     /// Prints an answer where `--output` says.
     pub fn output<T: Show>(&self, answer: &T) -> Result<u8, Problem> {
+        self.output_with(answer, |_| ())
+    }
+
+    /// The same with what only this run knows.
+    pub fn output_with<T: Show>(
+        &self,
+        answer: &T,
+        add: impl FnOnce(&mut Page),
+    ) -> Result<u8, Problem> {
         let target = self.path("output");
-        output::print(answer, self.format, |_| (), target.as_deref())?;
+        output::print(answer, self.format, add, target.as_deref())?;
         Ok(0)
     }
 
-    /// Prints an answer beside the files that `--output` names, with what only this run knows.
+    /// Prints an answer beside the files that `--output` names, likewise.
     pub fn output_beside<T: Show>(
         &self,
         answer: &T,

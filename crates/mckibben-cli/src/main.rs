@@ -26,11 +26,9 @@ use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{
-    Units, columns, half_width, number, pairs, percent, percents, place, table, understood,
-};
+use output::text::{Units, number, pairs, percent, place, table, understood};
 use output::{
-    FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
+    burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
 };
 use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted};
 use progress::Bar;
