@@ -53,7 +53,7 @@ impl<'a, T> Table<'a, T> {
             let is_number = !matches!(amount, Amount::Words(_));
             Some(text + if is_number && is_percent { " %" } else { "" })
         });
-        self.column(heading, cells.collect())
+        self.cells(heading, cells.collect())
     }
 
     /// A column of words, or of numbers without a unit.
@@ -62,14 +62,17 @@ impl<'a, T> Table<'a, T> {
     }
 
     /// A column of cells; what there is not is a dash.
-    pub fn column(mut self, heading: String, cells: Vec<Option<String>>) -> Self {
-        if cells.iter().flatten().any(|cell| !cell.is_empty()) {
-            let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
-            self.columns.push(Column {
-                heading,
-                cells: cells.collect(),
-            });
+    fn cells(self, heading: String, cells: Vec<Option<String>>) -> Self {
+        if cells.iter().flatten().all(String::is_empty) {
+            return self;
         }
+        let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
+        self.column(heading, cells.collect())
+    }
+
+    /// A column of cells as they are.
+    pub fn column(mut self, heading: String, cells: Vec<String>) -> Self {
+        self.columns.push(Column { heading, cells });
         self
     }
 }

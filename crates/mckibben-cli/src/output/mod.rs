@@ -1,7 +1,6 @@
 //! Results as text, JSON and CSV, and where they go.
 
 pub mod keyed;
-pub mod loaded;
 mod table;
 pub mod text;
 pub mod width;
@@ -144,9 +143,11 @@ pub fn print<T: Show>(
         first + &text::laid_out(&page)
     };
     let csv = || {
+        let csv = answer.csv();
         let warnings = answer.warnings();
-        warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);
-        table::csv(&Table::of(answer.csv())?)
+        let all = warnings.iter().chain(&csv.warnings);
+        all.filter(|w| is_of_burst(w)).for_each(warn);
+        table::csv(&Table::of(csv)?)
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)
 }
