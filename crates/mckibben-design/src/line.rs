@@ -4,7 +4,7 @@
 //! their intersection may be much narrower than the step from sample to sample. Between
 //! neighbouring roots nothing changes: one muscle in the middle tells.
 
-use super::limit::{Check, Probe, Score};
+use super::limits::check::{Check, Probe, Score};
 use mckibben::analysis::{Abscissa, find_root, golden};
 use std::cmp::Ordering;
 

@@ -6,7 +6,7 @@
 //! leads on, so that a narrow window is found as well. The innermost axis, the diameter, is
 //! searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limit::{Score, probe_with};
+use crate::limits::check::{Score, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;

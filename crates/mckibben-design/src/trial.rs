@@ -1,11 +1,9 @@
 //! A muscle held against a specification: its model, and the thick-wall model for what that does
 //! not know.
 
+use crate::limits::pressure::{self, Below};
 use crate::{Build, OperatingPoint, Spec};
-use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below,
-    find_root,
-};
+use mckibben::analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
 use mckibben::muscle::Muscle;
@@ -28,35 +26,6 @@ pub(super) struct Trial<'a> {
     half_widths: Option<f64>,
 }
 
-/// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Below {
-    /// It keeps its distance from a failure at this pressure in MPa.
-    Failure(FailureMode, f64),
-    /// Its fittings are rated for no more.
-    Rated,
-    /// Its strands are strained to their limit.
-    Strained,
-    /// No model answers beyond this pressure in MPa.
-    Unanswered(f64),
-}
-
-impl Below {
-    /// Why more is not allowed, with pressures written by `show`.
-    pub fn describe(&self, show: impl Fn(f64) -> String) -> String {
-        match self {
-            Self::Failure(by, at_mpa) => {
-                format!("more is not allowed, because {by} at {}", show(*at_mpa))
-            }
-            Self::Rated => "its fittings are rated for no more".into(),
-            Self::Strained => "there its strands are stretched to their limit".into(),
-            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", show(*up_to_mpa)),
-        }
-    }
-}
-
-/// Halvings towards the pressure at which strands are strained to their limit.
-const HALVINGS: usize = 40;
 /// The pressure of a pull that is guaranteed is known to this share of the highest.
 const SURE: f64 = 1e-6;
 
@@ -75,28 +44,6 @@ impl<'a> Trial<'a> {
             Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
         };
         let burst = Burst { safety, ..failures };
-        let allowed = burst.allowed().map(|(mpa, by)| match by {
-            Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
-            None => (mpa, Below::Rated),
-        });
-        // Where no model answers, nothing fails up to the last answer.
-        let answered = match burst.strands {
-            FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa))
-                if safety.strands > 0.0 =>
-            {
-                Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
-            }
-            _ => None,
-        };
-        let bounds = allowed
-            .into_iter()
-            .chain(answered)
-            .map(|(mpa, below)| (mpa, Some(below)));
-        let (highest_mpa, below) =
-            bounds.fold(
-                (spec.max_pressure_mpa, None),
-                |a, b| if b.0 < a.0 { b } else { a },
-            );
         let (workspace, half_widths) = (Workspace::new(), spec.half_widths());
         let mut trial = Self {
             spec,
@@ -105,11 +52,11 @@ impl<'a> Trial<'a> {
             thick_wall,
             workspace,
             burst,
-            highest_mpa,
-            below,
+            highest_mpa: spec.max_pressure_mpa,
+            below: None,
             half_widths,
         };
-        trial.strained()?;
+        pressure::lower(&mut trial)?;
         Ok(trial)
     }
 
@@ -119,30 +66,6 @@ impl<'a> Trial<'a> {
         Ok(full
             .braid_tension_n
             .and_then(|t| self.muscle.strand_strain(t)))
-    }
-
-    /// The strands are strained by no more than their limit, not shortened and at the operating
-    /// points.
-    fn strained(&mut self) -> Result<()> {
-        let Some(bound) = self.spec.limits.strand_strain else {
-            return Ok(());
-        };
-        let points = self.spec.points(self.muscle);
-        let mut high = self.highest_mpa;
-        for e in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
-            let mut bears = |p: f64| match self.strand_strain(p, e) {
-                Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
-                // Where they stretch further there is no answer at all.
-                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium(_)) => Ok(false),
-                Err(error) => Err(error),
-            };
-            if bears(high)? {
-                continue;
-            }
-            (high, _) = bisect(0.0, high, HALVINGS, |p| bears(p).unwrap_or(false));
-            (self.highest_mpa, self.below) = (high, Some(Below::Strained));
-        }
-        Ok(())
     }
 
     /// Its model, ready for questions.

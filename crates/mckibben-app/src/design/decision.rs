@@ -6,7 +6,7 @@ use crate::words::within;
 use crate::{Units, number, percent};
 use mckibben::units::{Dimension, rounded, tidy};
 use mckibben_build::relief_mpa;
-use mckibben_design::{Candidate, Demand, Limit, Spec};
+use mckibben_design::{Candidate, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
 pub(super) struct Decision<'a> {
@@ -174,20 +174,9 @@ fn set(first: &Candidate) -> String {
 
 /// What has least to spare, and what is next.
 fn limit(first: &Candidate) -> String {
-    let name = |limit: Limit| match limit {
-        Limit::Force => "the pull",
-        Limit::BulgedDiameter => "the largest bulged diameter",
-        Limit::MaxStretch => "the largest stretch of the rubber",
-        Limit::Buckling => "the load at which it buckles",
-        Limit::LiquidVolume => "the largest liquid volume",
-    };
-    let one = |(limit, share): &(Limit, f64)| {
-        format!(
-            "{}, {} to spare",
-            name(*limit),
-            percent((1e3 * share).floor() / 1e3)
-        )
-    };
-    let all: Vec<String> = first.spare.iter().take(2).map(one).collect();
-    format!("Limit {}", all.join("; next: "))
+    let spare = first.spare.iter().take(2).map(|(limit, share)| {
+        let share = percent((1e3 * share).floor() / 1e3);
+        format!("{}, {share} to spare", limit.name())
+    });
+    format!("Limit {}", spare.collect::<Vec<_>>().join("; next: "))
 }
