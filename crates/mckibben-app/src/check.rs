@@ -2,10 +2,12 @@
 //! whether it is plausible, what of it is not known, how far it is from measured muscles, and what
 //! to measure first.
 
+mod page;
+
 use crate::{
     MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
     QuestionFields, Result, UncertaintyWords, Units, finite, muscle_fields::stated,
-    muscle_fields::stated_schema, number, rows::said, said_of, usual_mpa,
+    muscle_fields::stated_schema, number, percent, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{Bulk, Muscle, MuscleKind};
@@ -15,7 +17,6 @@ use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::muscles;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::json;
 use std::collections::BTreeMap;
 
 /// A muscle to be checked.
@@ -317,38 +318,44 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
     let share = values
         .blocked_force_uncertainty_n
         .map_or(0.0, |half| half / pull);
-    let row = json!({
-        "angle": muscle.braid().angle_deg, "ideal": ideal, "slender": slender, "wall": wall,
-        "low": WALLS.0, "high": WALLS.1, "short": SHORT, "share": (100.0 * share).round() / 100.0,
-    });
+    let ratio = number(slender, 3);
+    let (angle, ideal_text) = (number(muscle.braid().angle_deg, 4), percent(ideal));
+    let [bore, low, high] = [wall, WALLS.0, WALLS.1].map(percent);
+    let half = percent((100.0 * share).round() / 100.0);
     let oddities = [
         (
             pull <= 0.0,
             "the muscle does not pull at this pressure and its rest length: the pressure is too \
-             low for its wall, or its angle is above 54.7°",
+             low for its wall, or its angle is above 54.7°"
+                .to_owned(),
         ),
         (
             ideal < LITTLE,
-            "with an angle of {angle}° even the ideal muscle contracts by no more than {ideal:%}",
+            format!(
+                "with an angle of {angle}° even the ideal muscle contracts by no more than \
+                 {ideal_text}"
+            ),
         ),
         (
             slender < SHORT,
-            "the length is {slender:3} outer diameters; below {short} the ends take a large part \
-             of stroke and pull",
+            format!(
+                "the length is {ratio} outer diameters; below {SHORT} the ends take a large part \
+                 of stroke and pull"
+            ),
         ),
         (
             wall < WALLS.0 || wall > WALLS.1,
-            "the wall is {wall:%} of the bore; tubes on sale and cast ones have {low:%} to {high:%}",
+            format!(
+                "the wall is {bore} of the bore; tubes on sale and cast ones have {low} to {high}"
+            ),
         ),
         (
             pull > 0.0 && share > WIDE,
-            "the ± is {share:%} of the blocked force: measure before you rely on the pull",
+            format!("the ± is {half} of the blocked force: measure before you rely on the pull"),
         ),
     ];
     let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
-    oddities
-        .map(|(_, sentence)| said(&row, sentence, &Units::default()))
-        .collect()
+    oddities.map(|(_, sentence)| sentence).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.

@@ -1,7 +1,10 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
+use crate::print::{Csv, Page, Rows, Show, sentences};
+use crate::units::{JOULES, MEGAPASCALS, PERCENT};
 use crate::{
-    Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio,
+    Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, Units, above_zero, given,
+    ratio,
 };
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
@@ -40,6 +43,75 @@ pub struct FillAnswer {
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
+}
+
+impl Show for FillAnswer {
+    fn warnings(&self) -> Vec<String> {
+        sentences(&self.fill.answer.warnings)
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let (fill, liquid, a) = (&self.fill, &self.liquid, &self.fill.answer);
+        let uncertainty = self.background.uncertainty_words.text_in(u);
+        let rows = Rows::default()
+            .text("muscle", self.background.muscle.line(u))
+            .text("model", &a.model)
+            .text("by", &self.background.about.source)
+            .text("liquid", liquid.name)
+            .quantity("gas", &PERCENT, liquid.gas_share)
+            .quantity("bulk modulus", &MEGAPASCALS, liquid.bulk_modulus_mpa)
+            .quantity(
+                "with its gas at this pressure",
+                &MEGAPASCALS,
+                fill.effective_bulk_modulus_mpa,
+            )
+            .quantity("pushed in", &u.volume, fill.pushed_volume_mm3)
+            .quantity(
+                "of it by compression",
+                &u.volume,
+                fill.compressed_volume_mm3,
+            )
+            .quantity("pressure", &u.pressure, a.response.pressure_mpa)
+            .quantity("stroke", &u.length.digits(4), fill.stroke_mm)
+            .quantity(
+                "contraction",
+                &PERCENT,
+                (a.response.contraction, a.contraction_uncertainty),
+            )
+            .text("state", fill.state.to_string())
+            .quantity(
+                "pull",
+                &u.force.digits(4),
+                (a.response.force_n, a.uncertainty_n),
+            )
+            .quantity(
+                "stiffness, liquid shut in",
+                &u.stiffness(),
+                fill.shut_stiffness_n_per_mm,
+            )
+            .quantity(
+                "at constant pressure",
+                &u.stiffness(),
+                a.response.stiffness_n_per_mm,
+            )
+            .quantity("work of the pump", &JOULES, fill.pump_work_j)
+            .quantity("stored in the muscle", &JOULES, fill.muscle_energy_j)
+            .quantity("stored in the liquid", &JOULES, fill.liquid_energy_j)
+            .quantity("work on the load", &JOULES, fill.load_work_j)
+            .quantity("taken by friction", &JOULES, fill.friction_work_j)
+            .quantity("cavity", &u.volume, a.response.volume_mm3)
+            .quantity("cavity at the start", &u.volume, fill.rest_volume_mm3)
+            .and(self.background.limit_rows(u))
+            .text(
+                "uncertainty",
+                uncertainty.map(|text| format!("of the pull {text}")),
+            );
+        rows.into()
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self)
+    }
 }
 
 impl From<FillError> for Problem {

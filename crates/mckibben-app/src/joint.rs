@@ -3,8 +3,8 @@
 
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    Scale, TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first,
-    said_of, warnings,
+    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of,
+    warnings,
 };
 use mckibben::joint::{
     Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
@@ -371,7 +371,7 @@ fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
     );
     Some(format!(
         "at φ {angle}°: {}",
-        breakdown(&parts, &Scale::newton_metres())
+        breakdown(&parts, &crate::units::NEWTON_METRES)
     ))
 }
 

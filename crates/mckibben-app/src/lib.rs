@@ -58,6 +58,7 @@ mod muscle_fields;
 mod parts;
 mod plan;
 mod point;
+pub mod print;
 mod problem;
 mod quantities;
 mod report;

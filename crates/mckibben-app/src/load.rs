@@ -1,5 +1,7 @@
 //! Loads in requests, and what a muscle does with them.
 
+mod page;
+
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::{
     analysis::Evaluation,

@@ -200,6 +200,14 @@ impl From<&Muscle> for MuscleSummary {
 }
 
 impl MuscleSummary {
+    /// What belongs behind numbers that follow from estimates of the strands.
+    pub fn estimate(&self) -> &'static str {
+        match self.stiffness_factor {
+            Some(_) => " (estimate: the strands of this sleeve are not stated)",
+            None => "",
+        }
+    }
+
     pub fn line(&self, u: &Units) -> String {
         format!(
             "D0 {}, s {}, L0 {}, θ0 {}°, rubber {}, braid {}",

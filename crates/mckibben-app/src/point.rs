@@ -1,9 +1,11 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
+mod page;
+
 use crate::{
     AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
-    PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of,
-    check_both, check_branch, load::loaded, put_first, said_of,
+    PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords,
+    burst_of, check_both, check_branch, load::loaded, put_first, said_of,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -77,6 +79,9 @@ pub struct PointAnswer {
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
+    /// What was sought: the ± belongs to it.
+    #[serde(skip)]
+    pub sought: PointQuantity,
 }
 
 /// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
@@ -111,7 +116,7 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
         "a pressure, such as 0.2 MPa",
     )?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| {
+    answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
     })
 }
@@ -122,7 +127,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| {
+    answered(question, PointQuantity::Pressure, request.both, |model| {
         Ok(model.pressure(force_n, contraction)?)
     })
 }
@@ -137,8 +142,9 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     )?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, question.options)?;
+    let sought = PointQuantity::Contraction;
     if request.load.load.is_none() {
-        return answered(question, request.both, |model| {
+        return answered(question, sought, request.both, |model| {
             Ok(model.contraction(force_n, pressure_mpa)?)
         });
     }
@@ -151,7 +157,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
         ));
     }
     let mut said: Option<LoadAnswer> = None;
-    let mut answer = answered(question, request.both, |model| {
+    let mut answer = answered(question, sought, request.both, |model| {
         let answer = loaded(&request.load, model, &[pressure_mpa])?;
         if let Some(error) = answer
             .iter()
@@ -186,6 +192,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
 /// requested.
 fn answered(
     mut question: Question,
+    sought: PointQuantity,
     both: bool,
     mut ask: impl FnMut(&mut Evaluation<'_>) -> Result<Answer>,
 ) -> Result<PointAnswer> {
@@ -212,6 +219,7 @@ fn answered(
         branches,
         loaded: None,
         background,
+        sought,
     })
 }
 

@@ -2,9 +2,8 @@
 
 use crate::{
     AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number,
-    percent, ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows,
-    shape, words::fixed,
+    PointAnswer, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
+    print::Rows, ratio, shape, words::fixed,
 };
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
@@ -106,7 +105,7 @@ pub(crate) fn report(
     }
     step(4)?;
     parts.extend(models(request, pressure_mpa, progress)?);
-    for (heading, rows) in muscle_sheets(&shown, units) {
+    for (heading, rows) in shown.sheets(units) {
         parts.extend([Part::Heading(heading.into()), table(rows)]);
     }
     parts.extend(limits(&shown, &point));
@@ -134,7 +133,7 @@ pub(crate) fn report(
     })
 }
 
-fn table(rows: Vec<Row>) -> Part {
+fn table(rows: Rows) -> Part {
     grid(
         &[],
         rows.into_iter()
@@ -152,20 +151,13 @@ fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
 
 /// The state and what the muscle can do at this pressure, in numbers.
 fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
-    let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
-    rows.retain(|(name, _)| {
-        !["muscle", "model", "pressure", "contraction", "shortening"].contains(&&**name)
-    });
-    for row in shown
-        .characteristics
-        .iter()
-        .flat_map(|c| characteristic_rows(c, u))
-    {
-        if rows.iter().all(|(name, _)| *name != row.0) {
-            rows.push(row);
-        }
-    }
+    let said = ["muscle", "model", "pressure", "contraction", "shortening"];
+    let rows = point.rows(u).only(|label| !said.contains(&label));
+    let more = shown.characteristics.as_ref().map(|c| c.rows(u));
+    let more = more.unwrap_or_default();
+    let more = more.only(|label| rows.iter().all(|(name, _)| name != label));
+    let rows = rows.and(more);
     vec![Part::Heading("Performance".into()), table(rows)]
 }
 

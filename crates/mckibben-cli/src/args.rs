@@ -7,6 +7,7 @@ use crate::{
 use clap::ArgMatches;
 use mckibben::load::Load;
 use mckibben::units::{Dimension, Values};
+use mckibben_app::print::{Page, Show};
 use mckibben_app::{Choice, Columns, MuscleFields, ProblemKind, TextFile, understood};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -184,6 +185,23 @@ impl Args {
             out.insert("load_tables".into(), load_tables(&load)?);
         }
         Ok(())
+    }
+
+    /// Prints an answer where `--output` says.
+    pub fn output<T: Show>(&self, answer: &T) -> Result<u8, Problem> {
+        let target = self.path("output");
+        output::print(answer, self.format, |_| (), target.as_deref())?;
+        Ok(0)
+    }
+
+    /// Prints an answer beside the files that `--output` names, with what only this run knows.
+    pub fn output_beside<T: Show>(
+        &self,
+        answer: &T,
+        add: impl FnOnce(&mut Page),
+    ) -> Result<u8, Problem> {
+        output::print(answer, self.format, add, None)?;
+        Ok(0)
     }
 
     /// Prints an answer where `--output` says.

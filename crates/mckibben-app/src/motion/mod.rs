@@ -11,8 +11,8 @@ pub use simulated::SimulatedDrive;
 use crate::Result;
 use crate::words::{number, percent};
 use crate::{
-    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
-    breakdown, burst_of, figure, finite, put_first, said_of, units::Units,
+    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, TextFile, breakdown,
+    burst_of, figure, finite, put_first, said_of, units::Units,
 };
 use mckibben::joint::{JointModel, Turning};
 use mckibben::{
@@ -561,7 +561,7 @@ impl MotionRun {
     pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
         let torque = self.end.end_angle_uncertainty_deg.is_some();
         let (of, scale) = if torque {
-            ("torque", Scale::newton_metres())
+            ("torque", crate::units::NEWTON_METRES)
         } else {
             ("pull", u.force.clone())
         };

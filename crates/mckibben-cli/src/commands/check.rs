@@ -1,15 +1,8 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
-use crate::{
-    Args, FLAT, Format, Problem, Units, burst_first, commands::fit::formula_text, emit, files,
-    pairs, shown,
-};
-use mckibben::warning::is_of_burst;
-use mckibben_app::rows::{characteristic_rows, muscle_sheets};
-use mckibben_app::{
-    CheckAnswer, CheckFormulaRequest, FindingKind, Model, ProblemKind, check, check_formula,
-};
+use crate::{Args, Format, Problem, commands::fit::formula_text, emit, files};
+use mckibben_app::{CheckFormulaRequest, Model, ProblemKind, check, check_formula};
 use std::path::Path;
 
 /// Whether a word is a formula in place of a muscle.
@@ -33,59 +26,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
             "`mckibben check formula.json --latex`",
         ));
     }
-    let answer = check(&args.request()?)?;
-    args.show(&answer, FLAT, text)
-}
-
-/// The kinds, each with its heading, and what is said where nothing was found.
-const HEADINGS: [(FindingKind, &str, &str); 4] = [
-    (
-        FindingKind::Implausible,
-        "Is it plausible?",
-        "nothing unusual was found",
-    ),
-    (
-        FindingKind::Unknown,
-        "What is not known",
-        "nothing is missing",
-    ),
-    (
-        FindingKind::Outside,
-        "Outside of the measured muscles",
-        "it lies within the sizes and pressures of measured muscles",
-    ),
-    (
-        FindingKind::Measure,
-        "What to measure first",
-        "no measurement would reduce the ± much",
-    ),
-];
-
-fn text(answer: &CheckAnswer, u: &Units) -> String {
-    let burst: Vec<&String> = answer.warnings.iter().filter(|w| is_of_burst(w)).collect();
-    let sheets = muscle_sheets(answer, u).map(|(head, rows)| format!("{head}\n{}\n", pairs(&rows)));
-    let mut out = burst_first(&burst) + &sheets.concat();
-    if let Some(c) = &answer.characteristics {
-        let at = u.pressure.show(c.pressure_mpa);
-        out += &format!(
-            "At {at}, model {}\n{}",
-            c.model,
-            pairs(&characteristic_rows(c, u))
-        );
-        out.extend(c.uncertainty_words.text_in(u).map(|parts| parts + "\n"));
-    }
-    for (kind, heading, none) in HEADINGS {
-        let mut said = answer.said(kind, u);
-        if said.is_empty() {
-            said.push(none.into());
-        }
-        out += &format!("\n{heading}\n");
-        out.extend(
-            said.iter()
-                .map(|line| format!("  - {}\n", shown::sentence(line))),
-        );
-    }
-    out
+    args.output(&check(&args.request()?)?)
 }
 
 /// Shows a formula: a file, or one that is built in.

@@ -1,9 +1,7 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
 use crate::{Args, Bar, Format, Problem, Units, burst_first, number, output::form, tabled, value};
-use mckibben_app::{
-    JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint, rows::limit_rows,
-};
+use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint};
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
     let mut request: JointRequest = args.request()?;
@@ -29,7 +27,9 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     let muscles = answer.muscles.iter().zip(1..);
     text.extend(muscles.map(|(muscle, i)| format!("muscle {i}: {}\n", muscle.line(u))));
     text.extend(
-        limit_rows(&answer.limits, "", u)
+        answer
+            .limits
+            .rows(u)
             .iter()
             .map(|(name, value)| format!("{name} {value}\n")),
     );

@@ -4,9 +4,7 @@ use crate::{
     Args, Bar, Problem, Units, args::load_tables, burst_first, exit_code, headed, listed, number,
     pairs, shown, value,
 };
-use mckibben_app::{
-    MotionAnswer, MotionRequest, MotionRun, ProblemKind, TextFile, motion, rows::limit_rows,
-};
+use mckibben_app::{MotionAnswer, MotionRequest, MotionRun, ProblemKind, TextFile, motion};
 use serde_json::json;
 
 pub fn run(args: &Args) -> Result<u8, Problem> {
@@ -51,7 +49,9 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
             .map(|muscle| format!("muscle: {}\n", muscle.line(u))),
     );
     text.extend(
-        limit_rows(&answer.limits, "", u)
+        answer
+            .limits
+            .rows(u)
             .iter()
             .map(|(name, value)| format!("{name} {value}\n")),
     );

@@ -8,13 +8,15 @@ pub mod width;
 mod write;
 
 pub use table::FLAT;
+use table::Table;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
     save_all, save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, clean, quantities::unit_hint, unprinted};
+use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
 use mckibben::warning::is_of_burst;
+use mckibben_app::print::{Page, Show};
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -68,6 +70,28 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
+/// Prints an answer in the requested form: as text for people with what `add` adds, as JSON, or as
+/// a table.
+pub fn print<T: Show>(
+    answer: &T,
+    format: Format,
+    add: impl FnOnce(&mut Page),
+    target: Target<'_>,
+) -> Result<(), Problem> {
+    let text = || {
+        let first = burst_first(&answer.warnings());
+        let mut page = answer.page(&shown::units());
+        add(&mut page);
+        first + &text::laid_out(&page)
+    };
+    let csv = || {
+        let warnings = answer.warnings();
+        warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);
+        table::csv(&Table::of(answer.csv())?)
+    };
+    made(&|| json(answer), &csv, format, Box::new(text), target)
+}
+
 /// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row
 /// for each element of the list named `rows` (for the answer itself where the name is empty or
 /// [`FLAT`]).
@@ -78,23 +102,39 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    made(
-        &|| json(answer),
-        answer_schema::<T>,
-        format,
-        rows,
-        Box::new(text),
-        target,
-    )
+    let csv = || {
+        let mut value = json(answer)?;
+        // A table has no place for it.
+        let all = value
+            .get("warnings")
+            .and_then(Value::as_array)
+            .into_iter()
+            .flatten();
+        all.filter_map(Value::as_str)
+            .filter(|w| is_of_burst(w))
+            .for_each(warn);
+        let list = match value.get_mut(rows).map(Value::take) {
+            Some(Value::Array(list)) => list,
+            Some(Value::Object(columns)) => table::of_columns(&columns),
+            _ if rows == FLAT => vec![table::flat(value)],
+            _ if rows.is_empty() => vec![value],
+            _ => vec![],
+        };
+        let columns = table::with_others(table::columns(&answer_schema::<T>(), rows), &list);
+        table::csv(&Table {
+            columns,
+            rows: list,
+        })
+    };
+    made(&|| json(answer), &csv, format, Box::new(text), target)
 }
 
 /// The same of what can be made of an answer, of one type for all answers, so that it is compiled
 /// once.
 fn made(
     json: &dyn Fn() -> Result<Value, Problem>,
-    schema: fn() -> Value,
+    csv: &dyn Fn() -> Result<Vec<u8>, Problem>,
     format: Format,
-    rows: &str,
     text: Box<dyn FnOnce() -> String + '_>,
     target: Target<'_>,
 ) -> Result<(), Problem> {
@@ -107,31 +147,7 @@ fn made(
             width::broken(&clean::lines(&plain(text()))).into_bytes()
         }
         Format::Json => plain(format!("{:#}\n", json()?)).into_bytes(),
-        Format::Csv => {
-            let mut value = json()?;
-            // A table has no place for it.
-            let all = value
-                .get("warnings")
-                .and_then(Value::as_array)
-                .into_iter()
-                .flatten();
-            all.filter_map(Value::as_str)
-                .filter(|w| is_of_burst(w))
-                .for_each(warn);
-            let list = match value.get_mut(rows).map(Value::take) {
-                Some(Value::Array(list)) => list,
-                Some(Value::Object(columns)) => table::of_columns(&columns),
-                _ if rows == FLAT => vec![table::flat(value)],
-                _ if rows.is_empty() => vec![value],
-                _ => vec![],
-            };
-            let columns = table::with_others(table::columns(&schema(), rows), &list);
-            let table = table::Table {
-                columns,
-                rows: list,
-            };
-            table::csv(&table)?
-        }
+        Format::Csv => csv()?,
     };
     emit(&out, target)?;
     warn_behind();

@@ -2,7 +2,7 @@
 //! values.
 
 use crate::Problem;
-use mckibben_app::ProblemKind;
+use mckibben_app::{ProblemKind, print::Csv};
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
@@ -126,6 +126,22 @@ pub struct Table {
     pub rows: Vec<Value>,
 }
 
+impl Table {
+    /// The table of an answer.
+    pub fn of(answer: Csv) -> Result<Self, Problem> {
+        let schema = answer.schema();
+        let rows = answer.rows.map_err(|e| broken(&e))?;
+        let (rows, list) = match answer.is_flat {
+            true => (rows.into_iter().map(flat).collect(), FLAT),
+            false => (rows, ""),
+        };
+        Ok(Self {
+            columns: with_others(columns(&schema, list), &rows),
+            rows,
+        })
+    }
+}
+
 /// An object with the values of its objects beside the others.
 pub fn flat(value: Value) -> Value {
     let mut out = Map::new();
@@ -166,10 +182,11 @@ fn text(value: Option<&Value>) -> Option<String> {
     }
 }
 
+fn broken(error: &dyn std::fmt::Display) -> Problem {
+    Problem::new(ProblemKind::Output, format!("cannot make CSV: {error}"), "")
+}
+
 pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
-    let broken = |e: &dyn std::fmt::Display| {
-        Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "")
-    };
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))

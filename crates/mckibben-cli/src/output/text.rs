@@ -4,6 +4,7 @@ use super::width::{self, fold};
 use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
+use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
 pub use mckibben_app::words::{aligned, half_width, law_text, number, percent, within};
 use std::path::Path;
@@ -121,6 +122,22 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         text.join("\n") + "\n"
     });
     drawn.collect::<Vec<_>>().join("\n")
+}
+
+/// A page of an answer.
+pub fn laid_out(page: &Page) -> String {
+    let block = |block: &Block| match block {
+        Block::Text(text) => format!("{text}\n"),
+        Block::Rows(rows) => {
+            let rows: Vec<_> = rows.iter().cloned().collect();
+            pairs(&rows)
+        }
+        Block::Table(list) => columns(
+            list.iter()
+                .map(|column| (column.heading.clone(), column.cells.clone())),
+        ),
+    };
+    page.blocks.iter().map(block).collect()
 }
 
 /// Aligned `name   value` lines; a long value goes on below.
