@@ -34,6 +34,7 @@ mod campaign;
 mod check;
 mod commands;
 mod compare;
+mod contraction;
 mod curve;
 mod design;
 mod export;
@@ -45,6 +46,7 @@ mod file_schema;
 mod files;
 mod fill;
 mod fit;
+mod flags;
 mod identify;
 mod joint;
 mod library;
@@ -85,6 +87,7 @@ pub use commands::{
     COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood,
 };
 pub use compare::*;
+pub use contraction::*;
 pub use curve::*;
 pub use design::*;
 pub use export::*;

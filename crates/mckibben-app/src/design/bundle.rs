@@ -106,7 +106,8 @@ pub(super) fn of_winner(
     let bulged = winner.bulged_diameter_mm();
     let pitch_mm = request
         .pitch_mm
-        .or(request.max_envelope_mm.map(|mm| mm / ratio))
+        .map(f64::from)
+        .or(request.max_envelope_mm.map(|mm| mm.0 / ratio))
         .or(bulged);
     let model = build(&winner.muscle).ok();
     let touch = model

@@ -2,36 +2,75 @@
 
 use crate::output::loaded::loaded as text_of_load;
 use crate::{
-    Args, Bar, Format, Problem, Units, burst_first, columns, exit_code, half_width,
+    Bar, Format, Output, Plot, Problem, Units, burst_first, columns, exit_code, half_width,
     output::emit_json, output::form, output::text::aligned, output::text::within, percent,
     percents, warn,
 };
-use mckibben::curve::{Curve, Test};
+use mckibben::curve::{self, Test};
 use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel};
-use mckibben_app::{CurveAnswer, CurveRequest, StudyAnswer, breakdown, study};
+use mckibben_app::{CurveAnswer, CurveRequest, StudyAnswer, StudyRequest, breakdown, study};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    if args.text("study").is_some() {
-        return run_study(args);
+/// A family of curves, or the study of the paper.
+#[derive(Debug, clap::Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    after_long_help = "Examples:
+  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
+    --plot f.svg
+  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
+  mckibben curve isotonic -F 20,80,150N --model thick-wall
+  mckibben curve --study thickness --model thick-wall --plot study.svg"
+)]
+pub struct Curve {
+    #[command(flatten)]
+    request: CurveRequest,
+    /// Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and
+    /// isotonic, with its findings
+    #[arg(
+        long,
+        value_parser = ["thickness"],
+        conflicts_with_all = ["pressures_mpa", "contractions", "forces_n", "load", "both"],
+        help_heading = "Question"
+    )]
+    study: Option<String>,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Curve {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let mut request = self.request;
+        request.figure = self.plot.wanted();
+        if self.study.is_some() {
+            let request = StudyRequest {
+                question: request.question,
+                figure: request.figure,
+            };
+            let mut answer = study(&request)?;
+            self.plot.save(&mut answer.figure)?;
+            return self.output.show(format, &answer, "points", study_text);
+        }
+        request.load.read_tables()?;
+        let bar = Bar::new("curves");
+        let mut answer = mckibben_app::curve(&request, &bar)?;
+        drop(bar);
+        if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+            return Err(problem);
+        }
+        if answer.problem.is_none() {
+            self.plot.save(&mut answer.figure)?;
+        }
+        answer.figure = None;
+        let target = self.output.output.as_deref();
+        if form(target, format)? == Format::Json {
+            emit_json(&answer, target)?;
+        } else {
+            self.output.show(format, &answer, "points", as_text)?;
+        }
+        Ok(exit_code(answer.problem.as_ref()))
     }
-    let request: CurveRequest = args.request()?;
-    let bar = Bar::new("curves");
-    let mut answer = mckibben_app::curve(&request, &bar)?;
-    drop(bar);
-    if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
-        return Err(problem);
-    }
-    if answer.problem.is_none() {
-        args.draw(&mut answer.figure)?;
-    }
-    answer.figure = None;
-    let target = args.path("output");
-    if form(target.as_deref(), args.format)? == Format::Json {
-        emit_json(&answer, target.as_deref())?;
-    } else {
-        args.show(&answer, "points", as_text)?;
-    }
-    Ok(exit_code(answer.problem.as_ref()))
 }
 
 fn as_text(answer: &CurveAnswer, u: &Units) -> String {
@@ -80,7 +119,7 @@ fn computed(test: Test, a: &Answer, u: &Units) -> Option<(f64, Option<f64>)> {
 }
 
 /// The ± of the quantity that the test computes, from the least to the largest.
-fn half_widths(test: Test, list: &[Curve], u: &Units) -> String {
+fn half_widths(test: Test, list: &[curve::Curve], u: &Units) -> String {
     let answers = || {
         list.iter()
             .flat_map(|c| &c.points)
@@ -112,7 +151,7 @@ fn as_table(answer: &CurveAnswer, u: &Units) -> String {
     } else {
         u.pressure.heading("P")
     };
-    let fixed = |(i, c): (usize, &Curve)| {
+    let fixed = |(i, c): (usize, &curve::Curve)| {
         let branch = match (answer.both, i % 2) {
             (false, _) => String::new(),
             (true, branch) => format!(", {}", Direction::BRANCHES[branch].motion()),
@@ -139,7 +178,7 @@ fn as_table(answer: &CurveAnswer, u: &Units) -> String {
 }
 
 /// A curve's answers, to the digits that the least ± of them leaves.
-fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
+fn column(test: Test, curve: &curve::Curve, u: &Units) -> Vec<String> {
     let values: Vec<_> = curve
         .points
         .iter()
@@ -163,12 +202,6 @@ fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
             _ => cell,
         });
     shown.collect()
-}
-
-fn run_study(args: &Args) -> Result<u8, Problem> {
-    let mut answer = study(&args.request()?)?;
-    args.draw(&mut answer.figure)?;
-    args.show(&answer, "points", study_text)
 }
 
 fn study_text(study: &StudyAnswer, u: &Units) -> String {
