@@ -38,7 +38,7 @@ pub mod tubes;
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
-pub use limits::check::{Check, fits};
+pub use limits::check::{Check, Show, fits};
 pub use limits::pressure::Below;
 pub use limits::{Limit, Limits, SAFETY};
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;

@@ -15,7 +15,7 @@ use std::collections::HashSet;
 
 /// A kind of change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
+pub enum Kind {
     Pull,
     Contraction,
     Pressure(PressureLimit),
@@ -36,15 +36,15 @@ const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
 const UNSURE: f64 = 100.0;
 
 /// The muscles of a search that do not fit, by the model that decides.
-pub(super) struct Misses<'a> {
-    pub(super) search: &'a Search<'a>,
-    pub(super) build: &'a Build<'a>,
-    pub(super) picks: &'a [Pick],
-    pub(super) spec: Spec,
+pub struct Misses<'a> {
+    pub search: &'a Search<'a>,
+    pub build: &'a Build<'a>,
+    pub picks: &'a [Pick],
+    pub spec: Spec,
 }
 
 impl<'a> Misses<'a> {
-    pub(super) fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
+    pub fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
         Self {
             search,
             build,
@@ -55,7 +55,7 @@ impl<'a> Misses<'a> {
 
     /// The smallest change of each kind with which one of the muscles fits, those that ask for
     /// least first; where there is none, two or more together of the closest ones.
-    pub(super) fn relaxations(&self) -> Vec<Relaxation> {
+    pub fn relaxations(&self) -> Vec<Relaxation> {
         let mut out = self.least(|_| true);
         if let Some(first) = self
             .picks
@@ -120,7 +120,7 @@ impl<'a> Misses<'a> {
 
     /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of
     /// those that ask for least.
-    pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
+    pub fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
             let (build, unsure) = self.search.ranks(&muscle);

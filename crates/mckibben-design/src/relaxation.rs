@@ -115,11 +115,7 @@ impl Relaxation {
 
     /// The sentence, with pressures, forces and lengths written by `show`. `spec` is the one that
     /// it changes.
-    pub fn describe(&self, spec: &Spec, show: impl Fn(Dimension, f64) -> String) -> String {
-        self.sentence(spec, &show)
-    }
-
-    fn sentence(&self, spec: &Spec, show: Show<'_>) -> String {
+    pub fn describe(&self, spec: &Spec, show: Show<'_>) -> String {
         let (wanted, count) = (&spec.wanted, f64::from(spec.count));
         let points = |points: &[OperatingPoint]| {
             let one = |q: &OperatingPoint| {
@@ -233,7 +229,7 @@ impl Relaxation {
                 )
             }
             Self::Together { changes } => {
-                let all = changes.iter().map(|change| change.sentence(spec, show));
+                let all = changes.iter().map(|change| change.describe(spec, show));
                 all.collect::<Vec<_>>().join(", and together with that ")
             }
         }
@@ -241,14 +237,14 @@ impl Relaxation {
 }
 
 /// A change, and how much it asks: the logarithm of its number over that of the specification.
-pub(crate) type Change = (f64, Relaxation);
+pub type Change = (f64, Relaxation);
 
 /// A change is larger by this share than it has to be, so that it holds with three digits and the
 /// last bit of an inverse.
-pub(crate) const EASED: f64 = 1e-5;
+pub const EASED: f64 = 1e-5;
 
 /// A number with three digits, not below or not above it.
-pub(crate) fn three_digits(value: f64, up: bool) -> f64 {
+pub fn three_digits(value: f64, up: bool) -> f64 {
     if up {
         rounded(value * (1.0 + EASED), 3, f64::ceil)
     } else {

@@ -154,7 +154,6 @@ fn parts(c: &Candidate) -> String {
 
 /// The pressures: to set, of the relief valve, and why no more.
 fn set(first: &Candidate) -> String {
-    let mpa = |p| show(Dimension::Pressure, p);
     let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
     // What is typed as printed is allowed.
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
@@ -167,7 +166,7 @@ fn set(first: &Candidate) -> String {
         Some(below) => format!(
             "Set {set}, relief valve at {relief}; allowed up to {}: {}",
             at_most(most_mpa),
-            below.describe(mpa)
+            below.describe(&show)
         ),
     }
 }

@@ -28,7 +28,7 @@ impl RelaxationAnswer {
     /// Of a specification, where a stroke may set the contraction, in the numbers of its request:
     /// of all muscles together, and of the circle around them.
     pub(super) fn new(change: Relaxation, spec: &Spec, request: &DesignRequest) -> Self {
-        let mut text = change.describe(spec, |kind, value| Units::default().show(kind, value));
+        let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
         let stroke = (request.stroke_mm, request.contraction);
         if let (Relaxation::Contraction { share, .. }, (Some(_), None)) = (&change, stroke) {
             let mm = (spec.base.length_mm() / share).ceil();

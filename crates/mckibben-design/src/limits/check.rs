@@ -1,6 +1,6 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
-use super::{AT_POINTS, Limit, Limits, pressure::Below};
+use super::{AT_POINTS, Limit, pressure::Below};
 use crate::line::NO_SCORE;
 use crate::trial::Trial;
 use crate::{Build, Objective, OperatingPoint, Spec};
@@ -9,7 +9,7 @@ use mckibben::muscle::Muscle;
 use mckibben::units::{Dimension, rounded};
 
 /// Writes a pressure, a force or a length.
-pub(crate) type Show<'a> = &'a dyn Fn(Dimension, f64) -> String;
+pub type Show<'a> = &'a dyn Fn(Dimension, f64) -> String;
 
 /// One limit at one place: what the muscle has there, and what it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,15 +38,13 @@ impl Check {
 
     /// What the muscle has and what it may have, with pressures, forces and lengths written by
     /// `show`.
-    pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
+    pub fn describe(&self, show: Show<'_>) -> String {
         let (value, bound) = (self.value, self.bound);
         if let Some(entry) = self.limit.at_points() {
-            return (entry.missed)(value, bound, &show);
+            return (entry.missed)(value, bound, show);
         }
-        let mpa = |p| show(Dimension::Pressure, p);
-        let below = self
-            .by
-            .map_or_else(String::new, |below| format!("; {}", below.describe(mpa)));
+        let below = self.by.map(|below| format!("; {}", below.describe(show)));
+        let below = below.unwrap_or_default();
         let pull_n = if value * bound > 0.0 {
             rounded(value, 3, f64::floor).max(value.trunc())
         } else {
@@ -55,53 +53,53 @@ impl Check {
         format!(
             "{} at {} and {} %, {} required{below}",
             show(Dimension::Force, pull_n),
-            mpa(self.pressure_mpa),
+            show(Dimension::Pressure, self.pressure_mpa),
             round(100.0 * self.contraction),
             show(Dimension::Force, bound)
         )
     }
 }
 
-pub(crate) fn round(v: f64) -> f64 {
+pub fn round(v: f64) -> f64 {
     (v * 1e4).round() / 1e4
 }
 
 /// What muscles are ranked by, the smaller the better: the objective, then what decides between two
 /// that are equal in it.
-pub(crate) type Score = [f64; 2];
+pub type Score = [f64; 2];
 
 /// A muscle held against a specification.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Probe {
+pub struct Probe {
     /// The limits, of every muscle of a specification in one order.
-    pub(crate) checks: Vec<Check>,
+    pub checks: Vec<Check>,
     /// What the muscles are ranked by, where every limit is met.
-    pub(crate) score: Score,
+    pub score: Score,
 }
 
 impl Probe {
     /// The limit that is missed by most, or met by least.
-    pub(crate) fn worst(&self) -> Option<&Check> {
+    pub fn worst(&self) -> Option<&Check> {
         self.checks
             .iter()
             .max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
     /// The shares by which limits are missed, summed.
-    pub(crate) fn miss(&self) -> f64 {
+    pub fn miss(&self) -> f64 {
         self.checks.iter().map(|c| c.excess().max(0.0)).sum()
     }
 
     /// Whether every limit is met.
-    pub(crate) fn fits(&self) -> bool {
+    pub fn fits(&self) -> bool {
         self.checks.iter().all(|c| c.excess() <= 0.0)
     }
 }
 
 /// A muscle at one of the operating points.
-pub(crate) struct AtPoint<'t, 'a> {
-    pub(crate) trial: &'t mut Trial<'a>,
-    pub(crate) point: OperatingPoint,
+pub struct AtPoint<'t, 'a> {
+    pub trial: &'t mut Trial<'a>,
+    pub point: OperatingPoint,
     /// Whether its pull at the highest pressure is enough.
     is_strong: bool,
     pressure_mpa: Option<f64>,
@@ -109,13 +107,13 @@ pub(crate) struct AtPoint<'t, 'a> {
 }
 
 impl AtPoint<'_, '_> {
-    pub(crate) fn limits(&self) -> &Limits {
-        &self.trial.spec.limits
+    pub fn spec(&self) -> &Spec {
+        self.trial.spec
     }
 
     /// The pressure that the point takes. A muscle that is too weak is held against its other
     /// limits where it pulls hardest.
-    pub(crate) fn pressure_mpa(&mut self) -> Result<f64> {
+    pub fn pressure_mpa(&mut self) -> Result<f64> {
         if let Some(known) = self.pressure_mpa {
             return Ok(known);
         }
@@ -128,7 +126,7 @@ impl AtPoint<'_, '_> {
     }
 
     /// What the muscle is like there.
-    pub(crate) fn response(&mut self) -> Result<Response> {
+    pub fn response(&mut self) -> Result<Response> {
         if let Some(known) = self.response {
             return Ok(known);
         }
@@ -141,7 +139,7 @@ impl AtPoint<'_, '_> {
 
     /// What is pushed in from rest, normal litres of air or mm³ of liquid; `None` where no model
     /// gives it.
-    pub(crate) fn stroke(&mut self) -> Result<Option<f64>> {
+    pub fn stroke(&mut self) -> Result<Option<f64>> {
         let pressure_mpa = self.pressure_mpa()?;
         Ok(self.trial.stroke(pressure_mpa, self.point.contraction).0)
     }
@@ -166,12 +164,12 @@ fn pull(trial: &mut Trial<'_>, point: &OperatingPoint) -> Result<Check> {
 }
 
 /// Holds a muscle against a specification.
-pub(crate) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe> {
+pub fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe> {
     probe_with(&mut Trial::new(spec, build, muscle)?, true)
 }
 
 /// [`probe`]; without a score, which costs inverses, where none is needed.
-pub(crate) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
+pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
     let Trial { spec, muscle, .. } = *trial;
     let points = spec.points(muscle);
     let mut checks = points
@@ -180,7 +178,7 @@ pub(crate) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
         .collect::<Result<Vec<Check>>>()?;
     let is_strong = |check: &Check| check.excess() <= 0.0;
     let all_strong = checks.iter().all(is_strong);
-    let (mut highest_mpa, mut most_pumped, mut widest_mm) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut largest = 0.0_f64;
     for (i, point) in points.iter().enumerate() {
         let mut at = AtPoint {
             is_strong: is_strong(&checks[i]),
@@ -190,8 +188,10 @@ pub(crate) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
             response: None,
         };
         for entry in &AT_POINTS {
-            let values = (entry.value_and_bound)(&mut at)?;
-            checks.extend(values.map(|(value, bound)| Check {
+            let Some(bound) = (entry.bound)(&mut at)? else {
+                continue;
+            };
+            checks.extend((entry.value)(&mut at)?.map(|value| Check {
                 limit: entry.limit,
                 value,
                 bound,
@@ -200,21 +200,15 @@ pub(crate) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
                 by: None,
             }));
         }
-        match spec.objective {
-            _ if !scored => {}
-            Objective::Diameter if !all_strong => {}
-            Objective::Diameter | Objective::Pressure => {
-                at.pressure_mpa()?;
-            }
-            Objective::Air => {
-                most_pumped = most_pumped.max(at.stroke()?.unwrap_or(f64::INFINITY));
-            }
-            Objective::BulgedDiameter => {
-                widest_mm = widest_mm.max(at.response()?.bulged_diameter_mm.unwrap_or(0.0));
-            }
-            Objective::Margin | Objective::Length => {}
-        }
-        highest_mpa = highest_mpa.max(at.pressure_mpa.unwrap_or(0.0));
+        largest = largest.max(match spec.objective {
+            _ if !scored => 0.0,
+            // One that is too weak costs no more inverses than its limits.
+            Objective::Diameter if !all_strong => at.pressure_mpa.unwrap_or(0.0),
+            Objective::Diameter | Objective::Pressure => at.pressure_mpa()?,
+            Objective::Air => at.stroke()?.unwrap_or(f64::INFINITY),
+            Objective::BulgedDiameter => at.response()?.bulged_diameter_mm.unwrap_or(0.0),
+            Objective::Margin | Objective::Length => 0.0,
+        });
     }
     let margin = points
         .iter()
@@ -222,11 +216,10 @@ pub(crate) fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
         .map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         _ if !scored => NO_SCORE,
-        Objective::Diameter => [muscle.outer_diameter_mm(), highest_mpa],
-        Objective::Pressure => [highest_mpa, 0.0],
-        Objective::Air => [most_pumped, 0.0],
+        Objective::Diameter => [muscle.outer_diameter_mm(), largest],
+        Objective::Pressure | Objective::Air => [largest, 0.0],
         Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
-        Objective::BulgedDiameter => [widest_mm, muscle.mass_g().unwrap_or(0.0)],
+        Objective::BulgedDiameter => [largest, muscle.mass_g().unwrap_or(0.0)],
         Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
     };
     Ok(Probe { checks, score })

@@ -3,11 +3,11 @@
 //! A new limit is a field of [`Limits`], a variant of [`Limit`], an entry of [`AT_POINTS`] and the
 //! [`Relaxation`] that moves it. Limits that lower the pressure of a muscle are in [`pressure`].
 
-pub(crate) mod check;
-pub(crate) mod pressure;
+pub mod check;
+pub mod pressure;
 
-use crate::Relaxation;
 use crate::bundle::envelope_ratio;
+use crate::{Relaxation, Spec};
 use check::{AtPoint, Show, round};
 pub use mckibben::analysis::SAFETY;
 use mckibben::analysis::Safety;
@@ -63,7 +63,7 @@ impl Limits {
     }
 
     /// The numbers that must be above zero, with their names.
-    pub(crate) fn positive(&self) -> [(&'static str, Option<f64>); 7] {
+    pub fn positive(&self) -> [(&'static str, Option<f64>); 7] {
         [
             ("the largest bulged diameter", self.bulged_diameter_mm),
             ("the largest envelope", self.envelope_mm),
@@ -94,7 +94,7 @@ pub enum Limit {
 
 impl Limit {
     /// Its entry; `None` for the pull, which is what is wanted.
-    pub(crate) fn at_points(self) -> Option<&'static LimitAtPoints> {
+    pub fn at_points(self) -> Option<&'static LimitAtPoints> {
         AT_POINTS.iter().find(|entry| entry.limit == self)
     }
 
@@ -104,38 +104,42 @@ impl Limit {
     }
 }
 
-/// What a muscle has at an operating point and what it may have; `None` where that is not limited
-/// or the model does not know it.
-type ValueAndBound = Option<(f64, f64)>;
+/// A number at an operating point; `None` where nothing is limited or the model does not know it.
+type NumberAt = fn(&mut AtPoint<'_, '_>) -> Result<Option<f64>>;
 
 /// A limit at the operating points.
-pub(crate) struct LimitAtPoints {
-    pub(crate) limit: Limit,
+pub struct LimitAtPoints {
+    pub limit: Limit,
     /// Its name in a sentence.
     name: &'static str,
-    pub(crate) value_and_bound: fn(&mut AtPoint<'_, '_>) -> Result<ValueAndBound>,
+    /// What a muscle may have.
+    pub bound: NumberAt,
+    /// What a muscle has.
+    pub value: NumberAt,
     /// Why a muscle is rejected, of its value and the bound.
-    pub(crate) missed: fn(f64, f64, Show<'_>) -> String,
+    pub missed: fn(f64, f64, Show<'_>) -> String,
     /// The change that allows a value.
-    pub(crate) allow: fn(f64) -> Relaxation,
+    pub allow: fn(f64) -> Relaxation,
 }
 
 /// The limits at the operating points.
-pub(crate) static AT_POINTS: [LimitAtPoints; 4] = [
+pub static AT_POINTS: [LimitAtPoints; 4] = [
     LimitAtPoints {
         limit: Limit::Buckling,
         name: "the load at which it buckles",
-        value_and_bound: |at| {
-            if !(at.limits().buckling && at.trial.spec.wanted.extends()) {
+        bound: |at| {
+            if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
                 return Ok(None);
             }
-            let (push_n, contraction) = (at.point.force_n.abs(), at.point.contraction);
             let column = ThickWall::new(at.trial.muscle);
-            let least_n = column.buckling_n(at.pressure_mpa()?, contraction)?;
-            Ok(Some((push_n, least_n)))
+            Ok(Some(
+                column.buckling_n(at.pressure_mpa()?, at.point.contraction)?,
+            ))
         },
-        missed: |push_n, least_n, show| {
-            let [push, limit] = [push_n.ceil(), least_n.floor()].map(|n| show(Dimension::Force, n));
+        value: |at| Ok(Some(at.point.force_n.abs())),
+        missed: |value_n, bound_n, show| {
+            let [push, limit] =
+                [value_n.ceil(), bound_n.floor()].map(|n| show(Dimension::Force, n));
             format!("buckles at {limit} between two joints, {push} required")
         },
         allow: |_| Relaxation::Guided {},
@@ -143,15 +147,16 @@ pub(crate) static AT_POINTS: [LimitAtPoints; 4] = [
     LimitAtPoints {
         limit: Limit::LiquidVolume,
         name: "the largest liquid volume",
-        value_and_bound: |at| {
-            let most_mm3 = at.limits().liquid_volume_mm3;
-            let Some(bound) = most_mm3.filter(|_| at.trial.spec.liquid.is_some()) else {
-                return Ok(None);
-            };
-            match at.stroke()? {
-                Some(value) => Ok(Some((value, bound))),
-                None => Err(ModelError::NoVolume(at.trial.model.info().name.to_string())),
-            }
+        bound: |at| {
+            Ok(at
+                .spec()
+                .limits
+                .liquid_volume_mm3
+                .filter(|_| at.spec().liquid.is_some()))
+        },
+        value: |at| match at.stroke()? {
+            None => Err(ModelError::NoVolume(at.trial.model.info().name.to_string())),
+            stroke => Ok(stroke),
         },
         missed: |value_mm3, bound_mm3, _| {
             let (volume, limit) = ((0.1 * value_mm3).ceil() / 100.0, round(1e-3 * bound_mm3));
@@ -162,19 +167,19 @@ pub(crate) static AT_POINTS: [LimitAtPoints; 4] = [
     LimitAtPoints {
         limit: Limit::BulgedDiameter,
         name: "the largest bulged diameter",
-        value_and_bound: |at| {
-            let limits = at.limits();
-            let ratio = envelope_ratio(at.trial.spec.count);
-            let of_envelope = limits.envelope_mm.map(|mm| mm / ratio);
-            let bounds = limits.bulged_diameter_mm.into_iter().chain(of_envelope);
-            let Some(bound) = bounds.reduce(f64::min) else {
-                return Ok(None);
-            };
-            Ok(at.response()?.bulged_diameter_mm.map(|mm| (mm, bound)))
+        bound: |at| {
+            let Spec { limits, count, .. } = at.spec();
+            let of_envelope = limits.envelope_mm.map(|mm| mm / envelope_ratio(*count));
+            Ok(limits
+                .bulged_diameter_mm
+                .into_iter()
+                .chain(of_envelope)
+                .reduce(f64::min))
         },
+        value: |at| Ok(at.response()?.bulged_diameter_mm),
         missed: |value_mm, bound_mm, show| {
-            let bulged_mm = (10.0 * value_mm).round() / 10.0;
-            let [bulged, limit] = [bulged_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            let value_mm = (10.0 * value_mm).round() / 10.0;
+            let [bulged, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
             format!("bulged diameter {bulged}, at most {limit} allowed")
         },
         allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
@@ -182,15 +187,12 @@ pub(crate) static AT_POINTS: [LimitAtPoints; 4] = [
     LimitAtPoints {
         limit: Limit::MaxStretch,
         name: "the largest stretch of the rubber",
-        value_and_bound: |at| {
-            let limits = at.limits();
+        bound: |at| {
             let fitted = at.trial.muscle.tube().rubber.fitted_to_stretch;
-            let fitted = fitted.filter(|_| limits.fitted_stretch);
-            let Some(bound) = limits.stretch.or(fitted) else {
-                return Ok(None);
-            };
-            Ok(at.response()?.rubber_stretch().map(|value| (value, bound)))
+            let limits = at.spec().limits;
+            Ok(limits.stretch.or(fitted.filter(|_| limits.fitted_stretch)))
         },
+        value: |at| Ok(at.response()?.rubber_stretch()),
         missed: |value, bound, _| {
             format!("rubber stretched to {value:.2}, at most {bound} allowed")
         },

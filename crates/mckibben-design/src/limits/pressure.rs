@@ -1,10 +1,12 @@
 //! Limits that lower the pressure up to which a muscle is used.
 
+use super::check::Show;
 use crate::Relaxation;
 use crate::relaxation::{Change, three_digits};
 use crate::trial::Trial;
 use mckibben::analysis::{FailureMode, FailurePressure, NoBurst, bisect};
 use mckibben::model::{ModelError, Result};
+use mckibben::units::Dimension;
 
 /// Why a muscle is not used up to the pressure of the supply.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,14 +23,15 @@ pub enum Below {
 
 impl Below {
     /// Why more is not allowed, with pressures written by `show`.
-    pub fn describe(&self, show: impl Fn(f64) -> String) -> String {
+    pub fn describe(&self, show: Show<'_>) -> String {
+        let mpa = |p| show(Dimension::Pressure, p);
         match self {
             Self::Failure(by, at_mpa) => {
-                format!("more is not allowed, because {by} at {}", show(*at_mpa))
+                format!("more is not allowed, because {by} at {}", mpa(*at_mpa))
             }
             Self::Rated => "its fittings are rated for no more".into(),
             Self::Strained => "there its strands are stretched to their limit".into(),
-            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", show(*up_to_mpa)),
+            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", mpa(*up_to_mpa)),
         }
     }
 }
@@ -37,7 +40,7 @@ impl Below {
 const HALVINGS: usize = 40;
 
 /// Lowers the highest pressure of a muscle to the least of its limits.
-pub(crate) fn lower(trial: &mut Trial<'_>) -> Result<()> {
+pub fn lower(trial: &mut Trial<'_>) -> Result<()> {
     let (burst, safety) = (&trial.burst, trial.burst.safety);
     let allowed = burst.allowed().map(|(mpa, by)| match by {
         Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
@@ -90,7 +93,7 @@ fn contractions(trial: &Trial<'_>) -> Vec<f64> {
 
 /// A limit of the pressure that may be moved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum PressureLimit {
+pub enum PressureLimit {
     Supply,
     Safety,
     StrandStrain,
@@ -98,7 +101,7 @@ pub(crate) enum PressureLimit {
 
 impl PressureLimit {
     /// What limits the pressure of a muscle, where it may be moved.
-    pub(crate) fn of(trial: &Trial<'_>) -> Option<Self> {
+    pub fn of(trial: &Trial<'_>) -> Option<Self> {
         match trial.below {
             None => Some(Self::Supply),
             Some(Below::Failure(..)) => Some(Self::Safety),
@@ -108,7 +111,7 @@ impl PressureLimit {
     }
 
     /// The change that allows a pressure.
-    pub(crate) fn allow(self, needed_mpa: f64, trial: &mut Trial<'_>) -> Option<Change> {
+    pub fn allow(self, needed_mpa: f64, trial: &mut Trial<'_>) -> Option<Change> {
         let (limits, supply_mpa) = (&trial.spec.limits, trial.spec.max_pressure_mpa);
         if self != Self::Supply && needed_mpa > supply_mpa {
             return None;
