@@ -280,7 +280,8 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         let (base, wanted, radius_mm) = self.demand()?;
-        let wanted = self.share(&wanted)?;
+        let count = self.count()?;
+        let wanted = wanted.times(1.0 / f64::from(count));
         let extends = wanted.extends();
         let max_pressure_mpa = finite(
             "max_pressure_mpa",
@@ -350,7 +351,7 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
-            count: self.count()?,
+            count,
             direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
@@ -369,7 +370,8 @@ impl DesignRequest {
                 .map(|name| rubber(name))
                 .collect::<Result<_, _>>()?,
             limits: Limits {
-                bulged_diameter_mm: self.bulged_diameter_mm()?,
+                bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+                envelope_mm: self.max_envelope_mm.map(f64::from),
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 tube_margin: self.min_tube_margin,
                 stretch: self.max_stretch,
@@ -379,7 +381,9 @@ impl DesignRequest {
                     self.max_strand_strain
                         .map_or(VALIDATED_STRAND_STRAIN, f64::from),
                 ),
-                liquid_volume_mm3: self.liquid_volume_mm3()?,
+                liquid_volume_mm3: self
+                    .max_liquid_volume_mm3
+                    .map(|mm3| mm3.0 / f64::from(count)),
             },
             guaranteed: self.guaranteed()?,
             objective: self.objective,
