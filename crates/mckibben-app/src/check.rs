@@ -4,6 +4,7 @@
 
 mod page;
 
+use crate::flags::Args;
 use crate::{
     MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
     QuestionFields, Result, UncertaintyWords, Units, finite, muscle_fields::stated,
@@ -12,6 +13,7 @@ use crate::{
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
+use mckibben::units::typed::Pressure;
 use mckibben::warning::{Warning, is_of_burst};
 use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::muscles;
@@ -20,18 +22,23 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A muscle to be checked.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CheckRequest {
-    /// The muscle, the model, and how it is evaluated.
-    #[serde(flatten)]
-    pub question: QuestionFields,
-    /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
-    pub pressure_mpa: Option<f64>,
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
     /// Only its data and what follows from them: no model is evaluated.
+    #[arg(skip)]
     pub only_data: bool,
     /// Add the equivalent muscle file to the answer.
+    #[arg(skip)]
     pub muscle_file: bool,
+    /// The muscle, the model, and how it is evaluated.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub question: QuestionFields,
 }
 
 /// What is known of a muscle, and what is not.
@@ -132,7 +139,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
-            ("model", model.model.is_some()),
+            ("model", model.name.is_some()),
             ("mesh", model.mesh != MeshFields::default()),
             ("extrapolate", asking.extrapolate),
             ("two_sided", asking.two_sided),
@@ -146,7 +153,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         )
     } else {
         let mut question = request.question.ask()?;
-        let at_pressure = match at_pressure(&mut question, request.pressure_mpa) {
+        let at_pressure = match at_pressure(&mut question, request.pressure_mpa.map(f64::from)) {
             // Without a requested pressure the data of the muscle are an answer by themselves.
             Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {
                 (None, vec![e.message], vec![])

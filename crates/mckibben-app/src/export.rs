@@ -1,5 +1,7 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
+use crate::Contraction;
+use crate::flags::{self, Args};
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::{NEWTON_METRES, PERCENT, Scale, Units};
 use crate::{
@@ -8,6 +10,7 @@ use crate::{
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::units::typed::{Length, Pressure};
 use mckibben_export::{BoxRequest, ExportedJoint, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,34 +18,45 @@ use std::path::Path;
 
 /// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
 /// files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ExportRequest {
+    /// Target; `--list` describes them
+    #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
+    pub target: Option<String>,
+    /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
+    /// lower]
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
+    /// pressure
+    #[arg(long)]
+    pub overpressure: bool,
+    /// Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]
+    ///
+    /// Or nearer to 0 where the model ends or the form misses it.
+    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
+    pub contraction_low: Option<Contraction>,
+    /// Upper end of the range of contractions [free contraction at the supply pressure]
+    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
+    pub contraction_high: Option<Contraction>,
+    /// Length of a rope or rod between the muscle and what it pulls [0]
+    ///
+    /// Lengths of the files are those of both.
+    #[arg(long, default_value = "0mm", hide_default_value = true)]
+    pub cord_mm: Length,
+    /// Name of the muscle in the files [that of the muscle file]
+    #[arg(long)]
+    pub name: Option<String>,
     /// The muscle.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
     pub muscle: MuscleFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
-    /// The target, such as `c`; `export-list` lists and describes them.
-    pub target: Option<String>,
-    /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where
-    /// that is lower.
-    pub pressure_mpa: Option<f64>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure.
-    pub overpressure: bool,
-    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %,
-    /// or nearer to 0 where the model ends or the form misses it.
-    pub contraction_low: Option<f64>,
-    /// Upper end of the box in the contraction; default the free contraction at the supply
-    /// pressure.
-    pub contraction_high: Option<f64>,
-    /// Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are
-    /// those of both.
-    pub cord_mm: f64,
-    /// Name of the muscle in the files; default the name of the muscle file.
-    pub name: Option<String>,
 }
 
 /// A muscle as files for a target.
@@ -155,24 +169,22 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let model = choice.bound(&muscle)?;
     let model = &*model;
     let burst = burst_of(&choice, model)?;
-    let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
+    let supply_mpa = request
+        .pressure_mpa
+        .map_or_else(|| usual_mpa(&burst), f64::from);
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     Evaluation::new(model, &mut Workspace::new(), Options::default())
         .check_range(supply_mpa, 0.0)?;
-    let contraction_low = request
-        .contraction_low
-        .map(|e| finite("contraction_low", e))
-        .transpose()?;
-    let contraction_high = request
-        .contraction_high
-        .map(|e| finite("contraction_high", e))
-        .transpose()?;
-    let name = name_of(
-        request.name.as_ref(),
-        request.muscle.named.muscle.as_ref(),
-        "muscle",
-    );
+    let end = |field, contraction: &Option<Contraction>| {
+        let ratio = contraction
+            .as_ref()
+            .map(|e| e.of_length(muscle.length_mm()));
+        ratio.transpose().map_err(|problem| problem.in_field(field))
+    };
+    let contraction_low = end("contraction_low", &request.contraction_low)?;
+    let contraction_high = end("contraction_high", &request.contraction_high)?;
+    let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
     let wanted = BoxRequest {
         supply_mpa,
         contraction_low,
@@ -223,24 +235,30 @@ fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> 
 
 /// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
 /// of its muscles, as files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ExportJointRequest {
     /// The joint.
     #[serde(flatten)]
+    #[arg(skip)]
     pub joint: JointFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
     /// The target: `c`, `python`, `mjcf` or `fmu`.
+    #[arg(long = "as")]
     pub target: Option<String>,
-    /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that
-    /// is lower.
-    pub pressure_mpa: Option<f64>,
+    /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
+    #[arg(long)]
+    pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure.
+    #[arg(long)]
     pub overpressure: bool,
-    /// Name of the joint in the files; default the name of the joint file.
+    /// Name of the joint in the files [that of the joint file]
+    #[arg(long)]
     pub name: Option<String>,
 }
 
@@ -298,7 +316,7 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
         .map(|model| burst_of(&choice, *model))
         .collect::<Result<Vec<_>>>()?;
     let usual = bursts.iter().map(usual_mpa).fold(f64::INFINITY, f64::min);
-    let supply_mpa = request.pressure_mpa.unwrap_or(usual);
+    let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     for (burst, model) in bursts.iter().zip(&models) {
         borne(burst, supply_mpa, request.overpressure)?;

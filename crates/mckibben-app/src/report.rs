@@ -1,7 +1,9 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
+use crate::NameOrFile;
+use crate::flags::Args;
 use crate::{
-    AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
+    BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
     PointAnswer, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
     print::Rows, ratio, shape, words::fixed,
 };
@@ -14,37 +16,44 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a report states of itself; what is empty is a field to fill in by hand.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Title block of the report")]
 pub struct TitleBlock {
-    /// Name of the muscle.
-    pub name: String,
-    /// Project.
-    pub project: String,
-    /// Number of the document.
-    pub number: String,
-    /// Revision of the document.
-    pub revision: String,
-    /// Date of the document.
-    pub date: String,
+    /// Name of the muscle
+    #[arg(long, value_name = "TEXT")]
+    pub name: Option<String>,
+    /// Project
+    #[arg(long, value_name = "TEXT")]
+    pub project: Option<String>,
+    /// Number of the document
+    #[arg(long, value_name = "TEXT")]
+    pub number: Option<String>,
+    /// Revision of the document
+    #[arg(long, value_name = "TEXT")]
+    pub revision: Option<String>,
+    /// Date of the document
+    #[arg(long, value_name = "TEXT")]
+    pub date: Option<String>,
 }
 
 impl TitleBlock {
     /// Its fields, with those that are signed by hand.
     fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
-        let fields: [(&str, &str); 7] = [
-            ("muscle", &self.name),
-            ("project", &self.project),
-            ("document no.", &self.number),
-            ("revision", &self.revision),
-            ("date", &self.date),
-            ("computed by", version),
-            ("checked", ""),
+        let fields = [
+            ("muscle", self.name.as_deref()),
+            ("project", self.project.as_deref()),
+            ("document no.", self.number.as_deref()),
+            ("revision", self.revision.as_deref()),
+            ("date", self.date.as_deref()),
+            ("computed by", Some(version)),
+            ("checked", None),
         ];
-        fields
-            .map(|(name, value)| (name.to_owned(), value.to_owned()))
-            .to_vec()
+        let field = |(name, value): (&str, Option<&str>)| {
+            (name.to_owned(), value.unwrap_or_default().to_owned())
+        };
+        fields.map(field).to_vec()
     }
 }
 
@@ -64,18 +73,21 @@ pub(crate) fn report(
     let pressure_mpa = plan.operating.pressure_mpa;
     let wanted = CheckRequest {
         question: request.muscle.clone().into(),
-        pressure_mpa: Some(pressure_mpa),
+        pressure_mpa: Some(pressure_mpa.into()),
         ..CheckRequest::default()
     };
     let shown = check(&wanted)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
-    let contraction = ratio(request.contraction.unwrap_or(usual))?;
+    let contraction = match &request.contraction {
+        Some(contraction) => contraction.of_length(plan.muscle.length_mm())?,
+        None => ratio(usual)?,
+    };
     let point = force(&ForceRequest {
         question: request.muscle.clone().into(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(contraction),
+        pressure_mpa: Some(pressure_mpa.into()),
+        contraction: Some(contraction.into()),
         ..ForceRequest::default()
     })?;
     step(2)?;
@@ -89,8 +101,8 @@ pub(crate) fn report(
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(contraction),
+        pressure_mpa: Some(pressure_mpa.into()),
+        contraction: Some(contraction.into()),
         ..ShapeRequest::default()
     };
     parts.push(body_part(&deformed)?);
@@ -195,7 +207,7 @@ fn curves(
     let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
-        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
+        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 }).into()),
         figure: Some(request.units.clone()),
         ..CurveRequest::default()
     };
@@ -205,13 +217,10 @@ fn curves(
 /// What other models say.
 fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
     let wanted = CompareRequest {
-        models: MODELS.map(str::to_owned).to_vec(),
+        models: MODELS.map(NameOrFile::from).to_vec(),
         muscle: request.muscle.clone(),
-        pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa]),
-        asking: AskFields {
-            extrapolate: true,
-            ..AskFields::default()
-        },
+        pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa].into()),
+        extrapolate: true,
         figure: Some(request.units.clone()),
         ..CompareRequest::default()
     };

@@ -157,8 +157,9 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut said = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) =
-            moved.with(drive, |drive| go(&drive, request.rise_time_s, progress))?;
+        let (motion, conductance) = moved.with(drive, |drive| {
+            go(&drive, request.rise_time_s.map(f64::from), progress)
+        })?;
         sized = sized.or(conductance);
         let wanted = match &drive.target {
             Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),

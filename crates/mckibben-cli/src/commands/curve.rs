@@ -1,34 +1,67 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
-use crate::{Args, Bar, Format, Problem, exit_code, output::emit_json, output::form};
-use mckibben_app::{CurveRequest, study};
+use crate::{Bar, Format, Output, Plot, Problem, exit_code, output::emit_json, output::form};
+use mckibben_app::{CurveRequest, StudyRequest, study};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    if args.text("study").is_some() {
-        return run_study(args);
-    }
-    let request: CurveRequest = args.request()?;
-    let bar = Bar::new("curves");
-    let mut answer = mckibben_app::curve(&request, &bar)?;
-    drop(bar);
-    if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
-        return Err(problem);
-    }
-    if answer.problem.is_none() {
-        args.draw(&mut answer.figure)?;
-    }
-    answer.figure = None;
-    let target = args.path("output");
-    if form(target.as_deref(), args.format)? == Format::Json {
-        emit_json(&answer, target.as_deref())?;
-    } else {
-        args.output(&answer)?;
-    }
-    Ok(exit_code(answer.problem.as_ref()))
+/// A family of curves, or the study of the paper.
+#[derive(Debug, clap::Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    after_long_help = "Examples:
+  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
+    --plot f.svg
+  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
+  mckibben curve isotonic -F 20,80,150N --model thick-wall
+  mckibben curve --study thickness --model thick-wall --plot study.svg"
+)]
+pub struct Curve {
+    #[command(flatten)]
+    request: CurveRequest,
+    /// Compute a study of the paper. thickness: its Figure 4, walls of 1 to 5 mm, isometric and
+    /// isotonic, with its findings
+    #[arg(
+        long,
+        value_parser = ["thickness"],
+        conflicts_with_all = ["pressures_mpa", "contractions", "forces_n", "load", "both"],
+        help_heading = "Question"
+    )]
+    study: Option<String>,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
 }
 
-fn run_study(args: &Args) -> Result<u8, Problem> {
-    let mut answer = study(&args.request()?)?;
-    args.draw(&mut answer.figure)?;
-    args.output(&answer)
+impl Curve {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        let mut request = self.request;
+        request.figure = self.plot.wanted();
+        if self.study.is_some() {
+            let request = StudyRequest {
+                question: request.question,
+                figure: request.figure,
+            };
+            let mut answer = study(&request)?;
+            self.plot.save(&mut answer.figure)?;
+            return self.output.print(format, &answer);
+        }
+        request.load.read_tables()?;
+        let bar = Bar::new("curves");
+        let mut answer = mckibben_app::curve(&request, &bar)?;
+        drop(bar);
+        if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+            return Err(problem);
+        }
+        if answer.problem.is_none() {
+            self.plot.save(&mut answer.figure)?;
+        }
+        answer.figure = None;
+        let target = self.output.output.as_deref();
+        if form(target, format)? == Format::Json {
+            emit_json(&answer, target)?;
+        } else {
+            self.output.print(format, &answer)?;
+        }
+        Ok(exit_code(answer.problem.as_ref()))
+    }
 }

@@ -1,7 +1,25 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{Args, Problem};
+use crate::{Format, Output, Problem};
+use mckibben_app::FillRequest;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    args.output(&mckibben_app::fill(&args.request()?)?)
+/// A volume of liquid pushed into a muscle.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg
+  mckibben fill examples/festo-dmsp-20.toml --volume 30mL -e 10% \\
+    --liquid oil --gas 1% --dead-volume 15mL")]
+pub struct Fill {
+    #[command(flatten)]
+    request: FillRequest,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Fill {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        self.request.load.read_tables()?;
+        let answer = mckibben_app::fill(&self.request)?;
+        self.output.print(format, &answer)
+    }
 }

@@ -1,23 +1,47 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{Args, Bar, Format, Problem, output::form};
+use crate::{Bar, Format, Output, Plot, Problem, output::form};
 use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
+use std::path::PathBuf;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let mut request: JointRequest = args.request()?;
-    request.joint = JointFields::at(&args.path("file").unwrap_or_default())?;
-    // Text does not show them.
-    request.without_start_pressures =
-        form(args.path("output").as_deref(), args.format)? == Format::Text;
-    let mut answer = joint(&request, &Bar::new("joint"))?;
-    if request.figure.is_some() && answer.figure.is_none() {
-        let message = "--plot: a figure of a joint has torques over angles, or a map";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "give --angle with a range, or --map",
-        ));
+/// A joint.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
+  mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
+  mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
+  mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
+    --model universal --plot map.svg")]
+pub struct Joint {
+    /// Joint file
+    #[arg(value_name = "JOINT.toml", help_heading = "Question")]
+    file: PathBuf,
+    #[command(flatten)]
+    request: JointRequest,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Joint {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let request = &mut self.request;
+        request.joint = JointFields::at(&self.file)?;
+        request.figure = self.plot.wanted();
+        // Text does not show them.
+        let target = self.output.output.as_deref();
+        request.without_start_pressures = form(target, format)? == Format::Text;
+        let mut answer = joint(request, &Bar::new("joint"))?;
+        if request.figure.is_some() && answer.figure.is_none() {
+            let message = "--plot: a figure of a joint has torques over angles, or a map";
+            return Err(Problem::new(
+                ProblemKind::Usage,
+                message,
+                "give --angle with a range, or --map",
+            ));
+        }
+        self.plot.save(&mut answer.figure)?;
+        self.output.print(format, &answer)
     }
-    args.draw(&mut answer.figure)?;
-    args.output(&answer)
 }

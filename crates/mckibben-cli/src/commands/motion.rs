@@ -1,38 +1,78 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-use crate::{Args, Bar, Problem, args::load_tables, exit_code, shown};
-use mckibben_app::{MotionRequest, ProblemKind, TextFile, motion};
-use serde_json::json;
+use crate::{Bar, Format, Output, Plot, Problem, exit_code, shown};
+use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
+use std::path::PathBuf;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let file = args.path("file");
-    if let Some(path) = &file {
-        shown::take_file(&TextFile::at(path)?.text);
+/// Motion of a drive.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben motion examples/drive.toml --plot step.svg
+  mckibben motion examples/drive.toml --model universal -o step.csv
+  mckibben motion examples/drive.toml --model universal \\
+    --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'
+  mckibben motion examples/drive.toml --model universal --size valve \\
+    --rise-time 0.5s
+  mckibben motion examples/elbow-drive.toml --model universal
+  mckibben motion --muscle examples/prototype.toml --load mass:10kg -p 3bar \\
+    --valve '0.5 L/(s bar)' --damping '200 N s/m'")]
+pub struct Motion {
+    /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
+    #[arg(
+        value_name = "DRIVE.toml",
+        required_unless_present = "muscle",
+        conflicts_with = "muscle",
+        help_heading = "Question"
+    )]
+    file: Option<PathBuf>,
+    /// Part to size
+    #[arg(
+        long,
+        value_name = "WHAT",
+        value_parser = ["valve"],
+        requires = "rise_time_s",
+        help_heading = "Question"
+    )]
+    size: Option<String>,
+    #[command(flatten)]
+    request: MotionRequest,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Motion {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        if self.size.is_none() && self.request.rise_time_s.is_some() {
+            let message = "--rise-time is that of a part to size";
+            return Err(Problem::new(
+                ProblemKind::Usage,
+                message,
+                "add --size valve",
+            ));
+        }
+        if let Some(load) = self
+            .request
+            .step
+            .as_ref()
+            .and_then(|step| step.load.clone())
+        {
+            let mut fields = LoadFields {
+                load: Some(load),
+                ..LoadFields::default()
+            };
+            fields.read_tables()?;
+            self.request.tables = fields.load_tables;
+        }
+        if let Some(path) = &self.file {
+            shown::take_file(&TextFile::at(path)?.text);
+            self.request = self.request.with_drive(path)?;
+        }
+        self.request.figure = self.plot.wanted();
+        let mut answer = motion(&self.request, &Bar::new("motion"))?;
+        self.plot.save(&mut answer.figure)?;
+        self.output.print(format, &answer)?;
+        Ok(exit_code(answer.problem().as_ref()))
     }
-    let mut fields = args.fields()?;
-    fields.insert(
-        "tables".into(),
-        load_tables(&args.text("step.load").unwrap_or_default())?,
-    );
-    if let Some(text) = args.text("change") {
-        let (key, values) = text.split_once('=').ok_or_else(|| {
-            let message = format!("--sweep: \"{text}\" has no = followed by values");
-            let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Problem::new(ProblemKind::Usage, message, hint)
-        })?;
-        let values: Vec<&str> = values.split(',').map(str::trim).collect();
-        fields.insert(
-            "sweep".into(),
-            json!({ "key": key.trim(), "values": values }),
-        );
-    }
-    let request: MotionRequest = mckibben_app::understood(&fields.into())?;
-    let request = match &file {
-        Some(path) => request.with_drive(path)?,
-        None => request,
-    };
-    let mut answer = motion(&request, &Bar::new("motion"))?;
-    args.draw(&mut answer.figure)?;
-    args.output(&answer)?;
-    Ok(exit_code(answer.problem().as_ref()))
 }

@@ -1,18 +1,60 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Args, Problem};
+use crate::{Format, Output, Problem};
+use clap::Args;
+use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
 /// F(P, ε).
-pub fn force(args: &Args) -> Result<u8, Problem> {
-    args.output(&mckibben_app::force(&args.request()?)?)
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper")]
+pub struct Force {
+    #[command(flatten)]
+    request: ForceRequest,
+    #[command(flatten)]
+    output: Output,
 }
 
 /// P(F, ε).
-pub fn pressure(args: &Args) -> Result<u8, Problem> {
-    args.output(&mckibben_app::pressure(&args.request()?)?)
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar")]
+pub struct Pressure {
+    #[command(flatten)]
+    request: PressureRequest,
+    #[command(flatten)]
+    output: Output,
 }
 
 /// ε(F, P).
-pub fn contraction(args: &Args) -> Result<u8, Problem> {
-    args.output(&mckibben_app::contraction(&args.request()?)?)
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
+pub struct Contraction {
+    #[command(flatten)]
+    request: ContractionRequest,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Force {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        self.output
+            .print(format, &mckibben_app::force(&self.request)?)
+    }
+}
+
+impl Pressure {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        self.output
+            .print(format, &mckibben_app::pressure(&self.request)?)
+    }
+}
+
+impl Contraction {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        self.request.load.read_tables()?;
+        self.output
+            .print(format, &mckibben_app::contraction(&self.request)?)
+    }
 }

@@ -1,35 +1,77 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::{
-    Args, Bar, Format, Problem, check_ending, exit_code, output::check, place, save, save_all,
+    Bar, Format, Output, Plot, Problem, check_ending, exit_code, output, output::check, place,
+    save, save_all,
 };
-use mckibben_app::understood;
-use serde_json::json;
+use mckibben_app::SimulateRequest;
+use mckibben_app::print::Page;
+use std::path::PathBuf;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let (deck, folder) = (args.path("export_inp"), args.path("folder"));
-    check_ending(deck.as_deref(), &["inp"])?;
-    let opened = folder.as_ref().map(|folder| folder.join("muscle.pvd"));
-    opened.as_deref().map_or(Ok(()), check)?;
-    let mut fields = args.fields()?;
-    fields.entry("test").or_insert_with(|| json!("isometric"));
-    fields.insert("deck".into(), deck.is_some().into());
-    fields.insert("vtu".into(), folder.is_some().into());
-    fields.insert("eighth".into(), (!args.is("whole")).into());
-    let mut answer = mckibben_app::simulate(&understood(&fields.into())?, &Bar::new("points"))?;
-    let files = std::mem::take(&mut answer.files);
-    folder.map_or(Ok(()), |folder| save_all(&files, &folder))?;
-    if let Some(text) = answer.deck.take() {
-        save(deck.as_deref(), text.as_bytes())?;
-    }
-    args.draw(&mut answer.figure)?;
-    if let Some(problem) = answer.problem.take_if(|_| args.format == Format::Text) {
-        return Err(problem);
-    }
-    args.output_with(&answer, |page| {
-        if let Some(path) = opened {
-            page.paragraph(format!("ParaView opens {}.", place(&path)));
+/// One finite-element test.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
+  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
+    --plot shape.svg
+  mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
+    --export-inp muscle.inp
+  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
+    -p 0.25 --vtu out/
+  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv")]
+pub struct Simulate {
+    #[command(flatten)]
+    request: SimulateRequest,
+    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    vtu: Option<PathBuf>,
+    /// Write the whole muscle, not only the eighth that fe3d computes; fe always writes the whole
+    /// muscle
+    #[arg(
+        long,
+        requires = "vtu",
+        hide_short_help = true,
+        help_heading = "Output"
+    )]
+    whole: bool,
+    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for
+    /// CalculiX and Abaqus
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    export_inp: Option<PathBuf>,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Simulate {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let deck = self.export_inp.as_deref();
+        check_ending(deck, &["inp"])?;
+        let opened = self.vtu.as_ref().map(|folder| folder.join("muscle.pvd"));
+        opened.as_deref().map_or(Ok(()), check)?;
+        self.request.figure = self.plot.wanted();
+        self.request.deck = deck.is_some();
+        self.request.vtu = self.vtu.is_some();
+        self.request.eighth = !self.whole;
+        let mut answer = mckibben_app::simulate(&self.request, &Bar::new("points"))?;
+        let files = std::mem::take(&mut answer.files);
+        self.vtu
+            .map_or(Ok(()), |folder| save_all(&files, &folder))?;
+        if let Some(text) = answer.deck.take() {
+            save(deck, text.as_bytes())?;
         }
-    })?;
-    Ok(exit_code(answer.problem.as_ref()))
+        self.plot.save(&mut answer.figure)?;
+        if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+            return Err(problem);
+        }
+        let target = self.output.output.as_deref();
+        let add = |page: &mut Page| {
+            if let Some(path) = &opened {
+                page.paragraph(format!("ParaView opens {}.", place(path)));
+            }
+        };
+        output::print(&answer, format, add, target)?;
+        Ok(exit_code(answer.problem.as_ref()))
+    }
 }

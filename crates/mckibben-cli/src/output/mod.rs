@@ -13,7 +13,7 @@ pub use write::{
     save_all, save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
+use crate::{Format, Problem, Units, clean, quantities::unit_hint, shown, unprinted};
 use mckibben::warning::is_of_burst;
 use mckibben_app::print::{Page, Show};
 use mckibben_app::{ProblemKind, answer_schema};
@@ -21,7 +21,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
@@ -64,6 +64,65 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
         .and_then(|()| writeln!(out))
         .and_then(|()| out.flush());
     written.map_err(|error| unprinted(&error))
+}
+
+/// Units that are shown.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Output")]
+pub struct ShownUnits {
+    /// Units that are shown: bar, or psi,lbf,in
+    ///
+    /// Of text and figures: a unit of pressure, force or length, or several. Without it those of
+    /// your flags, else MPa, N and mm.
+    #[arg(long, value_name = "UNIT,…")]
+    // `shown` finds it among the flags.
+    #[allow(dead_code)]
+    units: Option<Units>,
+}
+
+/// Where the result goes, and in which units it is shown.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Output")]
+pub struct Output {
+    #[command(flatten)]
+    pub units: ShownUnits,
+    /// Write the result to a file
+    ///
+    /// Instead of standard output. The ending selects the format: .txt, .json, .csv.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+impl Output {
+    /// Prints an answer where `--output` says.
+    pub fn print<T: Show>(&self, format: Format, answer: &T) -> Result<u8, Problem> {
+        print(answer, format, |_| (), self.output.as_deref())?;
+        Ok(0)
+    }
+
+    /// Prints an answer where `--output` says.
+    pub fn show<T: Serialize + JsonSchema>(
+        &self,
+        format: Format,
+        answer: &T,
+        rows: &str,
+        text: impl FnOnce(&T, &Units) -> String,
+    ) -> Result<u8, Problem> {
+        let text = || text(answer, &shown::units());
+        show(answer, format, rows, text, self.output.as_deref())?;
+        Ok(0)
+    }
+}
+
+/// Prints an answer beside the file that `--output` names.
+pub fn print_text<T: Serialize + JsonSchema>(
+    format: Format,
+    answer: &T,
+    rows: &str,
+    text: impl FnOnce(&T, &Units) -> String,
+) -> Result<u8, Problem> {
+    show(answer, format, rows, || text(answer, &shown::units()), None)?;
+    Ok(0)
 }
 
 /// The file that a result goes to; else standard output.

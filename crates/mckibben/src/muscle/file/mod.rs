@@ -24,6 +24,7 @@ mod material;
 mod read;
 mod source;
 mod text;
+mod with;
 mod write;
 
 #[cfg(test)]
@@ -36,6 +37,7 @@ pub use error::{FileError, TextPosition};
 pub use keys::{Key, dimension, keys};
 pub use read::{muscle_of, parse_muscle};
 pub use source::{MAX_BYTES, Section, Source};
+pub use with::with_keys;
 pub use write::to_toml;
 
 use super::Muscle;
