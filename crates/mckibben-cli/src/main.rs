@@ -21,9 +21,7 @@ use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{
-    Units, columns, half_width, number, pairs, percent, percents, place, table, understood,
-};
+use output::text::{Units, columns, half_width, number, pairs, percent, percents, place};
 use output::{
     FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
 };

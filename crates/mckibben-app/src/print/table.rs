@@ -25,6 +25,11 @@ impl<'a, T> Table<'a, T> {
         }
     }
 
+    /// Whether it has nothing to show.
+    pub fn is_empty(&self) -> bool {
+        self.columns.is_empty()
+    }
+
     /// A column of quantities of one unit, with their points aligned.
     pub fn quantity<A: Into<Amount>>(
         self,
@@ -33,27 +38,52 @@ impl<'a, T> Table<'a, T> {
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
         let amounts: Vec<Amount> = self.list.iter().map(|of| amount(of).into()).collect();
-        let is_percent = scale.name == "%";
-        let heading = if is_percent || scale.name.is_empty() {
-            label.into()
-        } else {
-            scale.heading(label)
-        };
         let numbers = amounts.iter().map(|amount| match amount {
             Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
             _ => None,
         });
         let numbers: Vec<Option<f64>> = numbers.collect();
         let cells = amounts.iter().zip(aligned(&numbers, scale.digits));
-        let cells = cells.map(|(amount, aligned)| {
-            let text = match amount {
-                Amount::Number(_) => aligned,
-                amount => amount.bare(scale)?,
-            };
-            let is_number = !matches!(amount, Amount::Words(_));
-            Some(text + if is_number && is_percent { " %" } else { "" })
+        let cells = cells.map(|(amount, aligned)| match amount {
+            Amount::Number(_) => Some(aligned),
+            amount => amount.bare(scale),
         });
-        self.column(heading, cells.collect())
+        let cells = cells.collect();
+        self.scaled(label, scale, &amounts, cells)
+    }
+
+    /// A column of quantities of one unit and of unlike sizes: each has its own decimals.
+    pub fn unaligned<A: Into<Amount>>(
+        self,
+        label: &str,
+        scale: &Scale,
+        amount: impl Fn(&'a T) -> A,
+    ) -> Self {
+        let amounts: Vec<Amount> = self.list.iter().map(|of| amount(of).into()).collect();
+        let cells = amounts.iter().map(|amount| amount.bare(scale)).collect();
+        self.scaled(label, scale, &amounts, cells)
+    }
+
+    /// A column with the unit in its heading; per cent stand behind the numbers.
+    fn scaled(
+        self,
+        label: &str,
+        scale: &Scale,
+        amounts: &[Amount],
+        mut cells: Vec<Option<String>>,
+    ) -> Self {
+        if scale.name == "%" {
+            for (cell, amount) in cells.iter_mut().zip(amounts) {
+                if let (Some(cell), false) = (cell, matches!(amount, Amount::Words(_))) {
+                    cell.push_str(" %");
+                }
+            }
+        }
+        let heading = match &*scale.name {
+            "%" | "" => label.into(),
+            _ => scale.heading(label),
+        };
+        self.column(heading, cells)
     }
 
     /// A column of words, or of numbers without a unit.
