@@ -1,6 +1,8 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
 //! from a plan, on disk.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;

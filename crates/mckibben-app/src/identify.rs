@@ -1,5 +1,7 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
+pub(crate) mod page;
+
 use crate::flags::{self, Args};
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,

@@ -3,10 +3,9 @@
 use super::width::{self, fold};
 use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
-use mckibben_app::UnderstoodTable;
 use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, law_text, number, percent};
+pub use mckibben_app::words::{aligned, number};
 use std::path::Path;
 
 /// The name of a file.
@@ -158,14 +157,6 @@ fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
         format!("  {name:<width$}   {value}\n")
     };
     list.iter().map(one).collect()
-}
-
-/// What was understood of tables, a line each.
-pub fn understood(tables: &[UnderstoodTable]) -> String {
-    tables
-        .iter()
-        .map(|table| line(&table.line()).into_owned() + "\n")
-        .collect()
 }
 
 /// A table of columns, each with its heading.
