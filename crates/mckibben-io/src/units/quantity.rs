@@ -15,7 +15,7 @@ pub struct QuantityError {
 }
 
 impl QuantityError {
-    fn about(text: &str, problem: String) -> Self {
+    pub(super) fn about(text: &str, problem: String) -> Self {
         Self {
             subject: format!("\"{}\" ", text.trim()),
             problem,
@@ -25,6 +25,14 @@ impl QuantityError {
     /// A text that is something else than what was expected.
     pub(super) fn is(text: &str, what: &str, expected: Dimension) -> Self {
         Self::about(text, format!("{what}; expected {}", expected.expectation()))
+    }
+
+    /// A text longer than any quantity.
+    pub(super) fn long(expected: Dimension) -> Self {
+        Self {
+            subject: String::new(),
+            problem: format!("is a long text; expected {}", expected.expectation()),
+        }
     }
 
     /// `NaN`, `inf`, or a number too large for a double.
