@@ -71,7 +71,9 @@ impl Keys {
     }
 
     fn at(&self, dotted: &str) -> Option<&Value> {
-        let mut parts = dotted.split('.').filter(|part| !part.is_empty());
+        // All tables of a list have the same keys.
+        let is_key = |part: &&str| !part.is_empty() && part.parse::<usize>().is_err();
+        let mut parts = dotted.split('.').filter(is_key);
         parts.try_fold(&self.0, |schema, key| properties(schema)?.get(key))
     }
 
@@ -144,6 +146,7 @@ impl Keys {
 
 fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     let own = schema["properties"].as_object();
+    let own = own.or_else(|| properties(schema.get("items")?));
     own.or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
 }
 

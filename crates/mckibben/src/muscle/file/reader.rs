@@ -8,7 +8,7 @@ use serde::de::{
 };
 use serde::forward_to_deserialize_any;
 use std::fmt;
-use toml_edit::{Item, TableLike, Value};
+use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
 /// What is expected, for messages.
 pub(super) const PLAIN: &str = "a number without unit, such as 0.8";
@@ -35,6 +35,14 @@ pub(super) enum Wrongness {
     Unknown(String),
     /// The table has not this key.
     Missing(&'static str),
+}
+
+impl Wrong {
+    /// The same at a dotted key, where it has none.
+    fn at(mut self, path: String) -> Self {
+        self.path.get_or_insert(path);
+        self
+    }
 }
 
 impl From<Wrongness> for Wrong {
@@ -84,7 +92,8 @@ impl Error for Wrong {
 #[derive(Clone, Copy)]
 enum Node<'s> {
     Table(&'s dyn TableLike),
-    Tables,
+    Tables(&'s ArrayOfTables),
+    Nothing,
     Value(&'s Value),
 }
 
@@ -102,12 +111,14 @@ impl<'s> From<&'s Item> for Node<'s> {
         match item {
             Item::Table(table) => Self::Table(table),
             Item::Value(value) => value.into(),
-            Item::ArrayOfTables(_) | Item::None => Self::Tables,
+            Item::ArrayOfTables(tables) => Self::Tables(tables),
+            Item::None => Self::Nothing,
         }
     }
 }
 
-/// What is at a dotted key; of an element of a list, that of the list.
+/// What is at a dotted key; of an element of a list, that of the list; of a table in a list, with
+/// its number behind it.
 pub(super) struct At<'s> {
     path: String,
     node: Node<'s>,
@@ -122,21 +133,27 @@ impl<'s> At<'s> {
     }
 
     fn list(&self) -> Option<Vec<At<'s>>> {
-        let Node::Value(Value::Array(array)) = self.node else {
-            return None;
-        };
-        let at = |value: &'s Value| At {
+        let value = |value: &'s Value| At {
             path: self.path.clone(),
             node: value.into(),
         };
-        Some(array.iter().map(at).collect())
+        let table = |(table, number): (&'s toml_edit::Table, usize)| At {
+            path: join(&self.path, &number.to_string()),
+            node: Node::Table(table),
+        };
+        match self.node {
+            Node::Value(Value::Array(array)) => Some(array.iter().map(value).collect()),
+            Node::Tables(tables) => Some(tables.iter().zip(1..).map(table).collect()),
+            _ => None,
+        }
     }
 
     /// Something else than was expected.
     fn is_not(&self, expected: &dyn Expected) -> Wrong {
         let given = match self.node {
             Node::Table(_) => Unexpected::Map,
-            Node::Tables => Unexpected::Other("a list of tables"),
+            Node::Tables(_) => Unexpected::Other("a list of tables"),
+            Node::Nothing => Unexpected::Other("nothing"),
             Node::Value(Value::Array(_)) => Unexpected::Seq,
             Node::Value(Value::Boolean(is)) => Unexpected::Bool(*is.value()),
             Node::Value(Value::Integer(i)) => Unexpected::Signed(*i.value()),
@@ -171,7 +188,7 @@ impl<'s> Deserializer<'s> for At<'s> {
 
     fn deserialize_any<V: Visitor<'s>>(self, visitor: V) -> Result<V::Value, Wrong> {
         match self.node {
-            Node::Table(table) => visitor.visit_map(Entries::new(self.path, table, &[])),
+            Node::Table(table) => Entries::new(self.path, table, &[]).read(visitor),
             Node::Value(Value::String(text)) => visitor.visit_borrowed_str(text.value()),
             Node::Value(Value::Integer(i)) => visitor.visit_i64(*i.value()),
             Node::Value(Value::Float(x)) if crate::units::plausible(*x.value()) => {
@@ -190,7 +207,7 @@ impl<'s> Deserializer<'s> for At<'s> {
         deserialize_f64: Node::Value(Value::Integer(_) | Value::Float(_)), PLAIN;
         deserialize_str: Node::Value(Value::String(_)), TEXT;
         deserialize_string: Node::Value(Value::String(_)), TEXT;
-        deserialize_seq: Node::Value(Value::Array(_)), LIST;
+        deserialize_seq: Node::Value(Value::Array(_)) | Node::Tables(_), LIST;
         deserialize_map: Node::Table(_), TABLE;
     }
 
@@ -215,7 +232,7 @@ impl<'s> Deserializer<'s> for At<'s> {
         visitor: V,
     ) -> Result<V::Value, Wrong> {
         match self.node {
-            Node::Table(table) => visitor.visit_map(Entries::new(self.path, table, keys)),
+            Node::Table(table) => Entries::new(self.path, table, keys).read(visitor),
             _ => Err(self.is_not(&TABLE)),
         }
     }
@@ -301,6 +318,11 @@ impl<'s> Entries<'s> {
             value: None,
         }
     }
+
+    fn read<V: Visitor<'s>>(self, visitor: V) -> Result<V::Value, Wrong> {
+        let path = self.path.clone();
+        visitor.visit_map(self).map_err(|wrong| wrong.at(path))
+    }
 }
 
 impl<'s> MapAccess<'s> for Entries<'s> {
@@ -317,12 +339,8 @@ impl<'s> MapAccess<'s> for Entries<'s> {
             path: join(&self.path, key),
             node: item.into(),
         });
-        let located = |wrong: Wrong| Wrong {
-            path: Some(self.path.clone()),
-            ..wrong
-        };
         let key = IntoDeserializer::<Wrong>::into_deserializer(key);
-        seed.deserialize(key).map(Some).map_err(located)
+        seed.deserialize(key).map(Some)
     }
 
     fn next_value_seed<V: DeserializeSeed<'s>>(&mut self, seed: V) -> Result<V::Value, Wrong> {
@@ -330,9 +348,6 @@ impl<'s> MapAccess<'s> for Entries<'s> {
             return Err(Wrong::custom("has no value"));
         };
         let path = at.path.clone();
-        seed.deserialize(at).map_err(|mut wrong| {
-            wrong.path.get_or_insert(path);
-            wrong
-        })
+        seed.deserialize(at).map_err(|wrong| wrong.at(path))
     }
 }

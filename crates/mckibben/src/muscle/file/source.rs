@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt;
 use std::ops::Range;
-use toml_edit::{Document, Item, Key, TableLike, TomlError};
+use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 
 /// The longest file in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -57,11 +57,20 @@ impl<'t> Source<'t> {
     }
 
     fn table(&self, dotted: &str) -> Option<&dyn TableLike> {
-        let mut table: &dyn TableLike = self.document.as_table();
-        for part in dotted.split('.').filter(|part| !part.is_empty()) {
-            table = table.get(part)?.as_table_like()?;
+        if dotted.is_empty() {
+            return Some(self.document.as_table());
         }
-        Some(table)
+        match self.row(dotted) {
+            Some(row) => Some(row),
+            None => self.find(dotted)?.1.as_table_like(),
+        }
+    }
+
+    /// A table in a list of tables, by its number.
+    fn row(&self, dotted: &str) -> Option<&Table> {
+        let (list, number) = dotted.rsplit_once('.')?;
+        let place = number.parse::<usize>().ok()?.checked_sub(1)?;
+        self.find(list)?.1.as_array_of_tables()?.get(place)
     }
 
     /// Key and value at a dotted key, where it is written.
@@ -103,6 +112,7 @@ impl<'t> Source<'t> {
             .and_then(|span| self.text.get(span))
             .map(shortened);
         let span = entry.and_then(|(key, item)| value.or(key.span()).or_else(|| item.span()));
+        let span = span.or_else(|| self.row(dotted)?.span());
         FileError {
             written,
             ..self.key_error(dotted, span, problem)
