@@ -1,7 +1,7 @@
 //! What the JSON Schema of a file says of its keys, for messages and for editors.
 
 use super::error::FileError;
-use super::reader::{LIST, PLAIN, TEXT, Wrong, Wrongness};
+use super::reader::{LIST, PAIR, PLAIN, TEXT, Wrong, Wrongness};
 use super::source::{Source, shortened};
 use crate::nearest::{meant, nearest};
 use crate::rubber::{Law, foreign};
@@ -40,8 +40,22 @@ impl Transform for AsWritten {
         }
         if let Some(Value::Array(choices)) = schema.get_mut("anyOf") {
             choices.retain(|choice| choice["type"] != "null");
+            if let [Value::Object(only)] = &mut choices[..] {
+                let only = std::mem::take(only);
+                schema.remove("anyOf");
+                let all = schema.ensure_object();
+                for (key, value) in only {
+                    all.entry(key).or_insert(value);
+                }
+            }
+        }
+        if schema.get("default").is_some_and(Value::is_null) {
+            schema.remove("default");
         }
         schema.remove("format");
+        if let Some(Value::String(about)) = schema.get_mut("description") {
+            *about = about.trim_end_matches('.').replace('\n', " ");
+        }
         let Some(dimension) = dimension(schema.as_value()) else {
             return;
         };
@@ -93,10 +107,11 @@ impl Keys {
                 // Some expectations alone do not say what is in a text or a list.
                 let said = match expected.as_str() {
                     TEXT => self.at(&path),
-                    LIST => self.at(&path).map(list),
+                    LIST | PAIR => self.at(&path).map(list),
                     _ => None,
                 };
                 let about = said.map_or(String::new(), about);
+                let given = given.unwrap_or("something else");
                 source.error(&path, format!("is {given}; expected {expected}{about}"))
             }
             Wrongness::Missing(key) => {

@@ -35,8 +35,9 @@ mod tests;
 pub use error::{FileError, TextPosition};
 pub use keys::{Keys, schema_of};
 pub use material::named;
-pub use read::{MuscleFile, parse_muscle};
+pub use read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, parse_muscle};
 pub use source::{MAX_BYTES, Source};
+pub use table::Table;
 pub use write::to_toml;
 
 use super::Muscle;

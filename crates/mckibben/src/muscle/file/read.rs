@@ -19,28 +19,27 @@ use std::borrow::Cow;
 #[serde(deny_unknown_fields, default)]
 pub struct MuscleFile {
     /// The rubber tube
-    tube: Table<OfTube>,
+    pub tube: Table<OfTube>,
     /// The braided sleeve
-    braid: Table<OfBraid>,
+    pub braid: Table<OfBraid>,
     /// The ends
-    terminals: Table<OfTerminals>,
+    pub terminals: Table<OfTerminals>,
     /// Friction of the braid: half of the width of the hysteresis loop
-    friction: Table<OfFriction>,
+    pub friction: Table<OfFriction>,
     /// What belongs to one model
-    model: OfModels,
+    pub model: OfModels,
     /// What a bench says of this muscle; `identify` writes it
-    identified: Option<Bench>,
+    pub identified: Option<Bench>,
     /// Name, for people
-    #[serde(rename = "name")]
-    _name: Option<String>,
+    pub name: Option<String>,
     /// Notes, for people
-    #[serde(rename = "notes")]
-    _notes: Option<String>,
+    pub notes: Option<String>,
 }
 
+/// The keys of `[tube]` beside its measures.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-struct OfTube {
+pub struct OfTube {
     /// The bore, in place of the wall or of the outer diameter
     inner_diameter: Option<Positive<Length>>,
     /// Name of a rubber (`mckibben parts list rubbers`), a hardness such as "shore:30A", or a
@@ -51,9 +50,10 @@ struct OfTube {
     material: Option<Material>,
 }
 
+/// The keys of `[braid]` beside its measures.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-struct OfBraid {
+pub struct OfBraid {
     /// Stiffness k of one strand family
     stiffness: Option<BraidStiffness>,
     /// Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands
@@ -69,20 +69,23 @@ struct OfBraid {
     compression: Option<bool>,
 }
 
+/// The keys of `[terminals]` beside its measures.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-struct OfTerminals {
+pub struct OfTerminals {
     /// Empirical end factor k of Tondu & Lopez
     end_factor: Option<EndFactor>,
 }
 
+/// The keys of `[friction]` beside its measures: none.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-struct OfFriction {}
+pub struct OfFriction {}
 
+/// The tables of models, `[model]`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
-struct OfModels {
+pub struct OfModels {
     /// The model tondu-lopez
     tondu_lopez: OfTonduLopez,
     /// The model conical-ends

@@ -1,6 +1,8 @@
 //! TOML → structs, by serde: an error knows the key, what stood there and what is expected.
 
 use super::keys::join;
+use crate::nearest::{meant, nearest};
+use crate::units::plausible;
 use serde::de::value::SeqDeserializer;
 use serde::de::{
     DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, Unexpected,
@@ -14,6 +16,8 @@ use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 pub(super) const PLAIN: &str = "a number without unit, such as 0.8";
 pub(super) const TEXT: &str = "a text in quotes";
 pub(super) const LIST: &str = "a list";
+/// The only tuples in files.
+pub(super) const PAIR: &str = "a pair";
 pub(super) const TABLE: &str = "a table of keys";
 
 /// Why a value is not what its struct needs.
@@ -29,8 +33,8 @@ pub(super) struct Wrong {
 pub(super) enum Wrongness {
     /// A sentence that the key is before.
     Said(String),
-    /// What there is, and what is expected.
-    Expected(String, String),
+    /// What there is, once it is known, and what is expected.
+    Expected(Option<&'static str>, String),
     /// The table has a key that its struct has not.
     Unknown(String),
     /// The table has not this key.
@@ -67,17 +71,9 @@ impl Error for Wrong {
         Wrongness::Said(said.to_string()).into()
     }
 
-    fn invalid_type(given: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        let given = match given {
-            Unexpected::Str(_) => "a text",
-            Unexpected::Signed(_) | Unexpected::Float(_) => "a number",
-            Unexpected::Bool(_) => "true or false",
-            Unexpected::Seq => LIST,
-            Unexpected::Map => "a table",
-            Unexpected::Other(other) => other,
-            _ => "something else",
-        };
-        Wrongness::Expected(given.into(), expected.to_string()).into()
+    /// What there is, the value knows better than the visitor.
+    fn invalid_type(_: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        Wrongness::Expected(None, expected.to_string()).into()
     }
 
     fn unknown_field(key: &str, _: &'static [&'static str]) -> Self {
@@ -148,26 +144,26 @@ impl<'s> At<'s> {
         }
     }
 
+    fn is(&self) -> &'static str {
+        match self.node {
+            Node::Table(_) => "a table",
+            Node::Tables(_) => "a list of tables",
+            Node::Nothing => "nothing",
+            Node::Value(value) => match value {
+                Value::Array(_) => LIST,
+                Value::Boolean(_) => "true or false",
+                Value::Float(x) if !x.value().is_finite() => "not a finite number",
+                Value::Float(x) if !plausible(*x.value()) => "a number beyond 1e-30 to 1e30",
+                Value::Float(_) | Value::Integer(_) => "a number",
+                Value::String(_) => "a text",
+                Value::Datetime(_) | Value::InlineTable(_) => "a date or time",
+            },
+        }
+    }
+
     /// Something else than was expected.
     fn is_not(&self, expected: &dyn Expected) -> Wrong {
-        let given = match self.node {
-            Node::Table(_) => Unexpected::Map,
-            Node::Tables(_) => Unexpected::Other("a list of tables"),
-            Node::Nothing => Unexpected::Other("nothing"),
-            Node::Value(Value::Array(_)) => Unexpected::Seq,
-            Node::Value(Value::Boolean(is)) => Unexpected::Bool(*is.value()),
-            Node::Value(Value::Integer(i)) => Unexpected::Signed(*i.value()),
-            Node::Value(Value::Float(x)) if !x.value().is_finite() => {
-                Unexpected::Other("not a finite number")
-            }
-            Node::Value(Value::Float(x)) if !crate::units::plausible(*x.value()) => {
-                Unexpected::Other("a number beyond 1e-30 to 1e30")
-            }
-            Node::Value(Value::Float(x)) => Unexpected::Float(*x.value()),
-            Node::Value(Value::String(text)) => Unexpected::Str(text.value()),
-            Node::Value(_) => Unexpected::Other("a date or time"),
-        };
-        Wrong::invalid_type(given, expected)
+        Wrongness::Expected(Some(self.is()), expected.to_string()).into()
     }
 }
 
@@ -187,19 +183,24 @@ impl<'s> Deserializer<'s> for At<'s> {
     type Error = Wrong;
 
     fn deserialize_any<V: Visitor<'s>>(self, visitor: V) -> Result<V::Value, Wrong> {
-        match self.node {
+        let is = self.is();
+        let read = match self.node {
             Node::Table(table) => Entries::new(self.path, table, &[]).read(visitor),
             Node::Value(Value::String(text)) => visitor.visit_borrowed_str(text.value()),
             Node::Value(Value::Integer(i)) => visitor.visit_i64(*i.value()),
-            Node::Value(Value::Float(x)) if crate::units::plausible(*x.value()) => {
-                visitor.visit_f64(*x.value())
-            }
+            Node::Value(Value::Float(x)) if plausible(*x.value()) => visitor.visit_f64(*x.value()),
             Node::Value(Value::Boolean(is)) => visitor.visit_bool(*is.value()),
             _ => match self.list() {
                 Some(list) => visitor.visit_seq(SeqDeserializer::new(list.into_iter())),
                 None => Err(self.is_not(&visitor)),
             },
-        }
+        };
+        read.map_err(|mut wrong| {
+            if let Wrongness::Expected(given, _) = &mut wrong.problem {
+                given.get_or_insert(is);
+            }
+            wrong
+        })
     }
 
     only! {
@@ -244,7 +245,7 @@ impl<'s> Deserializer<'s> for At<'s> {
     ) -> Result<V::Value, Wrong> {
         match self.list().filter(|list| list.len() == count) {
             Some(list) => visitor.visit_seq(SeqDeserializer::new(list.into_iter())),
-            None => Err(self.is_not(&LIST)),
+            None => Err(self.is_not(&PAIR)),
         }
     }
 
@@ -262,8 +263,7 @@ impl<'s> Deserializer<'s> for At<'s> {
         if words.contains(&text) {
             return visitor.visit_enum(IntoDeserializer::<Wrong>::into_deserializer(text));
         }
-        let near = mckibben_io::units::nearest::nearest(text, words.iter().copied());
-        let near = mckibben_io::units::nearest::meant(near);
+        let near = meant(nearest(text, words.iter().copied()));
         Err(Wrong::custom(format!(
             "is not known{near}; expected {expected}"
         )))

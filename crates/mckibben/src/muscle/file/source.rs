@@ -3,6 +3,8 @@
 use super::error::{FileError, TextPosition};
 use super::keys::Keys;
 use super::reader::At;
+use crate::units::Dimension;
+use crate::units::typed::read_number;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt;
@@ -91,6 +93,30 @@ impl<'t> Source<'t> {
 
     pub(super) fn text_at(&self, dotted: &str) -> Option<&str> {
         self.find(dotted)?.1.as_str()
+    }
+
+    /// The texts of a table.
+    pub fn texts(&self, dotted: &str) -> impl Iterator<Item = &str> {
+        let entries = self.table(dotted).into_iter().flat_map(TableLike::iter);
+        entries.filter_map(|(_, item)| item.as_str())
+    }
+
+    /// The number at a dotted key, in the unit inside.
+    pub fn number(&self, dotted: &str, dimension: Dimension) -> Option<f64> {
+        let (_, item) = self.find(dotted)?;
+        read_number(dimension, At::root(item)).ok()
+    }
+
+    /// The value of a key that another part of the program judges.
+    ///
+    /// # Errors
+    /// What it says.
+    pub fn valid<T, E: fmt::Display>(
+        &self,
+        dotted: &str,
+        result: Result<T, E>,
+    ) -> Result<T, FileError> {
+        result.map_err(|error| self.error(dotted, format!("is invalid: {error}")))
     }
 
     /// The problem that a key is missing; it is at `at`, which needs it, or is its table.
