@@ -1,16 +1,21 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test
 //! sheet.
 
+use crate::Contraction;
+use crate::flags::{self, Args};
+use crate::print::{Csv, Page, Rows, Show, Table};
+use crate::units::{JOULES, PERCENT};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report,
-    said_of, usual_mpa,
+    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, number,
+    report::report, said_of, usual_mpa,
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use mckibben::analysis::{Burst, Evaluation};
 use mckibben::answer::Options;
 use mckibben::progress::Progress;
+use mckibben::units::typed::{Length, Pressure};
 use mckibben::{cancel, model::Workspace};
 use mckibben_build::{
     BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
@@ -20,35 +25,46 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A muscle to be built.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct BuildRequest {
-    /// The muscle.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
-    pub pressure_mpa: Option<f64>,
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
     /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure.
+    /// pressure
+    #[arg(long)]
     pub overpressure: bool,
-    /// Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is
-    /// screwed, or `barb:4` for a hose with a bore of 4 mm; default m5 up to a tube of 15 mm, then
-    /// g1/8.
+    /// Fitting of the air: m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from
+    /// 15 mm]
+    ///
+    /// Push-in fittings have these threads.
+    #[arg(long)]
     pub fitting: Option<String>,
-    /// Bolt of the eye, mm; default by the load of the end.
-    pub bolt_mm: Option<f64>,
-    /// Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where
-    /// it is known.
-    pub sleeve_diameter_mm: Option<f64>,
+    /// Bolt of the eye [by the load of the end]
+    #[arg(long, value_name = "DIAMETER", value_parser = flags::bolt)]
+    pub bolt_mm: Option<Length>,
+    /// Diameter of the sleeve as it comes off the roll [nominal diameter]
+    #[arg(long, value_name = "DIAMETER")]
+    pub sleeve_diameter_mm: Option<Length>,
     /// Add the report to the files.
+    #[arg(skip)]
     pub report: bool,
-    /// Contraction ratio ε of the state in the report; default half the free contraction.
-    pub contraction: Option<f64>,
+    /// Contraction of the state in the report [half the free contraction]
+    #[arg(short = 'e', long)]
+    pub contraction: Option<Contraction>,
     /// Units of the report: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub units: Units,
     /// Title block of the report.
     #[serde(flatten)]
+    #[command(flatten)]
     pub title_block: TitleBlock,
+    /// The muscle.
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
+    pub muscle: MuscleFields,
 }
 
 /// All that is needed to build a muscle.
@@ -95,6 +111,52 @@ pub struct BuildAnswer {
     /// The report, where one is wanted.
     #[serde(skip)]
     pub document: Option<Document>,
+}
+
+impl Show for BuildAnswer {
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let (length, cut, safety) = (u.length.digits(4), &self.cut, &self.safety);
+        let (sleeve, limits) = (&cut.sleeve, &self.limits);
+        let mut page = Page::default();
+        page.line(self.muscle.line(u));
+        page.rows(
+            Rows::default()
+                .quantity("working pressure", &u.pressure, safety.pressure_mpa)
+                .quantity("blocked force", &u.force.digits(4), self.blocked_force_n)
+                .quantity("free contraction", &PERCENT, self.free_contraction)
+                .quantity("tube to cut", &length, cut.tube_mm)
+                .quantity("sleeve on the tube", &length, sleeve.mounted_mm)
+                .quantity("sleeve to cut", &length, sleeve.relaxed_mm)
+                .quantity("at its diameter of", &length, sleeve.relaxed_diameter_mm)
+                .quantity("plugs", &length, self.plug_diameter_mm)
+                .quantity("bolt", &length, self.bolt_mm)
+                .quantity("burst pressure", &u.pressure, limits.burst_pressure_mpa)
+                .quantity("allowed pressure", &u.pressure, limits.allowed_pressure_mpa)
+                .quantity(
+                    "proof test, with water",
+                    &u.pressure,
+                    safety.proof_pressure_mpa,
+                )
+                .quantity("energy of the air", &JOULES.digits(2), safety.air_energy_j),
+        );
+        page.gap();
+        page.table(
+            Table::of(&self.parts)
+                .text("part", |part| &part.part)
+                .text("amount", |part| &part.amount)
+                .text("sold as", |part| part.sold_as.as_ref())
+                .text("mass [g]", |part| Some(number(part.mass_g?, 3))),
+        );
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self)
+    }
 }
 
 /// The file of the report.
@@ -211,10 +273,13 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
     };
     let wishes = Wishes {
         fitting,
-        bolt_mm: above_zero("bolt_mm", request.bolt_mm)?,
-        sleeve_diameter_mm: above_zero("sleeve_diameter_mm", request.sleeve_diameter_mm)?,
+        bolt_mm: above_zero("bolt_mm", request.bolt_mm.map(f64::from))?,
+        sleeve_diameter_mm: above_zero(
+            "sleeve_diameter_mm",
+            request.sleeve_diameter_mm.map(f64::from),
+        )?,
     };
-    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa)?;
+    let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa.map(f64::from))?;
     let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
         let field = error.fields.first().copied().unwrap_or_default();
@@ -248,8 +313,8 @@ fn operating(
     let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
     let shape = ShapeRequest {
         muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(free),
+        pressure_mpa: Some(pressure_mpa.into()),
+        contraction: Some(free.into()),
         ..ShapeRequest::default()
     };
     let shape = crate::shape::shape(&shape)?;

@@ -1,8 +1,8 @@
 //! The burst pressure in answers: one value for each muscle and model, and the sentence that comes
 //! before all others.
 
-use crate::{Model, Problem, ProblemKind};
-use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst};
+use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
+use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst};
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::warning::{Warning, WarningKind};
 use mckibben::{cancel, muscle::Muscle};
@@ -144,6 +144,38 @@ impl From<&Burst> for PressureLimits {
 }
 
 impl PressureLimits {
+    /// What the muscle bears.
+    pub fn rows(&self, u: &Units) -> Rows {
+        self.rows_with("", u)
+    }
+
+    /// The same as lines.
+    pub(crate) fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
+        let rows = self.rows(u).into_iter();
+        rows.map(|(name, value)| format!("{name} {value}"))
+    }
+
+    /// The rows with a note behind the burst pressure.
+    pub(crate) fn rows_with(&self, note: &str, u: &Units) -> Rows {
+        let burst = self.burst_pressure_mpa.map(|p| {
+            let by = self.burst_by.map(|by| format!("; there {by}"));
+            u.pressure.show(p) + &by.unwrap_or_default() + note
+        });
+        let allowed = self.allowed_pressure_mpa.map(|p| {
+            let why = match self.allowed_by {
+                Some(by) => format!(
+                    "safety factor {} where {by}",
+                    number(SAFETY * by.share(), 3)
+                ),
+                None => "the fittings are rated for it".into(),
+            };
+            format!("{}; {why}", u.pressure.show(p))
+        });
+        Rows::default()
+            .text("burst pressure", burst)
+            .text("allowed pressure", allowed)
+    }
+
     /// Those of the weakest of several muscles; none where that of one of them is not known.
     pub(crate) fn of_all(all: &[Burst]) -> Self {
         let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();

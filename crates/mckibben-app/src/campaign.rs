@@ -1,6 +1,7 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
 //! from a plan, on disk.
 
+use crate::flags::{self, Args};
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{
@@ -11,19 +12,26 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A plan, and where its table goes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CampaignRequest {
-    /// The plan (TOML).
+    /// Plan file (TOML)
+    #[arg(value_name = "PLAN.toml", value_parser = flags::file, required = true)]
     pub plan: Option<TextFile>,
-    /// Output table: one file that ends in .parquet, or a folder of parts. The same request
-    /// continues an interrupted run.
+    /// Output table: one file, FILE.parquet, or a folder of parts, DIR/
+    ///
+    /// The same command continues an interrupted run.
+    #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
     pub output: Option<PathBuf>,
-    /// Compute only share i of n of the plan, as i/n, as parts in a folder.
+    /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
+    #[arg(long, value_name = "i/n")]
     pub shard: Option<String>,
-    /// Number of threads; default: one per core. The table does not depend on it.
+    /// Number of threads [one per core]; the table does not depend on it
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1024>)]
     pub threads: Option<usize>,
     /// Overwrite a file at `output` that is not of this plan.
+    #[arg(skip)]
     pub overwrite: bool,
 }
 
@@ -56,10 +64,12 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 }
 
 /// A campaign to be summarised.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CampaignShowRequest {
-    /// One file, or a folder of parts.
+    /// A campaign: one file, or a folder of parts
+    #[arg(value_name = "FILE.parquet or DIR")]
     pub campaign: PathBuf,
 }
 
@@ -69,14 +79,18 @@ pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary> {
 }
 
 /// Folders of parts to be joined.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CampaignMergeRequest {
-    /// Folders of parts.
+    /// Folders of parts
+    #[arg(value_name = "DIR", required = true)]
     pub folders: Vec<PathBuf>,
-    /// The file.
+    /// The file
+    #[arg(short, long, value_name = "FILE.parquet")]
     pub output: PathBuf,
     /// Overwrite a file at `output` that is not of the same plan.
+    #[arg(skip)]
     pub overwrite: bool,
 }
 
@@ -90,10 +104,12 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 }
 
 /// A campaign whose shards are looked at.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CampaignStatusRequest {
-    /// The folder of parts.
+    /// The folder of parts
+    #[arg(value_name = "DIR")]
     pub output: PathBuf,
 }
 

@@ -2,35 +2,43 @@
 //! whether it is plausible, what of it is not known, how far it is from measured muscles, and what
 //! to measure first.
 
+mod page;
+
+use crate::flags::Args;
 use crate::{
     MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
     QuestionFields, Result, UncertaintyWords, Units, finite, muscle_fields::stated,
-    muscle_fields::stated_schema, number, rows::said, said_of, usual_mpa,
+    muscle_fields::stated_schema, number, percent, said_of, usual_mpa,
 };
 use mckibben::analysis::{Burst, FailurePressure};
 use mckibben::muscle::{Bulk, Muscle, MuscleKind};
 use mckibben::rubber::{RubberLaw, library};
+use mckibben::units::typed::Pressure;
 use mckibben::warning::{Warning, is_of_burst};
 use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
 use mckibben_fit::validation::case::muscles;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::json;
 use std::collections::BTreeMap;
 
 /// A muscle to be checked.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CheckRequest {
-    /// The muscle, the model, and how it is evaluated.
-    #[serde(flatten)]
-    pub question: QuestionFields,
-    /// Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
-    pub pressure_mpa: Option<f64>,
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
     /// Only its data and what follows from them: no model is evaluated.
+    #[arg(skip)]
     pub only_data: bool,
     /// Add the equivalent muscle file to the answer.
+    #[arg(skip)]
     pub muscle_file: bool,
+    /// The muscle, the model, and how it is evaluated.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub question: QuestionFields,
 }
 
 /// What is known of a muscle, and what is not.
@@ -131,7 +139,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         let (model, asking) = (&request.question.model, request.question.asking);
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
-            ("model", model.model.is_some()),
+            ("model", model.name.is_some()),
             ("mesh", model.mesh != MeshFields::default()),
             ("extrapolate", asking.extrapolate),
             ("two_sided", asking.two_sided),
@@ -145,7 +153,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         )
     } else {
         let mut question = request.question.ask()?;
-        let at_pressure = match at_pressure(&mut question, request.pressure_mpa) {
+        let at_pressure = match at_pressure(&mut question, request.pressure_mpa.map(f64::from)) {
             // Without a requested pressure the data of the muscle are an answer by themselves.
             Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {
                 (None, vec![e.message], vec![])
@@ -317,38 +325,44 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
     let share = values
         .blocked_force_uncertainty_n
         .map_or(0.0, |half| half / pull);
-    let row = json!({
-        "angle": muscle.braid().angle_deg, "ideal": ideal, "slender": slender, "wall": wall,
-        "low": WALLS.0, "high": WALLS.1, "short": SHORT, "share": (100.0 * share).round() / 100.0,
-    });
+    let ratio = number(slender, 3);
+    let (angle, ideal_text) = (number(muscle.braid().angle_deg, 4), percent(ideal));
+    let [bore, low, high] = [wall, WALLS.0, WALLS.1].map(percent);
+    let half = percent((100.0 * share).round() / 100.0);
     let oddities = [
         (
             pull <= 0.0,
             "the muscle does not pull at this pressure and its rest length: the pressure is too \
-             low for its wall, or its angle is above 54.7°",
+             low for its wall, or its angle is above 54.7°"
+                .to_owned(),
         ),
         (
             ideal < LITTLE,
-            "with an angle of {angle}° even the ideal muscle contracts by no more than {ideal:%}",
+            format!(
+                "with an angle of {angle}° even the ideal muscle contracts by no more than \
+                 {ideal_text}"
+            ),
         ),
         (
             slender < SHORT,
-            "the length is {slender:3} outer diameters; below {short} the ends take a large part \
-             of stroke and pull",
+            format!(
+                "the length is {ratio} outer diameters; below {SHORT} the ends take a large part \
+                 of stroke and pull"
+            ),
         ),
         (
             wall < WALLS.0 || wall > WALLS.1,
-            "the wall is {wall:%} of the bore; tubes on sale and cast ones have {low:%} to {high:%}",
+            format!(
+                "the wall is {bore} of the bore; tubes on sale and cast ones have {low} to {high}"
+            ),
         ),
         (
             pull > 0.0 && share > WIDE,
-            "the ± is {share:%} of the blocked force: measure before you rely on the pull",
+            format!("the ± is {half} of the blocked force: measure before you rely on the pull"),
         ),
     ];
     let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
-    oddities
-        .map(|(_, sentence)| said(&row, sentence, &Units::default()))
-        .collect()
+    oddities.map(|(_, sentence)| sentence).collect()
 }
 
 /// Failures whose pressure cannot be computed, with what is missing.

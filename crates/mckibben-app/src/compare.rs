@@ -1,11 +1,14 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
+use crate::flags::{self, Args};
+use crate::{AskFields, Contractions, NameOrFile};
 use crate::{
-    AskFields, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem,
-    ProblemKind, Result, TextFile, UnderstoodTable, Units, contractions, figure, list,
-    measured_points, number, steps, warnings,
+    DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    Result, UnderstoodTable, Units, contractions, figure, list, measured_points, number, steps,
+    warnings,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::units::typed::{List, Pressure};
 use mckibben::{analysis::Evaluation, answer::Options};
 use mckibben::{
     muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning,
@@ -20,35 +23,46 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Models compared with measured points, or with the first model.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct CompareRequest {
-    /// Names of models, or of the formulas; fe, paper, thick-wall and ideal where none is named.
-    pub models: Vec<String>,
-    /// Files of fitted formulas, which are models by the names of their files.
-    pub formulas: Vec<TextFile>,
-    /// The mesh of finite elements.
-    #[serde(flatten)]
-    pub mesh: MeshFields,
+    /// Models, by name or the file of a formula [fe,paper,thick-wall,ideal]
+    #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = flags::model(), hide_possible_values = true)]
+    pub models: Vec<NameOrFile>,
     /// Measured points.
     #[serde(flatten)]
+    #[command(flatten)]
     pub tables: DataFields,
-    /// Which branch of measured hysteresis; models of a muscle that states its friction answer on
-    /// the same one.
-    pub branch: Direction,
-    /// Constants to fit to the points, for each model that knows them.
+    /// Constants to fit to the points, for each model
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>(), requires = "data")]
     pub fit: Vec<FitConstant>,
-    /// Pressures P in MPa where there are no measured points; default 0.05 to 0.25 by 0.05.
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε, likewise; 0 to 0.2 by 0.01.
-    pub contractions: Option<Vec<f64>>,
+    /// Pressures, where there are no measured points [0.05..0.25:0.05]
+    #[arg(short, long, conflicts_with = "data")]
+    pub pressures_mpa: Option<List<Pressure>>,
+    /// Contraction ratios ΔL/L0, likewise [0..0.2:0.01]
+    #[arg(short = 'e', long, conflicts_with = "data")]
+    pub contractions: Option<Contractions>,
     /// The muscle.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
     pub muscle: MuscleFields,
-    /// How the models are evaluated.
+    /// The mesh of finite elements.
     #[serde(flatten)]
-    pub asking: AskFields,
+    #[command(flatten, next_help_heading = "Advanced")]
+    pub mesh: MeshFields,
+    /// Which branch of measured hysteresis; models of a muscle that states its friction answer on
+    /// the same one
+    #[arg(long, value_parser = flags::word::<Direction>(), default_value = "mean", help_heading = "Advanced")]
+    pub branch: Direction,
+    /// Compute outside the model's range too, with a warning
+    #[arg(long, help_heading = "Advanced")]
+    pub extrapolate: bool,
+    /// Give the negative force, not slack, where the muscle would have to push
+    #[arg(long, help_heading = "Advanced")]
+    pub two_sided: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -159,9 +173,12 @@ impl Compared {
 /// Models compared with measured points, or with the first model.
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
     let muscle = request.muscle.resolve()?;
-    let mut asking = request.asking;
-    if asking.direction.is_mean() && (muscle.friction().is_some() || request.tables.data.is_empty())
-    {
+    let mut asking = AskFields {
+        extrapolate: request.extrapolate,
+        two_sided: request.two_sided,
+        ..AskFields::default()
+    };
+    if muscle.friction().is_some() || request.tables.data.is_empty() {
         asking.direction = request.branch;
     }
     let options = asking.options(&muscle)?;
@@ -188,7 +205,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
-    let (pressures, contractions) = grid(request, measured.as_deref())?;
+    let (pressures, contractions) = grid(request, &muscle, measured.as_deref())?;
     let mut reference = measured.clone();
     let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
     for (i, model) in models.iter().enumerate() {
@@ -286,26 +303,21 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
 impl CompareRequest {
     /// The models, each once.
     fn chosen(&self) -> Result<Vec<Model>> {
-        const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
-        let named: Vec<&str> = self.models.iter().map(String::as_str).collect();
-        let names = if named.is_empty() {
-            DEFAULT.to_vec()
-        } else {
-            named
+        let names = match &self.models[..] {
+            [] => &["fe", "paper", "thick-wall", "ideal"].map(NameOrFile::from)[..],
+            named => named,
         };
-        let solid = names.iter().any(|n| n.trim() == "fe3d");
+        let is_solid = |name: &NameOrFile| name.name() == "fe3d";
+        let solid = names.iter().any(is_solid);
         let mut models: Vec<Model> = vec![];
         for name in names {
             // A terminal is for fe3d alone, where that is among them.
-            let terminal = self
-                .mesh
-                .terminal
-                .filter(|_| !solid || name.trim() == "fe3d");
+            let terminal = self.mesh.terminal.filter(|_| !solid || is_solid(name));
             let mesh = MeshFields {
                 terminal,
                 ..self.mesh.clone()
             };
-            let model = Model::named(name, &self.formulas, &mesh)?;
+            let model = Model::of(name, &mesh)?;
             if !models.contains(&model) {
                 models.push(model);
             }
@@ -327,13 +339,16 @@ impl CompareRequest {
 /// Pressures and contractions of the figure, and of the comparison without measured points.
 fn grid(
     request: &CompareRequest,
+    muscle: &Muscle,
     measured: Option<&[MeasuredPoint]>,
 ) -> Result<(Vec<f64>, Vec<f64>)> {
     let Some(points) = measured else {
         let pressures = list("pressures_mpa", &request.pressures_mpa, || {
             steps(5, 0.05, 0.25)
         })?;
-        let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
+        let contractions = contractions(&request.contractions, muscle.length_mm(), || {
+            steps(21, 0.0, 0.2)
+        })?;
         size::points(
             "pressures_mpa",
             pressures.len() as f64 * contractions.len() as f64,

@@ -1,14 +1,19 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
+mod page;
+
+use crate::Contractions;
+use crate::flags::{self, Args};
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
-    QuestionFields, Result, Units, check_both, figure, finite, is_ratio, load::loaded, no_ratio,
-    pull, put_first, said_of, warnings,
+    QuestionFields, Result, Units, check_both, figure, finite, load::loaded, pull, put_first,
+    said_of, warnings,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::study::{Finding, Study, StudyPanel, thickness};
+use mckibben::units::typed::{Force, List, Pressure, Ratio};
 use mckibben::{
     analysis::Evaluation,
     curve::{Curve, CurvePoint, Test},
@@ -27,27 +32,37 @@ use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
 /// isobaric: P fixed, F over ε.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[command(next_help_heading = "Question")]
 pub struct CurveRequest {
-    /// Which test.
+    /// Which test
+    #[arg(value_parser = flags::word::<Test>())]
     pub test: Test,
-    /// The muscle, the model, and how it is evaluated.
-    #[serde(flatten)]
-    pub question: QuestionFields,
-    /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or
-    /// the end of the model's range): isobaric by 0.01, isometric by 0.05.
-    pub contractions: Option<Vec<f64>>,
-    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
-    pub forces_n: Option<Vec<f64>>,
+    /// Gauge pressures [isobaric 0.05..0.25:0.05, else 0..0.25:0.01]
+    #[arg(short, long)]
+    pub pressures_mpa: Option<List<Pressure>>,
+    /// Contraction ratios ΔL/L0 [from 0 to the free contraction at the highest pressure]
+    ///
+    /// Or to the end of the model's range: isobaric by 0.01, isometric by 0.05.
+    #[arg(short = 'e', long)]
+    pub contractions: Option<Contractions>,
+    /// Pulls of an isotonic test [20,80,150]
+    #[arg(short = 'F', long)]
+    pub forces_n: Option<List<Force>>,
     /// A load in an isobaric test: its equilibria at each pressure, and its line in the figure.
     #[serde(flatten)]
+    #[command(flatten)]
     pub load: LoadFields,
-    /// Give each curve on both branches of the friction hysteresis.
+    /// Both branches of the friction hysteresis
     #[serde(default)]
+    #[arg(long)]
     pub both: bool,
+    /// The muscle, the model, and how it is evaluated.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub question: QuestionFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -71,12 +86,13 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         }
     })?;
     let highest_mpa = pressures.iter().copied().fold(0.0, f64::max);
+    let length_mm = question.muscle.length_mm();
     let contractions = match request.test {
         Test::Isotonic => vec![],
         _ => {
             let step = if isobaric { 0.01 } else { 0.05 };
             let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
-            contractions(&request.contractions, reach)?
+            contractions(&request.contractions, length_mm, reach)?
         }
     };
     let forces = forces(&request.forces_n, &question.muscle, question.options)?;
@@ -214,9 +230,9 @@ pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
 }
 
 /// Finite values, or the default where none are given.
-pub(crate) fn list(
+pub(crate) fn list<Q>(
     field: &str,
-    values: &Option<Vec<f64>>,
+    values: &Option<List<Q>>,
     default: impl FnOnce() -> Vec<f64>,
 ) -> Result<Vec<f64>> {
     match values {
@@ -229,19 +245,21 @@ pub(crate) fn list(
 }
 
 pub(crate) fn contractions(
-    values: &Option<Vec<f64>>,
+    values: &Option<Contractions>,
+    length_mm: f64,
     default: impl FnOnce() -> Vec<f64>,
 ) -> Result<Vec<f64>> {
-    let values = list("contractions", values, default)?;
-    match values.iter().find(|e| !is_ratio(**e)) {
-        Some(&e) => Err(no_ratio("contractions", e)),
-        None => Ok(values),
-    }
+    let Some(values) = values else {
+        return Ok(default());
+    };
+    let ratios = values.of_length(length_mm);
+    let ratios = ratios.map_err(|problem| problem.in_field("contractions"))?;
+    list("contractions", &Some(List::<Ratio>::from(ratios)), Vec::new)
 }
 
 /// Pulls of an isotonic test, or pushes of a muscle that extends.
 pub(crate) fn forces(
-    values: &Option<Vec<f64>>,
+    values: &Option<List<Force>>,
     muscle: &Muscle,
     options: Options,
 ) -> Result<Vec<f64>> {
@@ -410,13 +428,16 @@ impl From<&CurvePoint> for PointRow {
 }
 
 /// The thickness study with a rubber, a braid and a model.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct StudyRequest {
     /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
+    #[command(flatten)]
     pub question: QuestionFields,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -507,9 +528,13 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     })
 }
 
-/// The points of all curves, row by row.
 fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(panels.iter().flat_map(|panel| {
+    serializer.collect_seq(study_rows(panels))
+}
+
+/// The points of all curves, row by row.
+fn study_rows(panels: &[StudyPanel]) -> impl Iterator<Item = StudyRow> {
+    panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {
                 point: point.into(),
@@ -519,5 +544,5 @@ fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S
                 wall_mm: curve.wall_mm,
             })
         })
-    }))
+    })
 }

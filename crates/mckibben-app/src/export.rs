@@ -1,11 +1,16 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
+use crate::Contraction;
+use crate::flags::{self, Args};
+use crate::print::{Csv, Page, Rows, Show, Table};
+use crate::units::{NEWTON_METRES, PERCENT, Scale, Units};
 use crate::{
     BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
     QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
 };
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::units::typed::{Length, Pressure};
 use mckibben_export::{BoxRequest, ExportedJoint, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -13,34 +18,45 @@ use std::path::Path;
 
 /// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
 /// files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ExportRequest {
+    /// Target; `--list` describes them
+    #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
+    pub target: Option<String>,
+    /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
+    /// lower]
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
+    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
+    /// pressure
+    #[arg(long)]
+    pub overpressure: bool,
+    /// Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]
+    ///
+    /// Or nearer to 0 where the model ends or the form misses it.
+    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
+    pub contraction_low: Option<Contraction>,
+    /// Upper end of the range of contractions [free contraction at the supply pressure]
+    #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
+    pub contraction_high: Option<Contraction>,
+    /// Length of a rope or rod between the muscle and what it pulls [0]
+    ///
+    /// Lengths of the files are those of both.
+    #[arg(long, default_value = "0mm", hide_default_value = true)]
+    pub cord_mm: Length,
+    /// Name of the muscle in the files [that of the muscle file]
+    #[arg(long)]
+    pub name: Option<String>,
     /// The muscle.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
     pub muscle: MuscleFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
-    /// The target, such as `c`; `export-list` lists and describes them.
-    pub target: Option<String>,
-    /// Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where
-    /// that is lower.
-    pub pressure_mpa: Option<f64>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure.
-    pub overpressure: bool,
-    /// Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %,
-    /// or nearer to 0 where the model ends or the form misses it.
-    pub contraction_low: Option<f64>,
-    /// Upper end of the box in the contraction; default the free contraction at the supply
-    /// pressure.
-    pub contraction_high: Option<f64>,
-    /// Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are
-    /// those of both.
-    pub cord_mm: f64,
-    /// Name of the muscle in the files; default the name of the muscle file.
-    pub name: Option<String>,
 }
 
 /// A muscle as files for a target.
@@ -63,6 +79,52 @@ pub struct ExportAnswer {
     pub warnings: Vec<String>,
 }
 
+impl Show for ExportAnswer {
+    fn page(&self, u: &Units) -> Page {
+        let (exported, errors) = (&self.exported, &self.exported.errors);
+        let (share, error) = (&PERCENT, &PERCENT.digits(2));
+        let pull = (exported.blocked_force_n, exported.uncertainty_n);
+        let rows = Rows::default()
+            .text("model", &exported.model)
+            .quantity(
+                "supply pressure",
+                &u.pressure,
+                exported.bounds.supply_pressure_mpa,
+            )
+            .quantity("contraction from", share, exported.bounds.contraction_low)
+            .quantity("to", share, exported.bounds.contraction_high)
+            .quantity("blocked force", &u.force, pull)
+            .quantity("error of the pull, rms", error, errors.force_rms)
+            .quantity("at 95 % of points", error, errors.force_95_ratio)
+            .quantity("largest", error, errors.force_worst_ratio)
+            .quantity("error of the volume, rms", error, errors.volume_rms)
+            .quantity("largest", error, errors.volume_worst_ratio)
+            .text("needs", &self.needs)
+            .text("loses", &self.loses);
+        let mut page = Page::default();
+        page.line(self.muscle.line(u));
+        written(&mut page, rows, &self.files, &self.warnings);
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self).with_warnings(&self.warnings)
+    }
+}
+
+/// The files of a target, and what is said of them.
+fn written(page: &mut Page, rows: Rows, files: &[BuiltFile], warnings: &[String]) {
+    page.rows(rows);
+    page.gap();
+    page.table(
+        Table::of(files)
+            .text("file", |file| &file.name)
+            .text("what it is", |file| &file.about),
+    );
+    page.gap();
+    page.lines(warnings.iter().map(|warning| format!("note: {warning}")));
+}
+
 /// The targets of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -73,6 +135,24 @@ pub struct ExportListRequest {}
 pub struct ExportListAnswer {
     /// One for each host.
     pub targets: Vec<Target>,
+}
+
+impl Show for ExportListAnswer {
+    fn page(&self, _: &Units) -> Page {
+        let mut page = Page::default();
+        page.table(
+            Table::of(&self.targets)
+                .text("target", |target| target.name)
+                .text("what it is", |target| target.about)
+                .text("needs", |target| target.needs)
+                .text("loses", |target| target.loses),
+        );
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(&self.targets)
+    }
 }
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
@@ -89,24 +169,22 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let model = choice.bound(&muscle)?;
     let model = &*model;
     let burst = burst_of(&choice, model)?;
-    let supply_mpa = request.pressure_mpa.unwrap_or(usual_mpa(&burst));
+    let supply_mpa = request
+        .pressure_mpa
+        .map_or_else(|| usual_mpa(&burst), f64::from);
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     Evaluation::new(model, &mut Workspace::new(), Options::default())
         .check_range(supply_mpa, 0.0)?;
-    let contraction_low = request
-        .contraction_low
-        .map(|e| finite("contraction_low", e))
-        .transpose()?;
-    let contraction_high = request
-        .contraction_high
-        .map(|e| finite("contraction_high", e))
-        .transpose()?;
-    let name = name_of(
-        request.name.as_ref(),
-        request.muscle.named.muscle.as_ref(),
-        "muscle",
-    );
+    let end = |field, contraction: &Option<Contraction>| {
+        let ratio = contraction
+            .as_ref()
+            .map(|e| e.of_length(muscle.length_mm()));
+        ratio.transpose().map_err(|problem| problem.in_field(field))
+    };
+    let contraction_low = end("contraction_low", &request.contraction_low)?;
+    let contraction_high = end("contraction_high", &request.contraction_high)?;
+    let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
     let wanted = BoxRequest {
         supply_mpa,
         contraction_low,
@@ -157,24 +235,30 @@ fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> 
 
 /// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
 /// of its muscles, as files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ExportJointRequest {
     /// The joint.
     #[serde(flatten)]
+    #[arg(skip)]
     pub joint: JointFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
     /// The target: `c`, `python`, `mjcf` or `fmu`.
+    #[arg(long = "as")]
     pub target: Option<String>,
-    /// Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that
-    /// is lower.
-    pub pressure_mpa: Option<f64>,
+    /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
+    #[arg(long)]
+    pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure.
+    #[arg(long)]
     pub overpressure: bool,
-    /// Name of the joint in the files; default the name of the joint file.
+    /// Name of the joint in the files [that of the joint file]
+    #[arg(long)]
     pub name: Option<String>,
 }
 
@@ -193,6 +277,30 @@ pub struct ExportJointAnswer {
 }
 
 /// A joint as files.
+impl Show for ExportJointAnswer {
+    fn page(&self, _: &Units) -> Page {
+        let (exported, mut page) = (&self.exported, Page::default());
+        let rows = Rows::default()
+            .text("target", &self.target)
+            .quantity(
+                "error of the torque, at most",
+                &NEWTON_METRES,
+                exported.torque_error_nm,
+            )
+            .quantity(
+                "of the stiffness",
+                &Scale::fixed("N m/rad"),
+                exported.stiffness_error_nm_per_rad,
+            );
+        written(&mut page, rows, &self.files, &self.warnings);
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self).with_warnings(&self.warnings)
+    }
+}
+
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = target_of(request.target.as_deref())?;
     let joint = request.joint.resolve()?;
@@ -208,7 +316,7 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
         .map(|model| burst_of(&choice, *model))
         .collect::<Result<Vec<_>>>()?;
     let usual = bursts.iter().map(usual_mpa).fold(f64::INFINITY, f64::min);
-    let supply_mpa = request.pressure_mpa.unwrap_or(usual);
+    let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     for (burst, model) in bursts.iter().zip(&models) {
         borne(burst, supply_mpa, request.overpressure)?;

@@ -1,15 +1,18 @@
 //! Fields that requests share.
 
 use crate::Problem;
-pub use crate::muscle_fields::{MuscleFields, NamedFields};
+use crate::flags::{self, Args};
+pub use crate::muscle_fields::{Measures, MuscleFields};
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
 use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
-use schemars::{JsonSchema, Schema, transform::Transform};
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
-use serde_json::Value;
+use std::fmt;
 
 /// A file that a front end read, or that its user dropped in.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -20,44 +23,75 @@ pub struct TextFile {
     pub text: String,
 }
 
+/// A name, or a file in its place.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(
+    untagged,
+    expecting = "a name or an object with `name` and `text` is expected"
+)]
+pub enum NameOrFile {
+    /// A name, such as `fe` or `dragon-skin-30`.
+    Name(String),
+    /// A file.
+    File(TextFile),
+}
+
+impl NameOrFile {
+    /// The name, or that of the file.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Name(name) => name.trim(),
+            Self::File(file) => &file.name,
+        }
+    }
+}
+
+impl From<&str> for NameOrFile {
+    fn from(name: &str) -> Self {
+        Self::Name(name.to_owned())
+    }
+}
+
 /// A file, or a name alone, such as `lib:dmsp-20-300`.
 pub(crate) fn name_or_file<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<TextFile>, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(
-        untagged,
-        expecting = "a name such as \"lib:dmsp-20-300\" or an object with `name` and `text` is \
-            expected"
-    )]
-    enum Given {
-        File(TextFile),
-        Name(String),
-    }
-    Ok(
-        Option::<Given>::deserialize(from)?.map(|given| match given {
-            Given::File(file) => file,
-            Given::Name(name) => TextFile {
-                name,
-                text: String::new(),
-            },
-        }),
-    )
+    let given = Option::<NameOrFile>::deserialize(from)?;
+    Ok(given.map(|given| match given {
+        NameOrFile::File(file) => file,
+        NameOrFile::Name(name) => TextFile {
+            name,
+            text: String::new(),
+        },
+    }))
 }
 
 /// Measured tables, and what they do not state.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct DataFields {
-    /// Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls;
-    /// of tests of a rubber: stretches, strains or extensions and stresses or forces. With their
-    /// units, and more.
+    /// Measured points: a table of pressures, contractions (or shortenings, lengths, extensions) and
+    /// forces, with units; may be repeated
+    ///
+    /// Of tests of a rubber: stretches, strains or extensions and stresses or forces.
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table)]
     pub data: Vec<TextFile>,
-    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    /// Quantity and unit of columns: QUANTITY="HEADING:UNIT",…
+    ///
+    /// Of columns that the program does not recognise (#2 is the second column), such as
+    /// pressure="P1:kPa",contraction="x:mm".
+    #[arg(long, value_name = "LIST", value_parser = Columns::parse, default_value = "", hide_default_value = true)]
     pub columns: Columns,
-    /// Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of
-    /// `data` has one value in each. {pressure}bar takes the number from the name of the file;
-    /// branch=velocity cuts rows in time order into branches by the sign of their velocity.
+    /// Constants of a whole table: QUANTITY=VALUE,…, such as pressure=3bar,branch=contraction
+    ///
+    /// Once for all tables, or once for each; {pressure}bar takes the number from the name of the
+    /// file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
     pub set: Vec<String>,
 }
 
@@ -120,63 +154,100 @@ impl UnderstoodTable {
     }
 }
 
-/// Says of all fields of a schema to which group they belong in a form or a help text.
-pub(crate) struct InGroup(pub &'static str);
-
-impl Transform for InGroup {
-    fn transform(&mut self, schema: &mut Schema) {
-        let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
-        for field in fields
-            .into_iter()
-            .flat_map(|fields| fields.values_mut())
-            .filter_map(Value::as_object_mut)
-        {
-            field.insert("x-group".into(), self.0.into());
-        }
-    }
-}
-
 /// Which model answers: `fe` unless another one is named.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[schemars(transform = InGroup("model"))]
+#[command(next_help_heading = "Advanced")]
 pub struct ModelFields {
-    /// Name of the model, or of one of the formulas.
-    pub model: Option<String>,
-    /// Files of fitted formulas, which are models by the names of their files.
-    pub formulas: Vec<TextFile>,
+    /// Force model [fe]
+    ///
+    /// A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    #[arg(id = "model", long = "model", value_name = "NAME", value_parser = flags::model(), hide_possible_values = true)]
+    pub name: Option<NameOrFile>,
     /// The mesh of finite elements.
     #[serde(flatten)]
+    #[command(flatten)]
     pub mesh: MeshFields,
 }
 
+impl ModelFields {
+    /// A model by its name alone.
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: Some(name.into()),
+            ..Self::default()
+        }
+    }
+
+    /// An object of fields, or a name alone.
+    pub(crate) fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        object_or(from, |name| ModelFields::named(&name))
+    }
+}
+
+/// Reads an object of fields, or a text in its place.
+pub(crate) fn object_or<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    from: D,
+    named: fn(String) -> T,
+) -> Result<T, D::Error> {
+    struct ObjectOr<T>(fn(String) -> T);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for ObjectOr<T> {
+        type Value = T;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a name or an object of fields")
+        }
+
+        fn visit_str<E: de::Error>(self, name: &str) -> Result<T, E> {
+            Ok((self.0)(name.to_owned()))
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+            T::deserialize(MapAccessDeserializer::new(map))
+        }
+    }
+
+    from.deserialize_any(ObjectOr(named))
+}
+
 /// The mesh of finite elements.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[schemars(transform = InGroup("model"))]
 pub struct MeshFields {
-    /// Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a
-    /// grading towards the terminal behind (2x8:2); of `fe3d`: bricks around the quarter (12),
-    /// through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-    /// behind.
+    /// Mesh of `fe` and `fe3d`
+    ///
+    /// Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading
+    /// towards the terminal behind (2x8:2). Of `fe3d`: bricks around the quarter (12), through x
+    /// around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+    #[arg(long, value_name = "N or MxN:G", hide_short_help = true)]
     pub mesh: Option<String>,
-    /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly
     #[serde(rename = "match")]
+    #[arg(long = "match", value_name = "WHAT", value_parser = flags::word::<Match>(), default_value = "length", hide_short_help = true)]
     pub keep: Match,
-    /// Terminal of `fe3d` that is a body; without it a rigid plane.
+    /// Terminal of `fe3d` that is a body [none, a rigid plane]
+    ///
+    /// `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+    /// aluminium:20mm:3mm.
+    #[arg(long, value_name = "WORD:MM:MM", value_parser = flags::terminal, hide_short_help = true)]
     pub terminal: Option<Plug>,
 }
 
 /// How a model is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[schemars(transform = InGroup("model"))]
+#[command(next_help_heading = "Advanced")]
 pub struct AskFields {
-    /// Compute outside the model's range too, with a warning.
+    /// Compute outside the model's range too, with a warning
+    #[arg(long, hide_short_help = true)]
     pub extrapolate: bool,
-    /// Give the negative force, not slack, where the muscle would have to push.
+    /// Give the negative force, not slack, where the muscle would have to push
+    #[arg(long, hide_short_help = true)]
     pub two_sided: bool,
-    /// Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is
-    /// that of the muscle, or else estimated.
+    /// Branch of the friction hysteresis: contraction to lift, elongation to lower
+    ///
+    /// The friction is that of the muscle, or else estimated.
+    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), default_value = "mean", hide_short_help = true)]
     pub direction: Direction,
 }

@@ -1,9 +1,12 @@
 //! Files that users name, with those that they name, as requests hold them.
 
 use crate::{
-    JointFields, MeasuredFolder, MotionRequest, PAPER, Problem, ProblemKind, Result, TextFile,
+    ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,
+    MuscleFields, PAPER, Problem, ProblemKind, Result, TextFile,
 };
+use mckibben::load::Load;
 use mckibben::muscle::file;
+use mckibben::units::typed::Length;
 use mckibben_fit::validation::library;
 use mckibben_io::files::{ReadError, read};
 use mckibben_io::table::{MAX_BYTES, read_text};
@@ -41,9 +44,10 @@ impl TextFile {
     }
 
     /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no
-    /// file has that name.
+    /// file has that name; `check` also takes the formulas that are built in.
     pub fn muscle(path: &Path) -> Result<Self> {
-        let named = path == Path::new(PAPER) || path.to_str().and_then(library::named).is_some();
+        let known = [PAPER, "universal", "universal-small"].map(Path::new);
+        let named = known.contains(&path) || path.to_str().and_then(library::named).is_some();
         if named && !path.exists() {
             return Ok(Self {
                 name: path.display().to_string(),
@@ -163,4 +167,48 @@ pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
         points: TextFile::table(&folder.join("points.csv"))?.text,
         identified: if_there("identified.toml")?,
     })
+}
+
+impl LoadFields {
+    /// Reads the tables that the load names.
+    pub fn read_tables(&mut self) -> Result<()> {
+        let names = Load::tables(self.load.as_deref().unwrap_or_default());
+        let read = |name: &str| -> Result<TextFile> {
+            Ok(TextFile {
+                name: name.into(),
+                ..TextFile::table(Path::new(name))?
+            })
+        };
+        self.load_tables = names.map(read).collect::<Result<_>>()?;
+        Ok(())
+    }
+}
+
+impl ExportRequest {
+    /// The same of a joint, by its file; what only a muscle has is refused.
+    pub fn of_joint(&self, path: &Path) -> Result<ExportJointRequest> {
+        let muscle_alone = MuscleFields {
+            file: None,
+            also_file: None,
+            ..self.muscle.clone()
+        };
+        let used = [
+            ("muscle", muscle_alone != MuscleFields::default()),
+            ("contraction_low", self.contraction_low.is_some()),
+            ("contraction_high", self.contraction_high.is_some()),
+            ("cord_mm", self.cord_mm != Length::default()),
+        ];
+        Problem::refuse_unused(
+            &used,
+            "it belongs to a muscle, and the file is that of a joint",
+        )?;
+        Ok(ExportJointRequest {
+            joint: JointFields::at(path)?,
+            model: self.model.clone(),
+            target: self.target.clone(),
+            pressure_mpa: self.pressure_mpa,
+            overpressure: self.overpressure,
+            name: self.name.clone(),
+        })
+    }
 }

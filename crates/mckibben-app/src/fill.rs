@@ -1,32 +1,43 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
+use crate::flags::{self, Args};
+use crate::print::{Csv, Page, Rows, Show, sentences};
+use crate::units::{JOULES, MEGAPASCALS, PERCENT};
 use crate::{
-    Background, LoadFields, Problem, ProblemKind, QuestionFields, Result, above_zero, given, ratio,
+    Background, Contraction, LoadFields, Problem, ProblemKind, QuestionFields, Result, Units,
+    above_zero, given,
 };
 use mckibben::liquid::{Liquid, LiquidSupply};
 use mckibben::load::{Fill, FillError, Filling};
 use mckibben::refused::Refused;
+use mckibben::units::typed::{Pressure, Ratio, Volume};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its
 /// length at rest without pressure, filled without air.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct FillRequest {
-    /// The muscle, the model, and how it is evaluated.
-    #[serde(flatten)]
-    pub question: QuestionFields,
-    /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
-    pub volume_mm3: Option<f64>,
-    /// The liquid.
-    #[serde(flatten)]
-    pub liquid: LiquidFields,
+    /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe)
+    #[arg(long, value_parser = flags::volume)]
+    pub volume_mm3: Option<Volume>,
     /// What the muscle works against; without it the muscle is free.
     #[serde(flatten)]
+    #[command(flatten)]
     pub load: LoadFields,
-    /// Contraction ratio ε = ΔL/L0 at which the muscle is held: with a load, where its way ends.
-    pub contraction: Option<f64>,
+    /// Contraction at which it is held; with a load: its stop
+    #[arg(short = 'e', long)]
+    pub contraction: Option<Contraction>,
+    /// The liquid.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub liquid: LiquidFields,
+    /// The muscle, the model, and how it is evaluated.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub question: QuestionFields,
 }
 
 /// A muscle with a volume of liquid pushed in.
@@ -40,6 +51,75 @@ pub struct FillAnswer {
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
+}
+
+impl Show for FillAnswer {
+    fn warnings(&self) -> Vec<String> {
+        sentences(&self.fill.answer.warnings)
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let (fill, liquid, a) = (&self.fill, &self.liquid, &self.fill.answer);
+        let uncertainty = self.background.uncertainty_words.text_in(u);
+        let rows = Rows::default()
+            .text("muscle", self.background.muscle.line(u))
+            .text("model", &a.model)
+            .text("by", &self.background.about.source)
+            .text("liquid", liquid.name)
+            .quantity("gas", &PERCENT, liquid.gas_share)
+            .quantity("bulk modulus", &MEGAPASCALS, liquid.bulk_modulus_mpa)
+            .quantity(
+                "with its gas at this pressure",
+                &MEGAPASCALS,
+                fill.effective_bulk_modulus_mpa,
+            )
+            .quantity("pushed in", &u.volume, fill.pushed_volume_mm3)
+            .quantity(
+                "of it by compression",
+                &u.volume,
+                fill.compressed_volume_mm3,
+            )
+            .quantity("pressure", &u.pressure, a.response.pressure_mpa)
+            .quantity("stroke", &u.length.digits(4), fill.stroke_mm)
+            .quantity(
+                "contraction",
+                &PERCENT,
+                (a.response.contraction, a.contraction_uncertainty),
+            )
+            .text("state", fill.state.to_string())
+            .quantity(
+                "pull",
+                &u.force.digits(4),
+                (a.response.force_n, a.uncertainty_n),
+            )
+            .quantity(
+                "stiffness, liquid shut in",
+                &u.stiffness(),
+                fill.shut_stiffness_n_per_mm,
+            )
+            .quantity(
+                "at constant pressure",
+                &u.stiffness(),
+                a.response.stiffness_n_per_mm,
+            )
+            .quantity("work of the pump", &JOULES, fill.pump_work_j)
+            .quantity("stored in the muscle", &JOULES, fill.muscle_energy_j)
+            .quantity("stored in the liquid", &JOULES, fill.liquid_energy_j)
+            .quantity("work on the load", &JOULES, fill.load_work_j)
+            .quantity("taken by friction", &JOULES, fill.friction_work_j)
+            .quantity("cavity", &u.volume, a.response.volume_mm3)
+            .quantity("cavity at the start", &u.volume, fill.rest_volume_mm3)
+            .and(self.background.limit_rows(u))
+            .text(
+                "uncertainty",
+                uncertainty.map(|text| format!("of the pull {text}")),
+            );
+        rows.into()
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self)
+    }
 }
 
 impl From<FillError> for Problem {
@@ -61,9 +141,11 @@ pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
         liquid,
         dead_volume_mm3,
     } = request.liquid.supply()?;
-    let held_at = request.contraction.map(ratio).transpose()?;
     let mut question = request.question.ask()?;
-    let load = request.load.resolve(question.muscle.length_mm())?;
+    let length_mm = question.muscle.length_mm();
+    let held_at = request.contraction.as_ref();
+    let held_at = held_at.map(|e| e.of_length(length_mm)).transpose()?;
+    let load = request.load.resolve(length_mm)?;
     let filling = Filling {
         liquid: &liquid,
         volume_mm3,
@@ -82,18 +164,21 @@ pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
 }
 
 /// What a muscle is filled with.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct LiquidFields {
-    /// Volume of line, fittings and what stays in the syringe, mm³; default 0.
-    pub dead_volume_mm3: Option<f64>,
-    /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for
-    /// `design`.
+    /// Liquid: water, oil (SAE 10W) or glycol (ethylene glycol) [water for `fill`, air for `design`]
+    #[arg(long)]
     pub liquid: Option<String>,
-    /// Bulk modulus of the liquid without gas in MPa, in place of that of the table.
-    pub liquid_bulk_modulus_mpa: Option<f64>,
-    /// Gas in the liquid by volume at atmospheric pressure; default 0.
-    pub gas_share: Option<f64>,
+    /// Gas in the liquid by volume at atmospheric pressure [0]
+    #[arg(long = "gas", value_name = "SHARE")]
+    pub gas_share: Option<Ratio>,
+    /// Volume of line, fittings and what stays in the syringe [0]
+    #[arg(long, value_parser = flags::volume)]
+    pub dead_volume_mm3: Option<Volume>,
+    /// Bulk modulus of the liquid without gas, in place of that of the table
+    #[arg(long = "bulk-modulus", value_name = "MODULUS", hide_short_help = true)]
+    pub liquid_bulk_modulus_mpa: Option<Pressure>,
 }
 
 impl LiquidFields {
@@ -103,12 +188,13 @@ impl LiquidFields {
         let wrong = |error: Refused| {
             Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.fields[0])
         };
-        let mut liquid = Liquid::named(name, self.gas_share.unwrap_or(0.0)).map_err(wrong)?;
+        let mut liquid =
+            Liquid::named(name, self.gas_share.unwrap_or_default().0).map_err(wrong)?;
         if let Some(modulus) = self.liquid_bulk_modulus_mpa {
-            liquid = liquid.with_bulk_modulus(modulus).map_err(wrong)?;
+            liquid = liquid.with_bulk_modulus(modulus.0).map_err(wrong)?;
         }
         let dead_volume_mm3 = match self.dead_volume_mm3 {
-            None | Some(0.0) => 0.0,
+            None | Some(Volume(0.0)) => 0.0,
             Some(dead) => above_zero(ProblemKind::Quantity, "dead_volume_mm3", dead)?,
         };
         Ok(LiquidSupply {

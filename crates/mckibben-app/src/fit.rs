@@ -1,10 +1,12 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
+use crate::NameOrFile;
+use crate::flags::{self, Args};
 use crate::{
-    Model, MuscleFields, NamedFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
-    finite,
+    Model, MuscleFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
 };
 use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
+use mckibben::units::typed::{Length, List};
 use mckibben::{model::ModelKind, progress::Progress};
 use mckibben_campaign::fit::data::{FitPoint, points};
 use mckibben_campaign::fit::results::{Results, results};
@@ -21,33 +23,46 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A table of points, and how the formula is made.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct FitRequest {
     /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa,
     /// contraction, force_n, status).
+    #[arg(skip)]
     pub table: Option<TextFile>,
     /// A campaign on disk in place of the table: its file, or its folder of parts.
+    #[arg(skip)]
     pub campaign: Option<PathBuf>,
-    /// Fitting method.
+    /// Fitting method
+    #[arg(long, value_parser = flags::word::<FitMethod>(), default_value = "paper")]
     pub method: FitMethod,
-    /// Diameters D0 in mm to leave out of the fit, to test it.
-    pub hold_out_mm: Vec<f64>,
-    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method.
-    pub thin_rule: ThinRule,
-    /// Treatment of points where the muscle would have to push, in the paper's method.
-    pub slack_rule: SlackRule,
-    /// Name of the formula in answers; default: that of the method.
+    /// Diameters D0 to leave out of the fit, to test it
+    #[arg(long, value_name = "RANGE")]
+    pub hold_out_mm: Option<List<Length>>,
+    /// Name of the formula in answers [that of the method]
+    #[arg(long)]
     pub name: Option<String>,
-    /// Rubber of the muscles, if the table does not state it; default `paper`.
+    /// Rubber of the muscles, if the table does not state it [paper]
+    #[arg(long, value_name = "NAME", value_parser = flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
     pub rubber: Option<String>,
-    /// Braid of the muscles, if the table does not state it; default `paper`.
+    /// Braid of the muscles, if the table does not state it [paper]
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
     pub stiffness: Option<Stiffness>,
-    /// Muscle file with the rubber and the braid.
+    /// Muscle file with the rubber and the braid
+    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
+    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
+    #[arg(long, value_parser = flags::word::<ThinRule>(), default_value = "leave-out", help_heading = "Advanced")]
+    pub thin_rule: ThinRule,
+    /// Treatment of points where the muscle would have to push, in the paper's method
+    #[arg(long, value_parser = flags::word::<SlackRule>(), default_value = "two-sided", help_heading = "Advanced")]
+    pub slack_rule: SlackRule,
     /// Add the intermediate tables of the paper's method to the answer.
+    #[arg(skip)]
     pub tables: bool,
     /// Add figures to the answer: figures 5 to 12 of the paper, or with `global` figure 12.
+    #[arg(skip)]
     pub figures: bool,
 }
 
@@ -129,7 +144,7 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
 fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     request.check_name()?;
     request
-        .hold_out_mm
+        .hold_out()
         .iter()
         .try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
     let Points {
@@ -148,12 +163,12 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         points: &points,
         made_for,
         method,
-        hold_out: &request.hold_out_mm,
+        hold_out: request.hold_out(),
         name: request.name.clone().unwrap_or_else(|| usual.into()),
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
-    if !request.hold_out_mm.is_empty() && fitted.formula.errors.held_out.is_none() {
+    if request.hold_out_mm.is_some() && fitted.formula.errors.held_out.is_none() {
         let message = format!("{} has no such diameter", origin.name);
         return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
     }
@@ -259,7 +274,7 @@ impl FitRequest {
     /// Refuses what the universal methods do not know.
     fn check_foreign(&self) -> Result<()> {
         let foreign = [
-            ("hold_out_mm", !self.hold_out_mm.is_empty()),
+            ("hold_out_mm", self.hold_out_mm.is_some()),
             ("tables", self.tables),
             ("figures", self.figures),
             ("rubber", self.rubber.is_some()),
@@ -273,14 +288,19 @@ impl FitRequest {
         )
     }
 
+    /// Diameters that are left out of the fit.
+    fn hold_out(&self) -> &[f64] {
+        self.hold_out_mm.as_deref().unwrap_or_default()
+    }
+
     /// Rubber and braid of the table's muscles.
     fn made_for(&self) -> Result<Made> {
-        let fields = MuscleFields::from(NamedFields {
-            muscle: self.muscle.clone(),
-            rubber: self.rubber.clone(),
+        let fields = MuscleFields {
+            file: self.muscle.clone(),
+            rubber: self.rubber.clone().map(NameOrFile::Name),
             stiffness: self.stiffness,
-            ..NamedFields::default()
-        });
+            ..MuscleFields::default()
+        };
         Ok(Made::from_muscle(&fields.resolve()?))
     }
 

@@ -1,5 +1,6 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
+use crate::flags::{self, Args};
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
     TextFile, UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
@@ -7,6 +8,7 @@ use crate::{
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::{parse_muscle, to_toml};
+use mckibben::units::typed::{List, Ratio, Time};
 use mckibben::{model::Workspace, progress::Progress, warning::Warning};
 use mckibben_fit::identify::{
     Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default,
@@ -24,43 +26,73 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Points, and the parameters of a muscle to identify from them.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct IdentifyRequest {
-    /// The muscle, with a value for everything that is not free.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
     /// The points.
     #[serde(flatten)]
+    #[command(flatten)]
     pub tables: DataFields,
-    /// Pressures over time of another instrument, where `data` have times, contractions and pulls:
-    /// joined by time.
+    /// Pressures over time of another instrument, where the data have times, contractions and
+    /// pulls: joined by time
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table, requires = "data", hide_short_help = true)]
     pub log: Option<TextFile>,
-    /// What the times of `log` lack to those of `data`, s; default: found where the pull follows
-    /// the pressure.
-    pub log_offset_s: Option<f64>,
-    /// Weight of each of `data`; default 1.
-    pub weights: Vec<f64>,
-    /// Treatment of the branches of the hysteresis.
+    /// Seconds to add to the times of the log [found where the pull follows the pressure]
+    #[arg(long, requires = "log", hide_short_help = true)]
+    pub log_offset_s: Option<Time>,
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and
+    /// friction if the data determine them]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub free: Vec<String>,
+    /// Fix a parameter: NAME=VALUE
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub fix: Vec<String>,
+    /// Bounds of free parameters: NAME=LOW:HIGH
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        hide_short_help = true
+    )]
+    pub bounds: Vec<String>,
+    /// Fit every rubber law, with all its constants free, together with the other free parameters
+    #[arg(long)]
+    pub laws: bool,
+    /// The muscle, with a value for everything that is not free.
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
+    pub model: ModelFields,
+    /// Weight of each data set [1]
+    #[arg(long, value_name = "LIST", help_heading = "Advanced")]
+    pub weights: Option<List<Ratio>>,
+    /// Treatment of the branches of the hysteresis
+    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "mean", help_heading = "Advanced")]
     pub branches: Branches,
     /// Use points with a force of zero or below as measurements; by default the muscle counts as
-    /// slack there.
+    /// slack there
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and
-    /// stiffness and friction if the data determine them.
-    pub free: Vec<String>,
-    /// Fix a parameter: NAME=VALUE.
-    pub fix: Vec<String>,
-    /// Bounds of free parameters: NAME=LOW:HIGH.
-    pub bounds: Vec<String>,
-    /// Loss function of the residuals.
+    /// Loss function of the residuals
+    #[arg(long, value_parser = flags::word::<Loss>(), default_value = "squares", help_heading = "Advanced")]
     pub loss: Loss,
-    /// Fit every rubber law, with all its constants free, together with the other free parameters.
-    pub laws: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -368,7 +400,7 @@ impl IdentifyRequest {
         Ok(Some(PressureLog {
             name: file.name.clone(),
             points,
-            offset_s: self.log_offset_s,
+            offset_s: self.log_offset_s.map(f64::from),
         }))
     }
 
@@ -392,10 +424,10 @@ impl IdentifyRequest {
                 hint,
             ));
         }
-        self.check_weights(sets.len())?;
+        let weights = self.weights(sets.len())?;
         let mut points = vec![];
         for (set, list) in sets.iter().enumerate() {
-            let factor = self.weights.get(set).copied().unwrap_or(1.0);
+            let factor = weights.get(set).copied().unwrap_or(1.0);
             points.extend(list.iter().map(|p| DataPoint {
                 set,
                 weight: p.weight * factor,
@@ -412,15 +444,16 @@ impl IdentifyRequest {
         })
     }
 
-    fn check_weights(&self, sets: usize) -> Result<()> {
+    fn weights(&self, sets: usize) -> Result<&[f64]> {
+        let weights = self.weights.as_deref().unwrap_or_default();
         let wrong = |message: String, hint| {
             Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"))
         };
-        if !self.weights.is_empty() && self.weights.len() != sets {
-            let message = format!("{} numbers for {sets} sets of data", self.weights.len());
+        if !weights.is_empty() && weights.len() != sets {
+            let message = format!("{} numbers for {sets} sets of data", weights.len());
             return wrong(message, "one for each of `data`");
         }
-        for &w in &self.weights {
+        for &w in weights {
             if finite("weights", w)? < 0.0 {
                 return wrong(
                     format!("{w} is below zero"),
@@ -428,7 +461,7 @@ impl IdentifyRequest {
                 );
             }
         }
-        Ok(())
+        Ok(weights)
     }
 
     /// What is free and what is held.

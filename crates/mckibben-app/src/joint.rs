@@ -1,20 +1,24 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
 //! against each other.
 
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    Scale, TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first,
-    said_of, warnings,
+    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of,
+    warnings,
 };
 use mckibben::joint::{
     Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
 };
+use mckibben::units::typed::{Angle, AngularStiffness, List, Pressure, Torque};
 use mckibben::warning::Warning;
 use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, fmt, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -60,34 +64,46 @@ impl JointFields {
 
 /// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles
 /// alone give the pressures for a torque and a stiffness.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct JointRequest {
     /// The joint.
     #[serde(flatten)]
+    #[arg(skip)]
     pub joint: JointFields,
-    /// The model.
-    #[serde(flatten)]
-    pub model: ModelFields,
-    /// Pressures in MPa, one of each muscle; several lists are a family.
-    pub pressures_mpa: Vec<Vec<f64>>,
-    /// Angles from the neutral one in degrees.
-    pub angles_deg: Option<Vec<f64>>,
-    /// Torque in N m: without pressures the required torque (default 0); with pressures alone an
-    /// external torque that turns to +.
-    pub torque_nm: Option<f64>,
-    /// Required stiffness, N m/rad; default: the lowest pressures.
-    pub stiffness_nm_per_rad: Option<f64>,
-    /// Supply pressure in MPa, for computed pressures and for the map; default 0.6.
-    pub max_pressure_mpa: Option<f64>,
-    /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
+    /// Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
+    #[arg(short, long, value_name = "PRESSURES")]
+    pub pressures_mpa: Vec<List<Pressure>>,
+    /// Angles from the neutral one
+    #[arg(long)]
+    pub angles_deg: Option<List<Angle>>,
+    /// Torque: without pressures the required torque [0]; with pressures alone an external torque
+    /// that turns to +
+    #[arg(long)]
+    pub torque_nm: Option<Torque>,
+    /// Required stiffness [the lowest pressures]
+    #[arg(long)]
+    pub stiffness_nm_per_rad: Option<AngularStiffness>,
+    /// Supply pressure, for computed pressures and for the map [6bar]
+    #[arg(long)]
+    pub max_pressure_mpa: Option<Pressure>,
+    /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle
+    #[arg(long, value_name = "N", value_parser = flags::between::<2, 65535>)]
     pub map: Option<usize>,
-    /// Compute outside the model's range too, with a warning.
+    /// The model.
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
+    pub model: ModelFields,
+    /// Compute outside the model's range too, with a warning
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Leave out P′ of the muscles, the pressures below which they are slack, which takes most of
     /// the time.
+    #[arg(skip)]
     pub without_start_pressures: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -192,7 +208,7 @@ fn gaps(left_out: usize, of: usize, what: &str, reason: &str) -> Warning {
 }
 
 fn supply(request: &JointRequest) -> Result<f64> {
-    let supply = request.max_pressure_mpa.unwrap_or(SUPPLY_MPA);
+    let supply = request.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);
     above_zero(ProblemKind::Quantity, "max_pressure_mpa", supply)
 }
 
@@ -219,7 +235,7 @@ impl Solver<'_> {
             let why = "it limits pressures that are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
         }
-        for &p in families.iter().flatten() {
+        for &p in families.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
                 let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
                 return Err(
@@ -230,28 +246,27 @@ impl Solver<'_> {
         for &angle in angles.unwrap_or_default() {
             finite("angles_deg", angle)?;
         }
-        let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
-        request
+        let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or_default())?;
+        let stiffness_nm_per_rad = request
             .stiffness_nm_per_rad
             .map(|k| finite("stiffness_nm_per_rad", k))
             .transpose()?;
+        let is_wanted = request.torque_nm.is_some() || stiffness_nm_per_rad.is_some();
         let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
         size::points("angles_deg", all as f64)?;
         let mut rows = vec![];
         match (families.is_empty(), angles) {
-            (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
+            (true, None) if is_wanted => {
                 let expected = "the angle at which the torque and the stiffness are required";
                 return Err(Problem::missing("angles_deg", expected));
             }
             (true, None) => {}
             (true, Some(angles)) => {
-                let wanted = request.torque_nm.or(request.stiffness_nm_per_rad);
-                if wanted.is_none() && request.map.is_some() {
+                if !is_wanted && request.map.is_some() {
                     return Ok(rows);
                 }
                 let max = supply(request)?;
                 for &angle_deg in angles {
-                    let stiffness_nm_per_rad = request.stiffness_nm_per_rad;
                     let wanted = JointTarget {
                         angle_deg,
                         torque_nm,
@@ -371,7 +386,7 @@ fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
     );
     Some(format!(
         "at φ {angle}°: {}",
-        breakdown(&parts, &Scale::newton_metres())
+        breakdown(&parts, &crate::units::NEWTON_METRES)
     ))
 }
 
@@ -490,6 +505,12 @@ pub enum RestWord {
     Limit,
     /// No torque acts, and it rests at any angle near this one.
     Loose,
+}
+
+impl fmt::Display for RestWord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// A joint's answer.

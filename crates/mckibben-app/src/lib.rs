@@ -24,6 +24,8 @@
 //! Units: mm, MPa (= N/mm²), N.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
+// What only flags use.
+#![cfg_attr(not(feature = "clap"), allow(unused_imports))]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod braid;
@@ -34,6 +36,7 @@ mod campaign;
 mod check;
 mod commands;
 mod compare;
+mod contraction;
 mod curve;
 mod design;
 mod export;
@@ -45,6 +48,7 @@ mod file_schema;
 mod files;
 mod fill;
 mod fit;
+mod flags;
 mod identify;
 mod joint;
 mod library;
@@ -58,6 +62,7 @@ mod muscle_fields;
 mod parts;
 mod plan;
 mod point;
+pub mod print;
 mod problem;
 mod quantities;
 mod report;
@@ -84,6 +89,7 @@ pub use commands::{
     COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, understood,
 };
 pub use compare::*;
+pub use contraction::*;
 pub use curve::*;
 pub use design::*;
 pub use export::*;

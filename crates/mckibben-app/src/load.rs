@@ -1,5 +1,8 @@
 //! Loads in requests, and what a muscle does with them.
 
+mod page;
+
+use crate::flags::Args;
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::{
     analysis::Evaluation,
@@ -12,14 +15,18 @@ use serde::{Deserialize, Serialize, Serializer};
 use std::{collections::BTreeMap, fmt};
 
 /// What a muscle works against.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct LoadFields {
-    /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass,
-    /// its distance from the pivot, the pulley's radius, the angle from the horizontal),
-    /// `table:NAME`; several joined by `+`.
+    /// Load, such as mass:20kg or spring:12N/mm@50N
+    ///
+    /// force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance
+    /// from the pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several
+    /// joined by +.
+    #[arg(long)]
     pub load: Option<String>,
     /// The tables that it names.
+    #[arg(skip)]
     pub load_tables: Vec<TextFile>,
 }
 

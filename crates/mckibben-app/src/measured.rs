@@ -131,7 +131,6 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     size::points("cases", (points + stresses) as f64)?;
     let model = Model::named(
         request.model.as_deref().unwrap_or("fe"),
-        &[],
         &MeshFields::default(),
     )?;
     let build = |muscle: &Muscle| model.build(muscle);

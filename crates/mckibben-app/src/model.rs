@@ -1,6 +1,8 @@
 //! Every model there is, by name, and the one policy of which of them answers.
 
-use crate::{Direction, MeshFields, ModelFields, Problem, ProblemKind, Result, TextFile};
+use crate::{
+    Direction, MeshFields, ModelFields, NameOrFile, Problem, ProblemKind, Result, TextFile,
+};
 use mckibben::answer::Options;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
@@ -50,22 +52,29 @@ impl Model {
     /// The model that answers a request, and the only rule about it: the one that is named; where
     /// none is, `fe`.
     pub fn choose(fields: &ModelFields) -> Result<Self> {
-        let name = fields.model.as_deref().unwrap_or("fe");
-        let model = Self::named(name, &fields.formulas, &fields.mesh)?;
+        let model = match &fields.name {
+            Some(name) => Self::of(name, &fields.mesh)?,
+            None => Self::named("fe", &fields.mesh)?,
+        };
         fields.mesh.check_used(&[&model])?;
         Ok(model)
     }
 
-    /// The model of a name: of one of the formulas, or of the list.
-    pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self> {
+    /// The model of a name, or of a formula's file.
+    pub(crate) fn of(name: &NameOrFile, mesh: &MeshFields) -> Result<Self> {
+        match name {
+            NameOrFile::Name(name) => Self::named(name, mesh),
+            NameOrFile::File(file) => mesh.no_terminal().and_then(|()| Self::from_formula(file)),
+        }
+    }
+
+    /// The model of a name of the list.
+    pub fn named(name: &str, mesh: &MeshFields) -> Result<Self> {
         let name = name.trim();
         if let Ok(elements) = name.parse::<Elements>() {
             return Ok(Self::Elements(mesh.meshed(elements)?));
         }
         mesh.no_terminal()?;
-        if let Some(file) = formulas.iter().find(|f| f.name == name) {
-            return Self::from_formula(file);
-        }
         if let Ok(kind) = name.parse::<ModelKind>() {
             return Ok(Self::ClosedForm(kind));
         }

@@ -1,7 +1,8 @@
 //! From fields to a muscle, and a muscle in a few words.
 
-use crate::{MuscleFields, NamedFields, Problem, ProblemKind, Stiffness, TextFile, Units, words};
-use mckibben::muscle::measures::{END_FACTOR, MEASURES, fields};
+use crate::{MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words};
+use mckibben::muscle::file::{FileError, with_keys};
+use mckibben::muscle::measures::{END_FACTOR, MEASURES, OUTER_DIAMETER, WALL, fields};
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
 };
@@ -15,10 +16,23 @@ use std::{borrow::Cow, f64::consts::PI, path::Path};
 impl MuscleFields {
     /// The muscle that file and fields describe.
     pub fn resolve(&self) -> Result<Muscle, Problem> {
-        self.over(&match &self.named.muscle {
+        let file = self.file();
+        let base = match file {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
-        })
+        };
+        if self.with.is_empty() {
+            return self.over(&base);
+        }
+        let text = file.map_or(Ok(Cow::Borrowed("")), text_of)?;
+        let base = with_keys(&text, &self.with).and_then(|text| parse_muscle(&text));
+        self.over(&base.map_err(|error| {
+            let error = FileError {
+                place: None,
+                ..error
+            };
+            Problem::new(ProblemKind::File, error.to_string(), "").in_field("with")
+        })?)
     }
 
     /// A muscle with the fields' values in place of those of the base.
@@ -33,21 +47,21 @@ impl MuscleFields {
 
     /// What the fields state of a muscle, with the parts that they name.
     fn stated(&self) -> Result<Stated, Problem> {
-        let rubber = match (&self.named.rubber, &self.named.rubber_file) {
-            (Some(_), Some(_)) => {
-                let message = "`rubber` and `rubber_file` each set the rubber: give one of them";
-                return Err(Problem::new(ProblemKind::Usage, message, ""));
-            }
-            (Some(name), None) => Some(rubber(name)?),
-            (None, Some(file)) => Some(muscle_of(file)?.tube().rubber.clone()),
-            (None, None) => None,
-        };
+        let mut measures = self.measures.0.clone();
+        if let Some(tube) = self.tube {
+            measures.set(&OUTER_DIAMETER, tube.outer_mm);
+            measures.set(&WALL, 0.5 * (tube.outer_mm - tube.inner_mm));
+        }
         Ok(Stated {
-            measures: self.measures.clone(),
-            rubber,
-            sleeve: self.named.braid.as_deref().map(sleeve).transpose()?,
-            stiffness: self.named.stiffness,
-            strand_diameter_mm: self.named.strand_diameter_mm,
+            measures,
+            rubber: match &self.rubber {
+                Some(NameOrFile::Name(name)) => Some(rubber(name)?),
+                Some(NameOrFile::File(file)) => Some(muscle_of(file)?.tube().rubber.clone()),
+                None => None,
+            },
+            sleeve: self.braid.as_deref().map(sleeve).transpose()?,
+            stiffness: self.stiffness,
+            strand_diameter_mm: self.strand_diameter_mm.map(f64::from),
         })
     }
 
@@ -57,19 +71,18 @@ impl MuscleFields {
         let (tube, braid) = (muscle.tube(), muscle.braid());
         let section = braid.strands.and_then(|strands| strands.section);
         let diameter_mm = |(area, _): (f64, f64)| (4.0 * area / PI).sqrt();
-        let mut out = Self::from(NamedFields {
-            muscle: None,
-            rubber: tube.rubber.name.clone(),
-            rubber_file: None,
+        let mut out = Self {
+            rubber: tube.rubber.name.clone().map(NameOrFile::Name),
             braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
-            strand_diameter_mm: section.map(diameter_mm),
+            strand_diameter_mm: section.map(|section| diameter_mm(section).into()),
             stiffness: match braid.stiffness {
                 BraidStiffness::OfStrands => muscle
                     .family_stiffness_n_per_mm()
                     .map(Stiffness::NewtonPerMm),
                 stated => Some(stated),
             },
-        });
+            ..Self::default()
+        };
         // A factor that changes with the pressure is no number.
         let varies = matches!(
             muscle.terminals().end_factor,
@@ -200,6 +213,14 @@ impl From<&Muscle> for MuscleSummary {
 }
 
 impl MuscleSummary {
+    /// What belongs behind numbers that follow from estimates of the strands.
+    pub fn estimate(&self) -> &'static str {
+        match self.stiffness_factor {
+            Some(_) => " (estimate: the strands of this sleeve are not stated)",
+            None => "",
+        }
+    }
+
     pub fn line(&self, u: &Units) -> String {
         format!(
             "D0 {}, s {}, L0 {}, θ0 {}°, rubber {}, braid {}",

@@ -1,83 +1,194 @@
 //! A muscle in requests: a file, names, and a field for each measure of
 //! [`mckibben::muscle::measures`].
 
-use crate::fields::{InGroup, Stiffness, TextFile, name_or_file};
+use crate::fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or};
+use crate::flags::{self, Args};
+use crate::{Problem, ProblemKind};
 use mckibben::muscle::measures::{
     ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields,
 };
 use mckibben::muscle::{Measure, Muscle};
+use mckibben::units::typed::Length;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Map;
+use std::borrow::Cow;
+use std::ops::{Deref, DerefMut};
+use std::str::FromStr;
 
 /// A muscle: a muscle file, and values that replace those of the file. Default values are those of
 /// the paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-pub struct MuscleFields {
-    #[serde(flatten)]
-    pub named: NamedFields,
-    /// Measures in place of what these say.
-    #[serde(flatten)]
-    #[schemars(schema_with = "request_schema")]
-    pub measures: MeasureValues,
-}
-
-fn request_schema(_: &mut SchemaGenerator) -> Schema {
-    let measures = fields().map(|(field, measure)| (field.to_owned(), measure.request_schema()));
-    json_schema!({ "type": "object", "properties": measures.collect::<Map<_, _>>() })
-}
-
-/// What of a muscle has a name, or completes one.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
-pub struct NamedFields {
-    /// Muscle file (TOML), or a muscle of the library by its name without a text
-    /// (`lib:dmsp-20-300`); the other fields override what it says.
+#[command(next_help_heading = "Muscle")]
+pub struct MuscleFields {
+    /// Muscle file; flags override its values
+    ///
+    /// `lib:NAME` is a muscle of the library (`mckibben parts list muscles`), `paper` that of the
+    /// paper.
     #[serde(deserialize_with = "name_or_file")]
-    pub muscle: Option<TextFile>,
-    /// A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at
-    /// 100 % such as `s100:0.6MPa`.
-    pub rubber: Option<String>,
-    /// A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
-    pub rubber_file: Option<TextFile>,
-    /// A sleeve of the library: its angle on this diameter, its strands.
+    #[arg(value_name = "MUSCLE.toml", value_parser = flags::muscle_file)]
+    pub file: Option<TextFile>,
+    /// Muscle file, same as [MUSCLE.toml]
+    #[serde(skip)]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "file", hide_short_help = true)]
+    pub also_file: Option<TextFile>,
+    /// Measures in place of what the file says.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub measures: Measures,
+    /// Tube as it is sold, such as 8x12mm: bore and outer diameter
+    #[arg(long, value_name = "BORExOUTER", conflicts_with_all = ["outer_diameter_mm", "wall_mm"], hide_short_help = true)]
+    pub tube: Option<TubeSize>,
+    /// Rubber (`mckibben parts list rubbers`) [paper]
+    ///
+    /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 %
+    /// (s100:0.6MPa), or the rubber of a muscle file.
+    #[arg(long, value_name = "NAME", value_parser = flags::rubber(), hide_possible_values = true)]
+    pub rubber: Option<NameOrFile>,
+    /// Sleeve (`mckibben parts list sleeves`) [none]
+    ///
+    /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
+    /// and largest diameter.
+    #[arg(long, value_name = "NAME", value_parser = flags::sleeves(), hide_possible_values = true)]
     pub braid: Option<String>,
-    /// Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source
-    /// does not state it.
-    pub strand_diameter_mm: Option<f64>,
-    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    /// Diameter of one strand of a named sleeve, if its source does not state it
+    #[arg(long, value_name = "DIAMETER", hide_short_help = true)]
+    pub strand_diameter_mm: Option<Length>,
+    /// Stiffness of one strand family, in N/mm [paper]
+    ///
+    /// Or `inextensible`, or `paper`.
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness)]
     pub stiffness: Option<Stiffness>,
-}
-
-impl From<NamedFields> for MuscleFields {
-    fn from(named: NamedFields) -> Self {
-        Self {
-            named,
-            measures: MeasureValues::default(),
-        }
-    }
+    /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
+    ///
+    /// `mckibben schema --file muscle` has all keys.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub with: Vec<String>,
 }
 
 impl<const N: usize> From<[(&'static Measure, f64); N]> for MuscleFields {
     fn from(values: [(&'static Measure, f64); N]) -> Self {
         Self {
-            named: NamedFields::default(),
-            measures: values.into(),
+            measures: Measures(values.into()),
+            ..Self::default()
         }
     }
 }
 
 impl MuscleFields {
+    /// The muscle file.
+    pub fn file(&self) -> Option<&TextFile> {
+        self.file.as_ref().or(self.also_file.as_ref())
+    }
+
     /// A muscle file alone.
     pub fn from_file(file: TextFile) -> Self {
-        NamedFields {
-            muscle: Some(file),
-            ..NamedFields::default()
+        Self {
+            file: Some(file),
+            ..Self::default()
         }
-        .into()
+    }
+
+    /// An object of fields, or a name alone: `lib:dmsp-20-300`.
+    pub(crate) fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        object_or(from, |name| {
+            Self::from_file(TextFile {
+                name,
+                text: String::new(),
+            })
+        })
+    }
+}
+
+/// A tube as it is sold: `8x12mm`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "String", into = "String")]
+#[schemars(with = "String")]
+pub struct TubeSize {
+    /// Bore in mm.
+    pub inner_mm: f64,
+    /// Outer diameter in mm.
+    pub outer_mm: f64,
+}
+
+impl FromStr for TubeSize {
+    type Err = Problem;
+
+    fn from_str(text: &str) -> Result<Self, Problem> {
+        let wrong = || {
+            let message = format!(
+                "\"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm"
+            );
+            let hint = "or give `outer_diameter_mm` and `wall_mm`";
+            Problem::new(ProblemKind::Quantity, message, hint)
+        };
+        let (inner, outer) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
+        let (inner, outer) = (inner.trim(), outer.trim());
+        let unit_at = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit()).len();
+        // A unit behind both holds for both.
+        let inner = match unit_at(inner) == inner.len() {
+            true => format!("{inner}{}", &outer[unit_at(outer)..]),
+            false => inner.to_owned(),
+        };
+        let length = |text: &str| {
+            let read = text.parse::<Length>();
+            read.map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
+        };
+        let (Length(inner_mm), Length(outer_mm)) = (length(&inner)?, length(outer)?);
+        if 0.0 < inner_mm && inner_mm < outer_mm {
+            Ok(Self { inner_mm, outer_mm })
+        } else {
+            Err(wrong())
+        }
+    }
+}
+
+impl TryFrom<String> for TubeSize {
+    type Error = Problem;
+
+    fn try_from(text: String) -> Result<Self, Problem> {
+        text.parse()
+    }
+}
+
+impl From<TubeSize> for String {
+    fn from(tube: TubeSize) -> Self {
+        format!("{}x{}mm", tube.inner_mm, tube.outer_mm)
+    }
+}
+
+/// Values of measures: fields of a request, and the flags of the most usual ones.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Measures(pub MeasureValues);
+
+impl Deref for Measures {
+    type Target = MeasureValues;
+
+    fn deref(&self) -> &MeasureValues {
+        &self.0
+    }
+}
+
+impl DerefMut for Measures {
+    fn deref_mut(&mut self) -> &mut MeasureValues {
+        &mut self.0
+    }
+}
+
+impl JsonSchema for Measures {
+    fn schema_name() -> Cow<'static, str> {
+        "Measures".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let measures =
+            fields().map(|(field, measure)| (field.to_owned(), measure.request_schema()));
+        json_schema!({ "type": "object", "properties": measures.collect::<Map<_, _>>() })
     }
 }
 

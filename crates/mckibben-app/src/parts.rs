@@ -1,6 +1,7 @@
 //! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can
 //! buy or cast, measured muscles, force models.
 
+use crate::flags::{self, Args};
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
     RubberDetails, RubberSummary, TextFile, library_details, library_muscles, rubber_details,
@@ -33,12 +34,15 @@ pub enum PartKind {
 }
 
 /// Everything with a name.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct PartsListRequest {
-    /// Only one kind.
+    /// Only one kind
+    #[arg(value_parser = flags::word::<PartKind>())]
     pub kind: Option<PartKind>,
-    /// Tubes and sleeves of your own (TOML, as the catalogues), in place of the catalogues'.
+    /// Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`
+    #[arg(long, value_name = "FILE.toml", value_parser = flags::file)]
     pub parts: Option<TextFile>,
 }
 
@@ -58,10 +62,12 @@ pub struct PartsListAnswer {
 }
 
 /// What has a name.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct PartShowRequest {
-    /// Its name.
+    /// Name; of a rubber also NAME:LAW
+    #[arg(value_parser = flags::parts(), hide_possible_values = true)]
     pub name: String,
 }
 
@@ -99,7 +105,7 @@ pub struct ModelDetails {
 
 /// A model; `None` where there is none of that name.
 pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
-    let Ok(model) = Model::named(name, &[], &Default::default()) else {
+    let Ok(model) = Model::named(name, &Default::default()) else {
         return Ok(None);
     };
     let entry = Model::all()

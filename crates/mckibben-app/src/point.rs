@@ -1,12 +1,17 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
+mod page;
+
+use crate::Contraction;
+use crate::flags::Args;
 use crate::{
     AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
-    PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords, burst_of,
-    check_both, check_branch, load::loaded, put_first, said_of,
+    PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords,
+    burst_of, check_both, check_branch, load::loaded, put_first, said_of,
 };
 use mckibben::answer::{Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::units::typed::{Force, Pressure};
 use mckibben::{
     analysis::Burst, analysis::Evaluation, analysis::source_of, muscle::Direction, muscle::Muscle,
     uncertainty::basis_of, units::NamedUnit,
@@ -15,51 +20,67 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// F(P, ε): the pull at a pressure and contraction.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ForceRequest {
+    /// Gauge pressure
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
+    /// Contraction ratio ΔL/L0 [0]
+    #[arg(short = 'e', long)]
+    pub contraction: Option<Contraction>,
+    /// Both branches of the friction hysteresis
+    #[arg(long)]
+    pub both: bool,
     /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
+    #[command(flatten)]
     pub question: QuestionFields,
-    /// Gauge pressure P in MPa.
-    pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; default 0.
-    pub contraction: Option<f64>,
-    /// Add both branches of the friction hysteresis to the answer.
-    pub both: bool,
 }
 
 /// P(F, ε): the pressure that gives a pull at a contraction.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct PressureRequest {
+    /// Pull
+    #[arg(short = 'F', long)]
+    pub force_n: Option<Force>,
+    /// Contraction ratio ΔL/L0 [0]
+    #[arg(short = 'e', long)]
+    pub contraction: Option<Contraction>,
+    /// Both branches of the friction hysteresis
+    #[arg(long)]
+    pub both: bool,
     /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]
+    #[command(flatten)]
     pub question: QuestionFields,
-    /// Pull F in N.
-    pub force_n: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; default 0.
-    pub contraction: Option<f64>,
-    /// Add both branches of the friction hysteresis to the answer.
-    pub both: bool,
 }
 
 /// ε(F, P): the contraction at which a pressure gives a pull.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ContractionRequest {
-    /// The muscle, the model, and how it is evaluated.
-    #[serde(flatten)]
-    pub question: QuestionFields,
-    /// Pull F in N; default 0.
-    pub force_n: Option<f64>,
+    /// Gauge pressure
+    #[arg(short, long)]
+    pub pressure_mpa: Option<Pressure>,
+    /// Pull [0]
+    #[arg(short = 'F', long)]
+    pub force_n: Option<Force>,
     /// A load in place of the pull: the contraction at which muscle and load are in balance.
     #[serde(flatten)]
+    #[command(flatten)]
     pub load: LoadFields,
-    /// Gauge pressure P in MPa.
-    pub pressure_mpa: Option<f64>,
-    /// Add both branches of the friction hysteresis to the answer.
+    /// Both branches of the friction hysteresis
+    #[arg(long)]
     pub both: bool,
+    /// The muscle, the model, and how it is evaluated.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub question: QuestionFields,
 }
 
 /// One point: its values, the muscle and the model.
@@ -77,6 +98,9 @@ pub struct PointAnswer {
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]
     pub background: Background,
+    /// What was sought: the ± belongs to it.
+    #[serde(skip)]
+    pub sought: PointQuantity,
 }
 
 /// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
@@ -110,8 +134,8 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
         request.pressure_mpa,
         "a pressure, such as 0.2 MPa",
     )?;
-    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| {
+    let contraction = question.ratio(&request.contraction)?;
+    answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
     })
 }
@@ -121,8 +145,8 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
-    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    answered(question, request.both, |model| {
+    let contraction = question.ratio(&request.contraction)?;
+    answered(question, PointQuantity::Pressure, request.both, |model| {
         Ok(model.pressure(force_n, contraction)?)
     })
 }
@@ -135,10 +159,11 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
         request.pressure_mpa,
         "a pressure, such as 0.2 MPa",
     )?;
-    let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
+    let force_n = finite("force_n", request.force_n.unwrap_or_default())?;
     pull(force_n, question.options)?;
+    let sought = PointQuantity::Contraction;
     if request.load.load.is_none() {
-        return answered(question, request.both, |model| {
+        return answered(question, sought, request.both, |model| {
             Ok(model.contraction(force_n, pressure_mpa)?)
         });
     }
@@ -151,7 +176,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
         ));
     }
     let mut said: Option<LoadAnswer> = None;
-    let mut answer = answered(question, request.both, |model| {
+    let mut answer = answered(question, sought, request.both, |model| {
         let answer = loaded(&request.load, model, &[pressure_mpa])?;
         if let Some(error) = answer
             .iter()
@@ -186,6 +211,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
 /// requested.
 fn answered(
     mut question: Question,
+    sought: PointQuantity,
     both: bool,
     mut ask: impl FnMut(&mut Evaluation<'_>) -> Result<Answer>,
 ) -> Result<PointAnswer> {
@@ -212,18 +238,20 @@ fn answered(
         branches,
         loaded: None,
         background,
+        sought,
     })
 }
 
 /// A number that must be there.
-pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f64> {
+pub(crate) fn given(field: &str, value: Option<impl Into<f64>>, expected: &str) -> Result<f64> {
     finite(
         field,
         value.ok_or_else(|| Problem::missing(field, expected))?,
     )
 }
 
-pub(crate) fn finite(field: &str, value: f64) -> Result<f64> {
+pub(crate) fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
+    let value = value.into();
     if value.is_finite() {
         return Ok(value);
     }
@@ -236,40 +264,13 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64> {
 }
 
 /// A number above zero.
-pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: f64) -> Result<f64> {
+pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Result<f64> {
+    let value = value.into();
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
     let unit = NamedUnit::of_field(field).map_or("", |of| of.unit);
     Err(Problem::new(kind, format!("{value} {unit}; it must be above zero"), "").in_field(field))
-}
-
-/// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
-pub(crate) fn ratio(contraction: f64) -> Result<f64> {
-    let e = finite("contraction", contraction)?;
-    if is_ratio(e) {
-        Ok(e)
-    } else {
-        Err(no_ratio("contraction", e))
-    }
-}
-
-/// Whether a number may be a contraction ratio: muscles that extend may become more than twice as
-/// long.
-pub(crate) fn is_ratio(e: f64) -> bool {
-    const LONGEST: f64 = -1.5;
-    e > LONGEST && e < 1.0
-}
-
-/// A number that is no contraction ratio.
-pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
-    let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
-    let hint = if e > 1.0 && e < 100.0 {
-        format!("for {e} % write {}", e / 100.0)
-    } else {
-        "for 15 % write 0.15".to_owned()
-    };
-    Problem::new(ProblemKind::Quantity, message, hint).in_field(field)
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.
@@ -283,17 +284,20 @@ pub(crate) fn pull(force_n: f64, options: Options) -> Result<()> {
 }
 
 /// A muscle, a model, and how it is evaluated.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct QuestionFields {
     /// The muscle.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
     pub muscle: MuscleFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
     /// How it is evaluated.
     #[serde(flatten)]
+    #[command(flatten)]
     pub asking: AskFields,
 }
 
@@ -314,6 +318,15 @@ pub(crate) struct Question {
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) workspace: Workspace,
     pub(crate) options: Options,
+}
+
+impl Question {
+    /// A contraction ratio of its muscle; 0 where none is given.
+    fn ratio(&self, contraction: &Option<Contraction>) -> Result<f64> {
+        let length_mm = self.muscle.length_mm();
+        let ratio = contraction.as_ref().map(|e| e.of_length(length_mm));
+        ratio.unwrap_or(Ok(0.0))
+    }
 }
 
 impl QuestionFields {

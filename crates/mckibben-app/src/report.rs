@@ -1,10 +1,11 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
+use crate::NameOrFile;
+use crate::flags::Args;
 use crate::{
-    AskFields, BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, PointQuantity, Result, ShapeRequest, Units, check, compare, curve, force, number,
-    percent, ratio, rows::Row, rows::characteristic_rows, rows::muscle_sheets, rows::point_rows,
-    shape, words::fixed,
+    BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
+    PointAnswer, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
+    print::Rows, ratio, shape, words::fixed,
 };
 use mckibben::analysis::{Burst, FailurePressure, SAFETY};
 use mckibben::muscle::Direction;
@@ -15,37 +16,44 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a report states of itself; what is empty is a field to fill in by hand.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Title block of the report")]
 pub struct TitleBlock {
-    /// Name of the muscle.
-    pub name: String,
-    /// Project.
-    pub project: String,
-    /// Number of the document.
-    pub number: String,
-    /// Revision of the document.
-    pub revision: String,
-    /// Date of the document.
-    pub date: String,
+    /// Name of the muscle
+    #[arg(long, value_name = "TEXT")]
+    pub name: Option<String>,
+    /// Project
+    #[arg(long, value_name = "TEXT")]
+    pub project: Option<String>,
+    /// Number of the document
+    #[arg(long, value_name = "TEXT")]
+    pub number: Option<String>,
+    /// Revision of the document
+    #[arg(long, value_name = "TEXT")]
+    pub revision: Option<String>,
+    /// Date of the document
+    #[arg(long, value_name = "TEXT")]
+    pub date: Option<String>,
 }
 
 impl TitleBlock {
     /// Its fields, with those that are signed by hand.
     fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
-        let fields: [(&str, &str); 7] = [
-            ("muscle", &self.name),
-            ("project", &self.project),
-            ("document no.", &self.number),
-            ("revision", &self.revision),
-            ("date", &self.date),
-            ("computed by", version),
-            ("checked", ""),
+        let fields = [
+            ("muscle", self.name.as_deref()),
+            ("project", self.project.as_deref()),
+            ("document no.", self.number.as_deref()),
+            ("revision", self.revision.as_deref()),
+            ("date", self.date.as_deref()),
+            ("computed by", Some(version)),
+            ("checked", None),
         ];
-        fields
-            .map(|(name, value)| (name.to_owned(), value.to_owned()))
-            .to_vec()
+        let field = |(name, value): (&str, Option<&str>)| {
+            (name.to_owned(), value.unwrap_or_default().to_owned())
+        };
+        fields.map(field).to_vec()
     }
 }
 
@@ -65,18 +73,21 @@ pub(crate) fn report(
     let pressure_mpa = plan.operating.pressure_mpa;
     let wanted = CheckRequest {
         question: request.muscle.clone().into(),
-        pressure_mpa: Some(pressure_mpa),
+        pressure_mpa: Some(pressure_mpa.into()),
         ..CheckRequest::default()
     };
     let shown = check(&wanted)?;
     step(1)?;
     // To a whole percent: a state that one can set.
     let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
-    let contraction = ratio(request.contraction.unwrap_or(usual))?;
+    let contraction = match &request.contraction {
+        Some(contraction) => contraction.of_length(plan.muscle.length_mm())?,
+        None => ratio(usual)?,
+    };
     let point = force(&ForceRequest {
         question: request.muscle.clone().into(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(contraction),
+        pressure_mpa: Some(pressure_mpa.into()),
+        contraction: Some(contraction.into()),
         ..ForceRequest::default()
     })?;
     step(2)?;
@@ -90,8 +101,8 @@ pub(crate) fn report(
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(contraction),
+        pressure_mpa: Some(pressure_mpa.into()),
+        contraction: Some(contraction.into()),
         ..ShapeRequest::default()
     };
     parts.push(body_part(&deformed)?);
@@ -106,7 +117,7 @@ pub(crate) fn report(
     }
     step(4)?;
     parts.extend(models(request, pressure_mpa, progress)?);
-    for (heading, rows) in muscle_sheets(&shown, units) {
+    for (heading, rows) in shown.sheets(units) {
         parts.extend([Part::Heading(heading.into()), table(rows)]);
     }
     parts.extend(limits(&shown, &point));
@@ -134,7 +145,7 @@ pub(crate) fn report(
     })
 }
 
-fn table(rows: Vec<Row>) -> Part {
+fn table(rows: Rows) -> Part {
     grid(
         &[],
         rows.into_iter()
@@ -152,20 +163,13 @@ fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
 
 /// The state and what the muscle can do at this pressure, in numbers.
 fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
-    let mut rows = point_rows(point, PointQuantity::Force, u);
     // The title and the lead say these.
-    rows.retain(|(name, _)| {
-        !["muscle", "model", "pressure", "contraction", "shortening"].contains(&&**name)
-    });
-    for row in shown
-        .characteristics
-        .iter()
-        .flat_map(|c| characteristic_rows(c, u))
-    {
-        if rows.iter().all(|(name, _)| *name != row.0) {
-            rows.push(row);
-        }
-    }
+    let said = ["muscle", "model", "pressure", "contraction", "shortening"];
+    let rows = point.rows(u).only(|label| !said.contains(&label));
+    let more = shown.characteristics.as_ref().map(|c| c.rows(u));
+    let more = more.unwrap_or_default();
+    let more = more.only(|label| rows.iter().all(|(name, _)| name != label));
+    let rows = rows.and(more);
     vec![Part::Heading("Performance".into()), table(rows)]
 }
 
@@ -203,7 +207,7 @@ fn curves(
     let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
-        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 })),
+        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 }).into()),
         figure: Some(request.units.clone()),
         ..CurveRequest::default()
     };
@@ -213,13 +217,10 @@ fn curves(
 /// What other models say.
 fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
     let wanted = CompareRequest {
-        models: MODELS.map(str::to_owned).to_vec(),
+        models: MODELS.map(NameOrFile::from).to_vec(),
         muscle: request.muscle.clone(),
-        pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa]),
-        asking: AskFields {
-            extrapolate: true,
-            ..AskFields::default()
-        },
+        pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa].into()),
+        extrapolate: true,
         figure: Some(request.units.clone()),
         ..CompareRequest::default()
     };

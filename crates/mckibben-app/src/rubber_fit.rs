@@ -1,10 +1,13 @@
 //! `rubber`: laws from tension tests.
 
+use crate::flags::{self, Args};
 use crate::{
     Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
     muscle_of, readable,
 };
 use mckibben::muscle::{Muscle, Rubber};
+#[cfg(feature = "clap")]
+use mckibben::units::typed::Ratio;
 use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
 use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
@@ -19,43 +22,61 @@ use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::Path};
 
 /// Tension tests, and the laws to fit.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct RubberFitRequest {
     /// The tests: one table or several, each with its mode and dimensions in `set`, where its
     /// columns do not state them.
     #[serde(flatten)]
+    #[command(flatten)]
     pub tables: DataFields,
-    /// Laws by name, or `all`; all that the points determine if none is named.
+    /// Laws by name, or `all` [all that the points determine]
+    #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = flags::laws())]
     pub laws: Vec<String>,
-    /// Terms of `ogden`; default 1, 2 and 3.
-    pub terms: Option<usize>,
-    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each
-    /// law there.
-    pub fit_modes: Vec<Mode>,
-    /// Leave out points beyond this stretch.
+    /// Leave out points beyond this stretch (3) or strain (200%)
+    #[arg(long = "up-to", value_name = "STRETCH", value_parser = flags::stretch)]
     pub up_to_stretch: Option<f64>,
-    /// Minimise relative differences: small stretches count as much as large ones.
-    pub relative: bool,
-    /// Give every mode the same weight, whatever its number of points.
-    pub balance: bool,
-    /// Weights of the modes.
-    pub weights: BTreeMap<Mode, f64>,
-    /// Fit only laws that stay stable in a muscle.
-    pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law must be stable; default 3.
-    pub hoop_stretch: Option<f64>,
-    /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one
-    /// specimen, uniaxial, from rest on. Of the one law of `laws`, else of the recommended one.
+    /// Branches of a Prony series that is fitted as well, from a column of times
+    ///
+    /// One specimen, uniaxial, from rest on. Of the one law of `laws`, else of the recommended one.
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 8>)]
     pub relaxation: Option<usize>,
-    /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with
-    /// the first loading. Of the same law.
+    /// Fit softening by Ogden and Roxburgh as well, from a column of times that begins with the
+    /// first loading
+    #[arg(long)]
     pub softening: bool,
-    /// Name of the rubber in the muscle file; default that of the first table.
-    pub name: Option<String>,
-    /// Muscle that receives the rubber; default: the prototype.
+    /// Muscle that receives the rubber [the prototype]
+    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
+    /// Name of the rubber in the muscle file [that of the first table]
+    #[arg(long, help_heading = "Muscle")]
+    pub name: Option<String>,
+    /// Terms of `ogden` [1, 2 and 3]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 3>, help_heading = "Advanced")]
+    pub terms: Option<usize>,
+    /// Modes to fit [all]
+    ///
+    /// The others are held out, and the answer gives the errors of each law there.
+    #[arg(long = "fit-mode", value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<Mode>(), help_heading = "Advanced")]
+    pub fit_modes: Vec<Mode>,
+    /// Minimise relative differences: small stretches count as much as large ones
+    #[arg(long, help_heading = "Advanced")]
+    pub relative: bool,
+    /// Give every mode the same weight, whatever its number of points
+    #[arg(long, help_heading = "Advanced")]
+    pub balance: bool,
+    /// Weights of the modes: uniaxial=1,equibiaxial=2
+    #[arg(long, value_name = "LIST", value_parser = weights, default_value = "", hide_default_value = true, help_heading = "Advanced")]
+    pub weights: BTreeMap<Mode, f64>,
+    /// Fit only laws that stay stable in a muscle
+    #[arg(long, help_heading = "Advanced")]
+    pub stable: bool,
+    /// Hoop stretch of the muscle up to which a law must be stable [3]
+    #[arg(long, value_name = "STRETCH", help_heading = "Advanced")]
+    pub hoop_stretch: Option<f64>,
     /// Add a figure to the answer.
+    #[arg(skip)]
     pub figure: bool,
 }
 
@@ -327,4 +348,29 @@ impl RubberFitRequest {
         }
         Ok(forms)
     }
+}
+
+/// Weights of the modes: `uniaxial=1,equibiaxial=2`.
+#[cfg(feature = "clap")]
+fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
+    let mut out = BTreeMap::new();
+    for entry in text.split(',').filter(|entry| !entry.trim().is_empty()) {
+        let bad = |why: &str| {
+            let short: String = entry.trim().chars().take(60).collect();
+            let message = format!("\"{short}\" {why}");
+            Problem::new(
+                ProblemKind::Usage,
+                message,
+                "write uniaxial=1,equibiaxial=2",
+            )
+        };
+        let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
+        let mode = mckibben_io::named(mode.trim()).ok_or_else(|| bad("names no mode"))?;
+        let weight = weight.parse::<Ratio>();
+        let weight = weight.map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
+        if out.insert(mode, weight.0).is_some() {
+            return Err(bad("is given twice"));
+        }
+    }
+    Ok(out)
 }

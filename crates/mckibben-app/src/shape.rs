@@ -6,6 +6,7 @@ use crate::{
     ratio,
 };
 use mckibben::answer::{Answer, Options};
+use mckibben::units::typed::{Force, Pressure, Ratio};
 use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle};
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
@@ -18,17 +19,17 @@ use std::collections::BTreeMap;
 #[serde(default)]
 pub struct ShapeRequest {
     /// The muscle.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "MuscleFields::or_name")]
     pub muscle: MuscleFields,
     /// The mesh.
     #[serde(flatten)]
     pub mesh: MeshFields,
-    /// Gauge pressure P in MPa.
-    pub pressure_mpa: Option<f64>,
+    /// Gauge pressure P.
+    pub pressure_mpa: Option<Pressure>,
     /// Contraction ratio ε = ΔL/L0; default 0.
-    pub contraction: Option<f64>,
-    /// Pull F in N in place of the contraction.
-    pub force_n: Option<f64>,
+    pub contraction: Option<Ratio>,
+    /// Pull F in place of the contraction.
+    pub force_n: Option<Force>,
 }
 
 /// The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
@@ -61,7 +62,7 @@ pub struct ShapeAnswer {
 
 pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let model = Model::named("fe", &[], &request.mesh)?;
+    let model = Model::named("fe", &request.mesh)?;
     model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
         return Err(Problem::new(
@@ -114,7 +115,7 @@ fn at(
             pull(force_n, evaluation.options)?;
             evaluation.contraction_or_stretch_at(force_n, pressure_mpa)?
         }
-        None => ratio(request.contraction.unwrap_or(0.0))?,
+        None => ratio(request.contraction.unwrap_or_default().0)?,
     };
     let mut point = evaluation.point(pressure_mpa, contraction)?;
     let mut shape_contraction = contraction;

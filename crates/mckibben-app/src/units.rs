@@ -18,13 +18,46 @@ const JOIN: char = '\u{a0}';
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
     /// The unit's name.
-    pub name: String,
+    pub name: Cow<'static, str>,
     /// By what a value inside is multiplied.
     factor: (f64, f64),
-    digits: usize,
+    pub(crate) digits: usize,
 }
 
+/// Numbers without a unit.
+pub const NUMBER: Scale = Scale::fixed("");
+/// Ratios, in per cent.
+pub const PERCENT: Scale = Scale::constant("%", 100.0);
+pub const DEGREES: Scale = Scale::fixed("°");
+pub const GRAMS: Scale = Scale::fixed("g");
+pub const JOULES: Scale = Scale::fixed("J");
+/// Moduli and stresses, which stay in MPa.
+pub const MEGAPASCALS: Scale = Scale::fixed("MPa");
+pub const NORMAL_LITRES: Scale = Scale::fixed("normal L");
+pub const NEWTON_METRES: Scale = Scale::fixed("N m");
+
 impl Scale {
+    /// A unit that is shown as it is inside.
+    pub const fn fixed(name: &'static str) -> Self {
+        Self::constant(name, 1.0)
+    }
+
+    const fn constant(name: &'static str, factor: f64) -> Self {
+        Self {
+            name: Cow::Borrowed(name),
+            factor: (factor, 1.0),
+            digits: 4,
+        }
+    }
+
+    /// The same with other digits.
+    pub fn digits(&self, digits: usize) -> Self {
+        Self {
+            digits,
+            ..self.clone()
+        }
+    }
+
     fn new(unit: Unit, digits: usize) -> Self {
         Self {
             name: unit.name.into(),
@@ -39,20 +72,11 @@ impl Scale {
         kind.unit(&self.name).unwrap_or(kind.unit_inside())
     }
 
-    /// Torques, which are in N m everywhere.
-    pub(crate) fn newton_metres() -> Self {
-        Self {
-            name: "N m".into(),
-            factor: (1.0, 1.0),
-            digits: 4,
-        }
-    }
-
     /// This for each of another.
     fn per(&self, other: &Self) -> Self {
         let (a, b) = (self.factor, other.factor);
         Self {
-            name: format!("{}/{}", self.name, other.name),
+            name: format!("{}/{}", self.name, other.name).into(),
             factor: (a.0 * b.1, a.1 * b.0),
             digits: 4,
         }
@@ -63,7 +87,16 @@ impl Scale {
     }
 
     pub fn show(&self, inside: f64) -> String {
-        format!("{} {}", self.bare(inside), self.name)
+        self.with_unit(self.bare(inside))
+    }
+
+    /// A text of a number with its unit.
+    pub(crate) fn with_unit(&self, number: String) -> String {
+        if self.name.is_empty() {
+            number
+        } else {
+            number + " " + &self.name
+        }
     }
 
     /// The same for a sentence.
@@ -75,16 +108,18 @@ impl Scale {
         self.to(inside, self.digits)
     }
 
+    /// A value in this unit; rounding errors about zero are zero.
+    pub(crate) fn rounded(&self, inside: f64) -> f64 {
+        if inside.abs() < NOTHING {
+            0.0
+        } else {
+            self.value(inside)
+        }
+    }
+
     /// `2.5`, to so many digits; rounding errors about zero are zero.
     pub fn to(&self, inside: f64, digits: usize) -> String {
-        number(
-            if inside.abs() < NOTHING {
-                0.0
-            } else {
-                self.value(inside)
-            },
-            digits,
-        )
+        number(self.rounded(inside), digits)
     }
 
     /// The ± of such a value.
@@ -153,6 +188,13 @@ impl Units {
 
     pub fn slope(&self) -> Scale {
         self.force.per(&self.pressure)
+    }
+
+    pub fn speed(&self) -> Scale {
+        Scale {
+            name: format!("{}/s", self.length.name).into(),
+            ..self.length.digits(4)
+        }
     }
 
     /// A quantity of a kind with its unit.
@@ -281,7 +323,7 @@ impl FromStr for Units {
 impl fmt::Display for Units {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&if self.named.is_empty() {
-            self.pressure.name.clone()
+            self.pressure.name.to_string()
         } else {
             self.named.join(",")
         })

@@ -1,5 +1,6 @@
 //! `validate`: verification against exact values, validation against measured muscles.
 
+use crate::flags::Args;
 use crate::{Model, Result};
 use mckibben::{joint, muscle::Muscle, progress::Progress, verification::VerificationRow};
 use mckibben_campaign::fit::held_out;
@@ -9,10 +10,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The cases.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct ValidateRequest {
-    /// The finest meshes as well; some seconds more.
+    /// Also compute the finest meshes (some seconds more)
+    #[arg(long)]
     pub all: bool,
 }
 

@@ -1,32 +1,46 @@
-//! The commands: their texts (`commands.txt`), and what runs them.
+//! The command line: its commands, and what every command takes.
 
 use crate::commands::{
     build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
     motion, parts, point, rubber, schema, serve, simulate, validate,
 };
-use crate::{Args, Format, Problem, spec::flags, spec::text_of};
-use clap::{ArgAction, ArgMatches, Command, CommandFactory, Parser};
-use serde_json::Value;
-
-const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle that you \
-    can build.
-
-Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm, \
-MPa, N, degrees, \
-or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.";
+use crate::{Format, Problem};
+use clap::{Arg, ArgAction, CommandFactory, Parser, Subcommand};
+use mckibben::units::NamedUnit;
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the \
     computation did not converge; 130 ended by a signal.";
 
-/// What every command takes.
+/// Design McKibben pneumatic muscles: from a specification to a muscle that you can build.
+///
+/// Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm,
+/// MPa, N, degrees, or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.
 #[derive(Debug, Parser)]
-#[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, disable_help_flag = true, max_term_width = 110, after_help = EXIT_CODES)]
+#[command(
+    name = "mckibben",
+    version,
+    disable_help_subcommand = true,
+    disable_help_flag = true,
+    max_term_width = 110,
+    after_help = EXIT_CODES
+)]
 pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
     /// Output format: text, json or csv [text]
     ///
     /// Text for reading: aligned, with units. For programs json, one object, or csv, one row per
     /// point; keys and columns carry their unit.
-    #[arg(long, value_enum, global = true, default_value_t = Format::Text, hide_default_value = true, hide_possible_values = true, display_order = 900, help_heading = "Output")]
+    #[arg(
+        long,
+        value_enum,
+        global = true,
+        default_value_t = Format::Text,
+        hide_default_value = true,
+        hide_possible_values = true,
+        display_order = 900,
+        help_heading = "Output"
+    )]
     pub format: Format,
     /// Overwrite existing files
     #[arg(
@@ -38,130 +52,169 @@ pub struct Cli {
     )]
     pub overwrite: bool,
     /// Help: -h in short, --help with all flags
-    #[arg(short, long, global = true, action = ArgAction::Help, display_order = 902, help_heading = "Output")]
+    #[arg(
+        short,
+        long,
+        global = true,
+        action = ArgAction::Help,
+        display_order = 902,
+        help_heading = "Output"
+    )]
     // clap answers it.
     #[allow(dead_code)]
     help: Option<bool>,
 }
 
-/// Runs a command; the exit code where it ends well.
-type Run = fn(&Args) -> Result<u8, Problem>;
-
 /// Every command, in the order of the help.
-const COMMANDS: [(&str, Run); 28] = [
-    ("design", design::run),
-    ("force", point::force),
-    ("pressure", point::pressure),
-    ("contraction", point::contraction),
-    ("fill", fill::run),
-    ("curve", curve::run),
-    ("joint", joint::run),
-    ("motion", motion::run),
-    ("simulate", simulate::run),
-    ("check", check::run),
-    ("build", build::run),
-    ("export", export::run),
-    ("campaign", campaign::run),
-    ("campaign show", campaign::show),
-    ("campaign merge", campaign::merge),
-    ("campaign status", campaign::status),
-    ("validate", validate::run),
-    ("compare", compare::run),
-    ("identify", identify::run),
-    ("fit", fit::run),
-    ("parts list", parts::list),
-    ("parts show", parts::show),
-    ("rubber", rubber::run),
-    ("serve", serve::run),
-    ("schema", schema::run),
-    ("help", help::run),
-    ("man", help::man),
-    ("completions", help::completions),
-];
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Find muscles that meet a specification, ranked (the main command)
+    Design(Box<design::Design>),
+    /// Pull at a pressure and contraction: F(P, ε)
+    Force(Box<point::Force>),
+    /// Pressure that gives a pull at a contraction: P(F, ε)
+    Pressure(Box<point::Pressure>),
+    /// Contraction at which a pressure gives a pull: ε(F, P)
+    Contraction(Box<point::Contraction>),
+    /// Pressure, stroke and energy of a muscle that a volume of liquid is pushed into
+    Fill(Box<fill::Fill>),
+    /// Family of curves: isometric, isotonic or isobaric
+    Curve(Box<curve::Curve>),
+    /// Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest
+    /// position, pressures
+    Joint(Box<joint::Joint>),
+    /// Motion over time of a muscle or a joint with valves
+    Motion(Box<motion::Motion>),
+    /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
+    Simulate(Box<simulate::Simulate>),
+    /// What is known of a muscle, whether it is plausible, what it bears, and what to measure first;
+    /// or a formula's file
+    Check(Box<check::Check>),
+    /// Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
+    Build(Box<build::Build>),
+    /// The muscle, or a joint, for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
+    Export(Box<export::Export>),
+    /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
+    Campaign(Box<campaign::Campaign>),
+    /// Verification against exact values and validation against measured muscles
+    Validate(Box<validate::Validate>),
+    /// Compare models with each other or with measured points: errors and figure
+    Compare(Box<compare::Compare>),
+    /// Constants of rubber, braid and friction from measured curves, with their uncertainty
+    Identify(Box<identify::Identify>),
+    /// Fit a formula to a table of finite-element points, with its errors and its range
+    Fit(Box<fit::Fit>),
+    /// Everything with a name: tubes, sleeves, rubbers, muscles, models
+    #[command(subcommand, arg_required_else_help = true)]
+    Parts(parts::Parts),
+    /// Rubber laws from tension tests: constants with their errors, range of stability
+    Rubber(Box<rubber::Rubber>),
+    /// Local web server: the workbench in a browser, and every command over HTTP
+    Serve(serve::Serve),
+    /// JSON Schema of requests, answers and files
+    Schema(schema::Schema),
+    /// Help of a command, as its flag --help prints it
+    Help(help::Help),
+    /// Manual pages for `man`
+    Man(help::ManPages),
+    /// Shell completions, written to standard output
+    Completions(help::Completions),
+}
 
-/// Commands that only hold others.
-const GROUPS: [(&str, &str); 1] = [(
-    "parts",
-    "Everything with a name: tubes, sleeves, rubbers, muscles, models",
-)];
+impl Command {
+    /// Runs it; the exit code where it ends well.
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        match self {
+            Self::Design(command) => command.run(format),
+            Self::Force(command) => command.run(format),
+            Self::Pressure(command) => command.run(format),
+            Self::Contraction(command) => command.run(format),
+            Self::Fill(command) => command.run(format),
+            Self::Curve(command) => command.run(format),
+            Self::Joint(command) => command.run(format),
+            Self::Motion(command) => command.run(format),
+            Self::Simulate(command) => command.run(format),
+            Self::Check(command) => command.run(format),
+            Self::Build(command) => command.run(format),
+            Self::Export(command) => command.run(format),
+            Self::Campaign(command) => command.run(format),
+            Self::Validate(command) => command.run(format),
+            Self::Compare(command) => command.run(format),
+            Self::Identify(command) => command.run(format),
+            Self::Fit(command) => command.run(format),
+            Self::Parts(command) => command.run(format),
+            Self::Rubber(command) => command.run(format),
+            Self::Serve(command) => command.run(format),
+            Self::Schema(command) => command.run(),
+            Self::Help(command) => command.run(),
+            Self::Man(command) => command.run(),
+            Self::Completions(command) => command.run(),
+        }
+    }
+}
 
 /// The command line: `-h` shows the first example and where the other flags are, `--help` all.
-pub fn command() -> Command {
-    let mut root = Cli::command()
-        .subcommand_required(true)
-        .arg_required_else_help(true);
-    for (name, _) in COMMANDS {
-        let about = text_of(name)
-            .0
-            .strip_prefix(name)
-            .unwrap_or_default()
-            .trim_start_matches(": ");
-        let (group, last) = name.split_once(' ').unwrap_or(("", name));
-        let one = Command::new(last)
-            .about(about)
-            .after_help(name)
-            .defer(with_flags);
-        root = match GROUPS
-            .iter()
-            .find(|g| g.0 == group && root.find_subcommand(group).is_none())
-        {
-            Some((group, about)) => {
-                let holds = Command::new(*group).about(*about).subcommand_required(true);
-                root.subcommand(holds.arg_required_else_help(true).subcommand(one))
-            }
-            None if group.is_empty() => root.subcommand(one),
-            None => root.mut_subcommand(group, |holds| holds.subcommand(one)),
-        };
-    }
-    root
+pub fn command() -> clap::Command {
+    let root = Cli::command().arg_required_else_help(true);
+    with_short_help("mckibben", root)
 }
 
-/// The schema of a command's request.
-fn request(name: &str) -> Value {
-    let command = mckibben_app::find(&name.replace(' ', "-"));
-    command.map_or(Value::Null, |command| command.schema()["request"].take())
-}
-
-/// Adds the flags and examples of a command, whose name is in the place of its examples.
-fn with_flags(command: Command) -> Command {
-    let name = command
-        .get_after_help()
-        .map(ToString::to_string)
-        .unwrap_or_default();
-    let text = text_of(&name).1;
-    let all = text.find("\nExample").map_or("", |at| &text[at + 1..]);
-    let args: Vec<clap::Arg> = flags(text, &request(&name))
-        .iter()
-        .map(|flag| flag.arg())
-        .collect();
-    let hides = args.iter().any(clap::Arg::is_hide_short_help_set);
-    let short = if hides {
-        format!(
-            "{}\n\nAll flags, with details: mckibben {name} --help",
-            first_example(all)
-        )
+/// A quantity's flag is its field without the unit, and of a list in the singular: `pressures_mpa` is
+/// `--pressure`. What is advanced is in the long help alone.
+fn with_usual_name(arg: Arg) -> Arg {
+    let is_advanced = arg.get_help_heading() == Some("Advanced") && arg.get_id() != "model";
+    let arg = if is_advanced {
+        arg.hide_short_help(true)
     } else {
-        all.to_owned()
+        arg
     };
-    let command = command.args(args).after_help(short).after_long_help(all);
-    // What every command takes comes last, with its heading.
-    let every = ["format", "overwrite", "help"]
-        .into_iter()
-        .filter(|id| has(&command, id))
-        .collect::<Vec<_>>();
-    let command = every
-        .into_iter()
-        .fold(command, |command, id| command.mut_arg(id, |arg| arg));
-    if command.has_subcommands() {
-        return command
-            .args_conflicts_with_subcommands(true)
-            .subcommand_negates_reqs(true);
+    let id = arg.get_id().to_string();
+    let of_field = arg.get_long() == Some(&*id.replace('_', "-"));
+    let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
+        return arg;
+    };
+    let end = dimension
+        .end_of_name()
+        .map_or(String::new(), |end| format!("_{end}"));
+    let name = id.strip_suffix(&end).unwrap_or(&id).replace('_', "-");
+    let one = name.strip_suffix('s').filter(|one| !one.ends_with('s'));
+    let arg = arg.allow_hyphen_values(true);
+    let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
+    let value = one.map_or_else(|| noun.to_uppercase(), |_| "RANGE".to_owned());
+    let is_usual = |names: &[clap::builder::Str]| names == [&*id.to_uppercase()];
+    let arg = match arg.get_value_names().is_some_and(is_usual) {
+        true => arg.value_name(value),
+        false => arg,
+    };
+    match of_field {
+        true => arg.long(one.unwrap_or(&name).to_owned()),
+        false => arg,
     }
-    command
 }
 
-fn has(command: &Command, id: &str) -> bool {
-    command.get_arguments().any(|arg| arg.get_id() == id)
+/// Gives the commands below one their names and their short help.
+fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
+    for name in names(&command) {
+        let path = format!("{path} {name}");
+        command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
+    }
+    command = command.mut_args(with_usual_name);
+    let Some(examples) = command.get_after_long_help().map(ToString::to_string) else {
+        return command;
+    };
+    let hides = command.get_arguments().any(Arg::is_hide_short_help_set);
+    command.after_help(match hides {
+        true => {
+            let first = first_example(&examples);
+            format!("{first}\n\nAll flags, with details: {path} --help")
+        }
+        false => examples,
+    })
+}
+
+fn names(command: &clap::Command) -> Vec<String> {
+    let names = command.get_subcommands().map(clap::Command::get_name);
+    names.map(str::to_owned).collect()
 }
 
 /// Examples up to the second one.
@@ -175,35 +228,15 @@ fn first_example(all: &str) -> String {
         seen += usize::from(starts(line));
         seen < 2
     });
-    lines
-        .collect::<Vec<_>>()
-        .join("\n")
-        .replacen("Examples:", "Example:", 1)
+    let first = lines.collect::<Vec<_>>().join("\n");
+    first.replacen("Examples:", "Example:", 1)
 }
 
-/// The command that was typed: its name, its flags, and what runs it.
-pub fn typed_command(matches: &ArgMatches, format: Format) -> Option<(String, Args, Run)> {
-    let (mut leaf, mut path) = (matches, vec![]);
-    while let Some((name, inner)) = leaf.subcommand() {
-        path.push(name);
-        leaf = inner;
+#[cfg(test)]
+mod tests {
+    /// What flags exclude and require exists, and no two have one name.
+    #[test]
+    fn flags_agree_with_each_other() {
+        super::command().debug_assert();
     }
-    let name = path.join(" ");
-    let (_, run) = COMMANDS.iter().find(|(known, _)| *known == name)?;
-    let request = request(&name);
-    let mut flags = flags(text_of(&name).1, &request);
-    let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
-    let name_of = |arg: String| Some(arg.strip_prefix("--")?.split('=').next()?.to_owned());
-    let typed: Vec<String> = args.filter_map(name_of).collect();
-    flags.iter_mut().for_each(|flag| flag.called(&typed));
-    Some((
-        name,
-        Args {
-            format,
-            flags,
-            matches: leaf.clone(),
-            request,
-        },
-        *run,
-    ))
 }

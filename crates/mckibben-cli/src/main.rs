@@ -1,16 +1,12 @@
 //! `mckibben`: design McKibben pneumatic muscles from the command line.
 //!
-//! `main` parses; the flags of a command (`spec`) become a request of the application layer
-//! (`args`), whose answer a command turns into text, JSON or CSV (`output`) and files (`plot`).
+//! clap reads the command line (`cli`) into a request of the application layer, whose answer a command
+//! turns into text, JSON or CSV (`output`) and files (`plot`).
 
-mod args;
 mod clean;
 mod cli;
 mod commands;
-mod files;
 mod format;
-mod gone;
-mod names;
 mod output;
 mod plot;
 mod problem;
@@ -18,24 +14,21 @@ mod progress;
 mod quantities;
 mod quotes;
 mod shown;
-mod spec;
+mod typed;
 
-use args::Args;
 use clap::FromArgMatches;
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{
-    Units, columns, half_width, number, pairs, percent, percents, place, table, understood,
-};
+use output::text::{Units, number, pairs, percent, place, table, understood};
+use output::{Output, print_text};
 use output::{
-    FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
+    burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
 };
-use problem::{NO_ANSWER, NOT_CONVERGED, bad_flag, exit_code, in_flags, unprinted};
+use plot::Plot;
+use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;
-use quantities::{quantity, values};
-use spec::Flag;
 use std::{borrow::Cow, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
@@ -43,65 +36,69 @@ fn main() -> ExitCode {
     let args: Vec<String> = std::env::args_os()
         .map(|arg| arg.to_string_lossy().into_owned())
         .collect();
-    if let Err(problem) = gone::check(&args).and_then(|()| quotes::check_quotes(&args)) {
-        return report(
-            problem,
-            if json_wanted() {
-                Format::Json
-            } else {
-                Format::Text
-            },
-        );
+    if let Err(problem) = quotes::check_quotes(&args) {
+        return report(problem, asked_format());
     }
     progress::no_signal_for_long_files();
-    let parsed = cli::command()
+    let root = cli::command();
+    let parsed = root
+        .clone()
         .try_get_matches()
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
-        Err(error) if error.use_stderr() && json_wanted() => {
-            return report(problem::unparsed(&error), Format::Json);
-        }
         Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            let text = error.render().to_string();
-            // Nothing better can be done if the terminal is gone.
-            let _ = match clean::lines(&text) {
-                Cow::Borrowed(_) => error.print(),
-                Cow::Owned(text) => std::io::stderr().write_all(text.as_bytes()),
-            };
-            return ExitCode::from(code);
+            typed::take(&root, None);
+            return unparsed(&error);
         }
     };
+    let format = cli.format;
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        let Some((name, args, run)) = cli::typed_command(&matches, cli.format) else {
-            return Ok(0);
-        };
-        shown::take(&args);
-        problem::take_flags(&args.flags);
+        typed::take(&root, Some(&matches));
+        shown::take();
         // A server ends by itself, when its requests have ended.
-        if name != "serve" {
+        if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();
         }
-        output::check_named(&args, &name, cli.overwrite)?;
-        run(&args)
+        let continues = matches!(cli.command, cli::Command::Campaign(_));
+        output::check_named(continues, cli.overwrite)?;
+        cli.command.run(format)
     });
     threads::shortage().into_iter().for_each(output::warn);
     match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
-        Err(problem) => report(problem, cli.format),
+        Err(problem) => report(problem, format),
     }
 }
 
-/// Whether `--format json` is on a command line that could not be parsed: the error is then JSON as
-/// well.
-fn json_wanted() -> bool {
+/// A command line that clap refuses: a problem where a value is wrong or JSON is asked for; else
+/// clap's own words.
+fn unparsed(error: &clap::Error) -> ExitCode {
+    let format = asked_format();
+    if let Some(problem) = problem::of_value(error).or_else(|| problem::of_gone_flag(error)) {
+        return report(problem, format);
+    }
+    if error.use_stderr() && format == Format::Json {
+        return report(problem::unparsed(error), format);
+    }
+    let text = error.render().to_string();
+    // Nothing better can be done if the terminal is gone.
+    let _ = match clean::lines(&text) {
+        Cow::Borrowed(_) => error.print(),
+        Cow::Owned(text) => std::io::stderr().write_all(text.as_bytes()),
+    };
+    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+}
+
+/// The format of a command line that could not be parsed.
+fn asked_format() -> Format {
     let args: Vec<_> = std::env::args_os().skip(1).collect();
-    args.iter().any(|a| a == "--format=json")
+    let json = args.iter().any(|a| a == "--format=json")
         || args
             .windows(2)
-            .any(|w| w[0] == "--format" && w[1] == "json")
+            .any(|w| w[0] == "--format" && w[1] == "json");
+    if json { Format::Json } else { Format::Text }
 }
 
 fn report(problem: Problem, format: Format) -> ExitCode {

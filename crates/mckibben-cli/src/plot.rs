@@ -1,42 +1,66 @@
 //! Figures into files.
 
+use crate::Problem;
 use crate::output::{ending, save as save_file};
-use crate::{Args, Problem, quantity};
-use mckibben::units::Dimension;
-use mckibben_app::ProblemKind;
+use mckibben::units::typed::Length;
+use mckibben_app::{ProblemKind, Units};
 use mckibben_report::{Figure, FigureError};
+use std::path::{Path, PathBuf};
+
+/// A figure of the answer.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Output")]
+pub struct Plot {
+    /// Write a figure: FILE.svg, .pdf, .png or .html
+    #[arg(long, value_name = "FILE", value_parser = figure_file)]
+    pub plot: Option<PathBuf>,
+    /// Width of the figure, such as 88mm for a column of a journal [160mm]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        value_parser = width,
+        requires = "plot",
+        hide_short_help = true
+    )]
+    pub plot_width: Option<Length>,
+}
 
 /// Refuses a figure that could not be written, before any work is done for it.
-pub fn check(args: &Args) -> Result<(), Problem> {
-    width_mm(args)?;
-    let Some(path) = args.path("plot") else {
-        return Ok(());
-    };
-    if ending(&path).is_some_and(|e| ["svg", "png", "pdf", "html", "htm"].contains(&e.as_str())) {
-        return Ok(());
+fn figure_file(path: &str) -> Result<PathBuf, Problem> {
+    let path = PathBuf::from(path);
+    let known = ["svg", "png", "pdf", "html", "htm"];
+    if ending(&path).is_some_and(|end| known.contains(&end.as_str())) {
+        return Ok(path);
     }
-    Err(FigureError::UnknownExtension(path).into())
+    let error: Problem = FigureError::UnknownExtension(path).into();
+    Err(error)
 }
 
-/// Writes a figure, where there is one and a file is named for it.
-pub fn save(figure: Option<Figure>, args: &Args) -> Result<(), Problem> {
-    let (Some(mut figure), Some(path)) = (figure, args.path("plot")) else {
-        return Ok(());
-    };
-    if let Some(width_mm) = width_mm(args)? {
-        figure = figure.width_mm(width_mm);
+fn width(text: &str) -> Result<Length, Problem> {
+    let wrong = |message: String| Problem::new(ProblemKind::Quantity, message, "");
+    let width: Length = text.parse().map_err(|e| wrong(format!("{e}")))?;
+    if (20.0..=2000.0).contains(&width.0) {
+        return Ok(width);
     }
-    save_file(Some(&path), &figure.bytes(&path)?)
+    let message = format!("{} mm; a figure is 20 to 2000 mm wide", width.0);
+    Err(wrong(message))
 }
 
-fn width_mm(args: &Args) -> Result<Option<f64>, Problem> {
-    let Some(text) = args.text("plot_width") else {
-        return Ok(None);
-    };
-    let width = quantity("--plot-width", &text, Dimension::Length)?;
-    if (20.0..=2000.0).contains(&width) {
-        return Ok(Some(width));
+impl Plot {
+    /// The units of the figure, where one is to be written.
+    pub fn wanted(&self) -> Option<Units> {
+        self.plot.as_ref().map(|_| crate::shown::units())
     }
-    let message = format!("--plot-width: {width} mm; a figure is 20 to 2000 mm wide");
-    Err(Problem::new(ProblemKind::Quantity, message, ""))
+
+    /// Writes the figure of an answer, where a file is named for it.
+    pub fn save(&self, figure: &mut Option<Figure>) -> Result<(), Problem> {
+        let (Some(mut figure), Some(path)) = (figure.take(), &self.plot) else {
+            return Ok(());
+        };
+        if let Some(width) = self.plot_width {
+            figure = figure.width_mm(width.0);
+        }
+        let path: &Path = path;
+        save_file(Some(path), &figure.bytes(path)?)
+    }
 }

@@ -1,26 +1,62 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words
 //! of the command line.
 
-use crate::{Flag, clean, output::plain, quantities::unit_hint, shown, spec};
+use crate::typed::{flag_of, in_flags};
+use crate::{clean, output::plain, quantities::unit_hint, shown};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use mckibben::muscle::measures::MEASURES;
+use mckibben::units::{QuantityError, RangeError};
 use mckibben_app::{Ending, Problem, ProblemKind};
-use std::{io::ErrorKind, sync::OnceLock};
+use std::error::Error;
+use std::io;
 
-/// The flags of the command that runs.
-static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
-
-/// Takes the flags of the command that runs, for its messages.
-pub fn take_flags(flags: &[Flag]) {
-    FLAGS.get_or_init(|| flags.to_vec());
+/// What a flag's value is refused for.
+pub fn of_value(error: &clap::Error) -> Option<Problem> {
+    let source = error.source()?;
+    let problem = if let Some(problem) = source.downcast_ref::<Problem>() {
+        problem.clone()
+    } else if let Some(error) = source.downcast_ref::<QuantityError>() {
+        Problem::new(ProblemKind::Quantity, error.to_string(), "")
+    } else {
+        let kind = match source.downcast_ref::<RangeError>()? {
+            RangeError::Quantity(_) => ProblemKind::Quantity,
+            RangeError::Form(_) => ProblemKind::Range,
+        };
+        Problem::new(kind, source.to_string(), "")
+    };
+    let flag = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(name)) => name.split(' ').next().unwrap_or_default(),
+        _ => "",
+    };
+    // A file is named in its message, and an argument has no name.
+    if problem.kind == ProblemKind::File || !flag.starts_with('-') {
+        return Some(problem);
+    }
+    let message = format!("{flag}: {}", problem.message);
+    Some(Problem { message, ..problem })
 }
 
-/// A sentence with flags in place of the fields that it names in backquotes.
-pub fn in_flags(sentence: &str) -> String {
-    spec::in_flags(sentence, FLAGS.get().map_or(&[], Vec::as_slice))
-}
-
-/// A flag's value that means nothing.
-pub fn bad_flag(flag: &str, kind: ProblemKind, error: impl std::fmt::Display) -> Problem {
-    Problem::new(kind, format!("{flag}: {error}"), "")
+/// A flag that a command does not have, and what to type in its place.
+pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
+    let Some(ContextValue::String(flag)) = error.get(ContextKind::InvalidArg) else {
+        return None;
+    };
+    if error.kind() != ErrorKind::UnknownArgument {
+        return None;
+    }
+    let is_force = std::env::args().nth(1).as_deref() == Some("force");
+    if is_force && ["-F", "--force"].contains(&&**flag) {
+        let message = "`mckibben force` gives the force at a pressure and a contraction";
+        let hint = "`mckibben pressure` and `mckibben contraction` take a force";
+        return Some(Problem::new(ProblemKind::Usage, message, hint));
+    }
+    let name = flag.strip_prefix("--")?;
+    let measure = MEASURES
+        .iter()
+        .find(|m| m.flag().as_deref() == Some(name))?;
+    let message = format!("there is no flag {flag}: it is a key of the muscle file");
+    let hint = format!("write --with {}=VALUE", measure.key);
+    Some(Problem::new(ProblemKind::Usage, message, hint))
 }
 
 /// A command line that clap refuses.
@@ -42,9 +78,9 @@ pub fn unparsed(error: &clap::Error) -> Problem {
 
 /// Standard output that cannot be written. Where only its reader went away (`| head`) there is
 /// nothing to say.
-pub fn unprinted(error: &std::io::Error) -> Problem {
+pub fn unprinted(error: &io::Error) -> Problem {
     let message = match error.kind() {
-        ErrorKind::BrokenPipe => String::new(),
+        io::ErrorKind::BrokenPipe => String::new(),
         _ => format!("cannot write to standard output: {error}"),
     };
     Problem::new(ProblemKind::Output, message, "")
@@ -58,11 +94,7 @@ pub fn in_words(mut problem: Problem) -> Problem {
     if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
         problem.message = in_flags(&problem.message);
     }
-    let flags = FLAGS.get().map_or(&[][..], Vec::as_slice);
-    let flag = problem
-        .field
-        .as_deref()
-        .and_then(|field| spec::flag_of(field, flags));
+    let flag = problem.field.as_deref().and_then(flag_of);
     if let Some(flag) = flag.filter(|flag| !problem.message.starts_with(flag)) {
         problem.message = format!("{flag}: {}", problem.message);
     }
@@ -115,27 +147,6 @@ pub const NOT_CONVERGED: u8 = Ending::NotConverged as u8;
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn fields_become_flags() {
-        let fields = serde_json::json!({ "pressures_mpa": {}, "two_sided": {} });
-        take_flags(&spec::flags(
-            "pressures_mpa=pressure two_sided",
-            &serde_json::json!({ "properties": fields }),
-        ));
-        let problem = Problem::new(
-            ProblemKind::Quantity,
-            "`strand_length_mm` and `turns`, not `paper`",
-            "`two_sided`",
-        );
-        let problem = in_words(problem.in_field("pressures_mpa"));
-        assert_eq!(
-            as_text(&problem),
-            "error: --pressure: --strand-length and --turns, not `paper`\n  hint: --two-sided"
-        );
-        assert_eq!(exit_code(Some(&problem)), 2);
-        assert!(as_json(&problem).contains("\"field\":\"pressures_mpa\""));
-    }
 
     #[test]
     fn a_panic_is_a_problem_with_its_exit_code() {

@@ -1,26 +1,7 @@
-//! From the texts of flags to numbers.
+//! A note on a pressure that was typed without its unit.
 
-use crate::{Problem, bad_flag};
-use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values, short_numbers};
-use mckibben_app::ProblemKind;
+use mckibben::units::{Dimension, short_numbers};
 use std::sync::OnceLock;
-
-pub fn quantity(flag: &str, text: &str, dimension: Dimension) -> Result<f64, Problem> {
-    let value =
-        parse_quantity(text, dimension).map_err(|e| bad_flag(flag, ProblemKind::Quantity, e))?;
-    let text = text.trim();
-    if dimension == Dimension::Volume && value != 0.0 && text.parse::<f64>().is_ok() {
-        // Volumes are read in mL, and the unit inside is a thousandth of it.
-        let message = format!("{flag}: \"{text}\" has no unit, and a bare number is mm³");
-        return Err(Problem::new(
-            ProblemKind::Quantity,
-            message,
-            format!("write {text}mL or {text}mm3"),
-        ));
-    }
-    check_unit(flag, text, dimension);
-    Ok(value)
-}
 
 /// The note on the unit of a pressure that was typed.
 static UNIT_NOTE: OnceLock<String> = OnceLock::new();
@@ -31,9 +12,9 @@ pub fn unit_hint() -> Option<&'static str> {
 }
 
 /// A bare number is a pressure in MPa; where that is high, bar was probably meant.
-fn check_unit(flag: &str, text: &str, dimension: Dimension) {
+pub fn check_unit(flag: &str, text: &str) {
     const HIGH_MPA: f64 = 1.0;
-    if dimension != Dimension::Pressure || !(flag.ends_with("pressure") || flag == "--supply") {
+    if !(flag.ends_with("pressure") || flag == "--supply") {
         return;
     }
     let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
@@ -44,42 +25,6 @@ fn check_unit(flag: &str, text: &str, dimension: Dimension) {
     {
         UNIT_NOTE.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
     }
-}
-
-/// Refuses what is no contraction ratio. No muscle shortens by its whole length, so that `15` was
-/// meant as 15 %.
-pub fn check_contractions(flag: &str, text: &str, list: &[f64]) -> Result<(), Problem> {
-    let Some(&e) = list.iter().find(|e| e.abs() >= 1.0) else {
-        return Ok(());
-    };
-    let text = text.trim();
-    let message =
-        format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
-    let hint = if list.len() == 1 && e > 1.0 && e < 100.0 && !text.contains('%') {
-        format!("write {e}% or {}", e / 100.0)
-    } else {
-        "write 15% or 0.15".to_owned()
-    };
-    Err(Problem::new(ProblemKind::Quantity, message, hint))
-}
-
-/// A list or range from a flag.
-pub fn values(flag: &str, text: &str, dimension: Dimension) -> Result<Values, Problem> {
-    let wrong = |e: RangeError| {
-        let quantity = matches!(e, RangeError::Quantity(_));
-        bad_flag(
-            flag,
-            if quantity {
-                ProblemKind::Quantity
-            } else {
-                ProblemKind::Range
-            },
-            e,
-        )
-    };
-    let values = parse_values(text, dimension).map_err(wrong)?;
-    check_unit(flag, text, dimension);
-    Ok(values)
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.

@@ -2,24 +2,25 @@
 //! first pressure, force and length on the command line; else those of the drive file; else MPa, N
 //! and mm. JSON and CSV have fixed units.
 
-use crate::{Args, Flag};
+use crate::quantities::check_unit;
+use crate::typed::flags;
 use mckibben_app::units::Units;
 use std::sync::OnceLock;
 
 /// Flags whose unit a user wants to read, too. A modulus is not among them: pressures are not read
 /// in GPa.
 const FLAGS: [&str; 11] = [
-    "pressure",
-    "max-pressure",
-    "supply",
-    "force",
-    "at",
-    "stroke",
-    "outer-diameter",
-    "wall",
-    "length",
-    "max-bulged-diameter",
-    "radius",
+    "--pressure",
+    "--max-pressure",
+    "--supply",
+    "--force",
+    "--at",
+    "--stroke",
+    "--outer-diameter",
+    "--wall",
+    "--length",
+    "--max-bulged-diameter",
+    "--radius",
 ];
 
 static TYPED: OnceLock<Units> = OnceLock::new();
@@ -27,34 +28,23 @@ static OF_FILE: OnceLock<Units> = OnceLock::new();
 
 /// Looks at a command line that was understood: at `--units`, else at the flags in the order in
 /// which they were typed.
-pub fn take(args: &Args) {
-    let named = args
-        .matches
-        .try_get_one::<Box<Units>>("units")
-        .ok()
-        .flatten();
-    let typed = || {
-        let flags = args
-            .flags
-            .iter()
-            .filter(|flag| FLAGS.contains(&&*flag.long));
-        let one = |flag: &Flag| {
-            args.matches
-                .indices_of(&flag.id)
-                .into_iter()
-                .flatten()
-                .zip(args.texts(&flag.id))
-                .collect()
-        };
-        let mut texts: Vec<(usize, String)> =
-            flags.flat_map(|flag| -> Vec<_> { one(flag) }).collect();
-        texts.sort();
-        Units::typed(texts.iter().map(|(_, text)| text.as_str()))
-    };
-    let units = named.map_or_else(typed, |units| (**units).clone());
-    if named.is_some() || units != Units::default() {
-        TYPED.get_or_init(|| units);
+pub fn take() {
+    let named = flags().iter().find(|flag| flag.name == "--units");
+    let named = named.and_then(|flag| flag.texts.first()?.1.parse().ok());
+    let mut texts: Vec<&(usize, String)> = vec![];
+    for flag in flags().iter().filter(|flag| FLAGS.contains(&&*flag.name)) {
+        texts.extend(&flag.texts);
+        for (_, text) in &flag.texts {
+            check_unit(&flag.name, text);
+        }
     }
+    texts.sort();
+    let typed = Units::typed(texts.into_iter().map(|(_, text)| text.as_str()));
+    let typed = Some(typed).filter(|units| *units != Units::default());
+    named
+        .or(typed)
+        .into_iter()
+        .for_each(|units| drop(TYPED.set(units)));
 }
 
 /// Takes the units of a drive file, where no flag states any: those of the quantities behind its

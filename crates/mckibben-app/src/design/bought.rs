@@ -7,9 +7,10 @@
 //! Its length is the one that the specification states, since such muscles are cut to length; else
 //! that of the bench. Burst, strands and rubber are its seller's matter: they are not checked.
 
-use super::request::{Choice, DesignRequest};
+use super::request::DesignRequest;
 use crate::model::Model;
 use mckibben::muscle::{Muscle, Tube};
+use mckibben::units::typed::Choice;
 use mckibben::{analysis::Evaluation, model::Workspace};
 use mckibben_design::{Limits, OperatingPoint, Spec, fits};
 use mckibben_fit::validation::library::{PREFIX, library};

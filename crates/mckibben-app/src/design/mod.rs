@@ -14,7 +14,7 @@ pub use answer::{
 };
 pub use bought::BoughtAnswer;
 pub use bundle::{BundleAnswer, BundlePoint};
-pub use request::{Choice, DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
+pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 
 use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach};

@@ -2,15 +2,19 @@
 
 use super::assumed::SUPPLY_MPA;
 use super::{ModelPolicy, near_the_box};
+use crate::fields::name_or_file;
+use crate::flags::{self, Args};
 use crate::parts::{sleeve_entries, unread, users_tubes};
 use crate::{
-    LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, NamedFields, Problem,
-    ProblemKind, Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber,
-    sleeve,
+    LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, Problem, ProblemKind,
+    Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
 };
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
+use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
+#[cfg(feature = "clap")]
+use mckibben::units::{QuantityError, typed};
 use mckibben::{units::Values, warning::strand_strength_n};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_design::{
@@ -24,128 +28,231 @@ use std::borrow::Cow;
 
 /// A specification: required pulls at contractions with a maximum pressure. All other fields have a
 /// default.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct DesignRequest {
-    /// Required pull, N.
-    pub force_n: Option<f64>,
-    /// Contraction ratio at which the pull is required.
-    pub contraction: Option<f64>,
-    /// Several operating points, in place of the two fields above.
+    /// Required pull; below zero: the push of a muscle that extends
+    #[arg(short = 'F', long)]
+    pub force_n: Option<Force>,
+    /// Contraction ratio ΔL/L0 with that pull; below zero: an extension
+    #[arg(short = 'e', long)]
+    pub contraction: Option<Ratio>,
+    /// Several operating points: 700N@15%,1200N@5%
+    #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point, conflicts_with_all = ["force_n", "contraction"])]
     pub points: Vec<OperatingPoint>,
     /// A load to lift over the stroke, or to the contraction, instead of a pull.
     #[serde(flatten)]
+    #[command(flatten)]
     pub load: LoadFields,
-    /// Required torques of a joint with two equal opposed muscles on a pulley, instead of operating
-    /// points.
+    /// Required torques of a joint: 8Nm@45deg,3Nm@60deg
+    ///
+    /// At angles to either side. Two equal opposed muscles on a pulley, one of them without
+    /// pressure.
+    #[arg(long = "joint", value_name = "T@ANGLE,…", value_delimiter = ',', value_parser = torque, conflicts_with_all = ["force_n", "contraction", "points", "load", "stroke_mm"])]
     pub torques: Vec<TorqueWanted>,
-    /// Largest angle of the joint to either side of the neutral angle, degrees; default: the
-    /// largest of `torques`.
-    pub largest_angle_deg: Option<f64>,
-    /// Radii of the pulley, mm; default: searched.
-    pub radius_mm: Option<Choice>,
-    /// Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure
-    /// or its own allowed one, whichever is lower.
-    pub max_pressure_mpa: Option<f64>,
+    /// Largest angle of the joint to either side of the neutral angle [the largest of `torques`]
+    #[arg(long, requires = "torques", hide_short_help = true)]
+    pub largest_angle_deg: Option<Angle>,
+    /// Stroke. With a contraction it sets the length, with a length the contraction
+    #[arg(long)]
+    pub stroke_mm: Option<Length>,
+    /// Pressure that the supply can give [6bar]
+    ///
+    /// Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the
+    /// answer says which pressure to set.
+    #[arg(short = 'p', long, alias = "pressure")]
+    pub max_pressure_mpa: Option<Pressure>,
     /// A liquid in the place of air.
     #[serde(flatten)]
+    #[command(flatten)]
     pub liquid: LiquidFields,
-    /// Stroke in mm: with contractions it sets the length, with a length the contraction.
-    pub stroke_mm: Option<f64>,
-    /// Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
-    pub max_bulged_diameter_mm: Option<f64>,
-    /// Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or
-    /// pump gives; of a bundle to all its muscles together. It needs `liquid`.
-    pub max_liquid_volume_mm3: Option<f64>,
-    /// Equal muscles side by side that share what is required, 1 to 1000; default 1.
+    /// The lower end of the ± meets it [95%]
+    ///
+    /// The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed
+    /// 99%, widens the ± accordingly.
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%")]
+    pub guaranteed: Option<Ratio>,
+    /// Equal muscles side by side that share the requirement, 1 to 1000 [1, or as few as do]
+    ///
+    /// The candidates are one of them; the bundle of the best one is shown below.
+    #[arg(long, alias = "bundle", value_name = "N")]
     pub count: Option<u32>,
-    /// Largest diameter of the circle around all muscles at the operating points, mm.
-    pub max_envelope_mm: Option<f64>,
-    /// Distance between the axes of neighbours of a bundle, mm; default: that of the largest
-    /// envelope, or the bulged diameter.
-    pub pitch_mm: Option<f64>,
-    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed
-    /// pressure; default 4; 0 for none.
-    pub min_burst_margin: Option<f64>,
-    /// Safety factor of the tube, which leaks where it fails; default: half of that of strands and
-    /// clamps.
-    pub min_tube_margin: Option<f64>,
-    /// Largest stretch of the rubber at the operating points (2 means twice its length); default:
-    /// the largest stretch of the data behind the rubber's law.
-    pub max_stretch: Option<f64>,
-    /// Largest strain of the strands, not shortened and at the operating points; it bounds the
-    /// pressure of the muscle; default 0.06, the validated range.
-    pub max_strand_strain: Option<f64>,
-    /// The muscle is guided on its way, so that it cannot buckle under its push.
-    pub guided: bool,
-    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of
-    /// the lower end of the ±.
-    pub guaranteed: Option<f64>,
-    /// Quantity to rank by.
+    /// Quantity to rank by
+    #[arg(long, value_parser = flags::word::<ObjectiveWord>(), default_value = "bulged-diameter")]
     pub objective: ObjectiveWord,
-    /// Muscle file (TOML) for all values that are not searched; the other fields override it. With
-    /// it diameters and walls are free.
+    /// Largest outer diameter at the operating points; of a bundle that of each of its muscles
+    #[arg(long, help_heading = "Limits")]
+    pub max_bulged_diameter_mm: Option<Length>,
+    /// Largest diameter of the circle around all muscles at the operating points
+    #[arg(long, help_heading = "Limits")]
+    pub max_envelope_mm: Option<Length>,
+    /// Distance between the axes of neighbours of a bundle [that of the largest envelope, or the
+    /// bulged diameter]
+    #[arg(
+        long,
+        requires = "count",
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
+    pub pitch_mm: Option<Length>,
+    /// Largest liquid volume up to the operating points: what the syringe or pump gives
+    ///
+    /// Of a bundle to all its muscles together. It needs `liquid`.
+    #[arg(long = "max-liquid", value_parser = flags::volume, help_heading = "Limits")]
+    pub max_liquid_volume_mm3: Option<Volume>,
+    /// Safety factor of strands and clamps: failure pressure over allowed pressure [4]
+    ///
+    /// 0 for none. The strength of the strands must be known.
+    #[arg(
+        long = "safety",
+        alias = "min-burst-margin",
+        value_name = "FACTOR",
+        help_heading = "Limits"
+    )]
+    pub min_burst_margin: Option<f64>,
+    /// Safety factor of the tube, which leaks where it fails [half of that of the strands]
+    #[arg(
+        long = "safety-tube",
+        value_name = "FACTOR",
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
+    pub min_tube_margin: Option<f64>,
+    /// Largest stretch of the rubber at the operating points (2 means twice its length) [the
+    /// largest stretch of the data behind the rubber's law]
+    #[arg(
+        long,
+        value_name = "STRETCH",
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
+    pub max_stretch: Option<f64>,
+    /// Largest strain of the strands at the operating points; it bounds the pressure [6%, the
+    /// validated range]
+    #[arg(
+        long,
+        value_name = "STRAIN",
+        hide_short_help = true,
+        help_heading = "Limits"
+    )]
+    pub max_strand_strain: Option<Ratio>,
+    /// The muscle is guided on its way, so that it cannot buckle under its push
+    #[arg(long, hide_short_help = true, help_heading = "Limits")]
+    pub guided: bool,
+    /// Muscle file, for what is not searched; flags override it
+    ///
+    /// `paper` is the muscle of the paper, lib:NAME one of the library. With it diameters and walls
+    /// are free.
+    #[serde(deserialize_with = "name_or_file")]
+    #[arg(value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
-    /// Search free diameters and walls with the rubber and the braid of the paper, or those that
-    /// are given, instead of tubes and sleeves as sold. So does any of `muscle`,
-    /// `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
-    pub continuous: bool,
-    /// Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each
-    /// of `rubbers`; default: all that are sold, and those that can be cast of `dragon-skin-30` or
-    /// of `rubbers`.
+    /// Muscle file, same as [MUSCLE.toml]
+    #[serde(skip)]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "muscle", hide_short_help = true, help_heading = "Muscle")]
+    pub also_muscle: Option<TextFile>,
+    /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
+    #[arg(
+        long,
+        value_name = "KEY=VALUE",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
+    pub with: Vec<String>,
+    /// Tubes as sold or cast (`mckibben parts list tubes`), or BORExOUTER, such as 8x12mm [all]
+    #[arg(
+        long = "tube",
+        value_name = "LIST",
+        value_delimiter = ',',
+        help_heading = "Muscle"
+    )]
     pub tubes: Vec<String>,
-    /// Tubes and sleeves of your own (TOML, as the catalogues), in place of those of the catalogue.
+    /// Tubes and sleeves of your own
+    ///
+    /// A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter,
+    /// largest_diameter in mm) in place of those of the catalogue.
+    #[arg(long, value_name = "FILE.toml", value_parser = flags::file, hide_short_help = true, help_heading = "Muscle")]
     pub parts: Option<TextFile>,
-    /// Outer diameters D0 at rest, mm.
-    pub outer_diameter_mm: Option<Choice>,
-    /// Walls s at rest, mm.
-    pub wall_mm: Option<Choice>,
-    /// Braid angles θ0 at rest, degrees.
-    pub angle_deg: Option<Choice>,
-    /// Sleeves on sale, by strand length per turn, mm; the tube diameter then sets the angle.
-    pub strand_length_per_turn_mm: Vec<f64>,
-    /// Named sleeves; the diameter then sets the angle and, where the strands are known, the
-    /// stiffness.
-    pub braids: Vec<String>,
-    /// Diameter of a strand of the named sleeves, mm, where they do not state it.
-    pub strand_diameter_mm: Option<f64>,
-    /// Young's modulus of their strands, MPa, likewise.
-    pub strand_modulus_mpa: Option<f64>,
-    /// Rubbers of the library.
+    /// Free sizes instead of parts as sold
+    ///
+    /// Diameters and walls are free, with the paper's rubber and braid, or those that are given. So
+    /// they are with diameters, walls, angles, a stiffness or a muscle file.
+    #[arg(long, conflicts_with_all = ["tubes", "parts"], help_heading = "Muscle")]
+    pub continuous: bool,
+    /// Outer diameters: a value, list or range [parts]
+    ///
+    /// At rest; also a stepped range, 20..40:5.
+    #[arg(short = 'D', long, value_name = "RANGE", help_heading = "Muscle")]
+    pub outer_diameter_mm: Option<Choice<Length>>,
+    /// Wall thicknesses at rest [parts]
+    #[arg(short = 's', long, value_name = "RANGE", help_heading = "Muscle")]
+    pub wall_mm: Option<Choice<Length>>,
+    /// Lengths between the terminals at rest [285mm]
+    #[arg(short = 'L', long, value_name = "RANGE", help_heading = "Muscle")]
+    pub length_mm: Option<Choice<Length>>,
+    /// Braid angles to the axis at rest [those of the sleeves]
+    #[arg(long, value_name = "RANGE", help_heading = "Muscle")]
+    pub angle_deg: Option<Choice<Angle>>,
+    /// Rubbers, by name [those of the tubes]
+    #[arg(long = "rubber", value_name = "LIST", value_delimiter = ',', value_parser = flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
     pub rubbers: Vec<String>,
-    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    /// Sleeves, by name (`mckibben parts list sleeves`) [all]
+    ///
+    /// The diameter of the tube then sets angle and stiffness.
+    #[arg(long = "braid", value_name = "LIST", value_delimiter = ',', value_parser = flags::sleeves(), hide_possible_values = true, conflicts_with_all = ["angle_deg", "strand_length_per_turn_mm"], help_heading = "Muscle")]
+    pub braids: Vec<String>,
+    /// Diameter of a strand of the named sleeves, where they do not state it
+    #[arg(
+        long,
+        value_name = "DIAMETER",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
+    pub strand_diameter_mm: Option<Length>,
+    /// Young's modulus of their strands, likewise
+    #[arg(
+        long = "strand-modulus",
+        value_name = "MODULUS",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
+    pub strand_modulus_mpa: Option<Pressure>,
+    /// Stiffness of one strand family, in N/mm [paper]
+    ///
+    /// Or `inextensible`, or `paper`.
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
     pub stiffness: Option<Stiffness>,
-    /// Lengths L0 between the terminals at rest, mm.
-    pub length_mm: Option<Choice>,
+    /// Sleeves on sale, by strand length per turn; the tube diameter then sets the angle
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        conflicts_with = "angle_deg",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
+    pub strand_length_per_turn_mm: Vec<Length>,
+    /// Radii of the pulley [searched]
+    #[arg(
+        long = "radius",
+        requires = "torques",
+        hide_short_help = true,
+        help_heading = "Muscle"
+    )]
+    pub radius_mm: Option<Choice<Length>>,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
-    /// Compute outside the model's range too, with a warning.
+    /// Compute outside the model's range too, with a warning
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
-    /// How many candidates and rejected muscles to report; default 5.
+    /// Number of candidates to show [5]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1000>, help_heading = "Output")]
     pub top: Option<usize>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
-}
-
-/// Values to search through: one, several, or all between two.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(
-    untagged,
-    expecting = "a number, a list of numbers, or `low` and `high` are expected"
-)]
-pub enum Choice {
-    /// One value.
-    One(f64),
-    /// These values.
-    Several(Vec<f64>),
-    /// An interval.
-    Between {
-        /// Its lower end.
-        low: f64,
-        /// Its upper end.
-        high: f64,
-    },
 }
 
 /// A specification with the models that search it.
@@ -173,24 +280,24 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         let (base, wanted, radius_mm) = self.demand()?;
-        let wanted = self.share(&wanted)?;
+        let count = self.count()?;
+        let wanted = wanted.times(1.0 / f64::from(count));
         let extends = wanted.extends();
         let max_pressure_mpa = finite(
             "max_pressure_mpa",
-            self.max_pressure_mpa.unwrap_or(SUPPLY_MPA),
+            self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from),
         )?;
         let model = Model::choose(&self.model)?;
         let sections = model.sections();
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
         // `universal` was not fitted for muscles that extend.
-        let quick: Option<(&str, SearchedMuscles)> = match self.model.model {
+        let quick: Option<(&str, SearchedMuscles)> = match self.model.name {
             Some(_) => None,
             None if extends => Some(("thick-wall", |_| true)),
             None => Some(("universal", near_the_box)),
         };
-        let named = |(name, good)| {
-            Ok::<_, Problem>((Model::named(name, &[], &MeshFields::default())?, good))
-        };
+        let named =
+            |(name, good)| Ok::<_, Problem>((Model::named(name, &MeshFields::default())?, good));
         let policy = ModelPolicy {
             quick: quick.map(named).transpose()?,
             model,
@@ -217,8 +324,10 @@ impl DesignRequest {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
-            ([], [], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
-            (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
+            ([], [], Some(angles)) => BraidChoice::Angle(values(angles, "angle_deg")?),
+            (turns, [], None) => {
+                BraidChoice::StrandLengthPerTurn(turns.iter().map(|turn| turn.0).collect())
+            }
             ([], _, None) => BraidChoice::Sleeves(sleeves),
             _ => {
                 let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the \
@@ -226,8 +335,8 @@ impl DesignRequest {
                 return Err(Problem::new(ProblemKind::Usage, message, ""));
             }
         };
-        let between = |field, choice: &Option<Choice>, (low, high)| match choice {
-            Some(choice) => choice.values(field),
+        let between = |field, choice: &Option<Choice<Length>>, (low, high)| match choice {
+            Some(choice) => values(choice, field),
             None => Ok(Values::Interval(low, high)),
         };
         let strength = match &braid {
@@ -242,13 +351,13 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
-            count: self.count()?,
+            count,
             direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
                 Some(Choice::One(_)) | None => None,
-                Some(choice) => Some(choice.values("length_mm")?),
+                Some(choice) => Some(values(choice, "length_mm")?),
             },
             base,
             tubes,
@@ -261,14 +370,20 @@ impl DesignRequest {
                 .map(|name| rubber(name))
                 .collect::<Result<_, _>>()?,
             limits: Limits {
-                bulged_diameter_mm: self.bulged_diameter_mm()?,
+                bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+                envelope_mm: self.max_envelope_mm.map(f64::from),
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 tube_margin: self.min_tube_margin,
                 stretch: self.max_stretch,
                 fitted_stretch: true,
                 buckling: !self.guided,
-                strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
-                liquid_volume_mm3: self.liquid_volume_mm3()?,
+                strand_strain: Some(
+                    self.max_strand_strain
+                        .map_or(VALIDATED_STRAND_STRAIN, f64::from),
+                ),
+                liquid_volume_mm3: self
+                    .max_liquid_volume_mm3
+                    .map(|mm3| mm3.0 / f64::from(count)),
             },
             guaranteed: self.guaranteed()?,
             objective: self.objective,
@@ -286,16 +401,16 @@ impl DesignRequest {
     /// is longer.
     pub(super) fn longer(&self) -> Option<Self> {
         let free = self.length_mm.is_none() && self.muscle.is_none() && self.contraction.is_none();
-        let is_short = self.stroke_mm? > USUAL_CONTRACTION * Muscle::prototype().length_mm();
+        let is_short = self.stroke_mm?.0 > USUAL_CONTRACTION * Muscle::prototype().length_mm();
         (free && is_short).then(|| Self {
-            contraction: Some(USUAL_CONTRACTION),
+            contraction: Some(Ratio(USUAL_CONTRACTION)),
             ..self.clone()
         })
     }
 
     /// The share of muscles that meet the requirement, checked.
     fn guaranteed(&self) -> Result<Option<f64>> {
-        match self.guaranteed {
+        match self.guaranteed.map(f64::from) {
             Some(share) if !(0.5..=0.999).contains(&share) => {
                 let message = format!(
                     "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
@@ -310,7 +425,11 @@ impl DesignRequest {
     fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<&'static str> {
         let given = [
             ("`continuous`", self.continuous),
-            ("`muscle`", self.muscle.is_some()),
+            (
+                "`muscle`",
+                self.muscle.is_some() || self.also_muscle.is_some(),
+            ),
+            ("`with`", !self.with.is_empty()),
             ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
             ("`wall_mm`", self.wall_mm.is_some()),
             ("`angle_deg`", self.angle_deg.is_some()),
@@ -392,14 +511,14 @@ impl DesignRequest {
             {
                 return on_least(entry);
             }
-            let mut fields = MuscleFields::from(NamedFields {
+            let mut fields = MuscleFields {
                 braid: Some(name.clone()),
                 stiffness: self.stiffness,
                 strand_diameter_mm: self.strand_diameter_mm,
-                ..NamedFields::default()
-            });
+                ..MuscleFields::default()
+            };
             let modulus = self.strand_modulus_mpa.into_iter();
-            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value));
+            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
@@ -430,8 +549,8 @@ impl DesignRequest {
         if self.load.load.is_some() {
             // The load sets the pull; a stroke or a contraction how far it is lifted.
             let way = match (self.contraction, self.stroke_mm) {
-                (Some(e), _) => Lift::Contraction(ratio(e)?),
-                (None, Some(stroke)) => Lift::Stroke(stroke),
+                (Some(e), _) => Lift::Contraction(ratio(e.0)?),
+                (None, Some(stroke)) => Lift::Stroke(stroke.0),
                 (None, None) => {
                     return Err(Problem::missing(
                         "stroke_mm",
@@ -440,7 +559,7 @@ impl DesignRequest {
                     .with_hint("or give `contraction`, such as 0.15 (15 %)"));
                 }
             };
-            let (base, _) = self.with_stroke(vec![(1.0, self.contraction)])?;
+            let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
             let load = self.load.resolve(base.length_mm())?;
             let Some(load) = load else {
                 return Err(Problem::missing("load", "a load, such as mass:20kg"));
@@ -470,14 +589,14 @@ impl DesignRequest {
             .fold(0.0, f64::max);
         let largest_angle_deg = finite(
             "largest_angle_deg",
-            self.largest_angle_deg.unwrap_or(largest),
+            self.largest_angle_deg.unwrap_or(Angle(largest)),
         )?;
         let (base, _) = self.with_stroke(vec![])?;
         let radius = match &self.radius_mm {
-            Some(choice) => choice.values("radius_mm")?,
+            Some(choice) => values(choice, "radius_mm")?,
             None => {
                 let longest = match &self.length_mm {
-                    Some(choice) => choice.values("length_mm")?.bounds().1,
+                    Some(choice) => values(choice, "length_mm")?.bounds().1,
                     None => base.length_mm(),
                 };
                 let turn =
@@ -509,7 +628,7 @@ impl DesignRequest {
         }
         let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
         match (self.contraction, self.stroke_mm) {
-            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e)?))]),
+            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),
             (None, None) => Err(
                 Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
@@ -527,7 +646,7 @@ impl DesignRequest {
         let wrong =
             |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
-            Some(Choice::One(length)) => Some(*length),
+            Some(Choice::One(length)) => Some(length.0),
             Some(_) if self.stroke_mm.is_some() => {
                 let message =
                     "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
@@ -535,17 +654,18 @@ impl DesignRequest {
             }
             _ => None,
         };
-        let mut fields = MuscleFields::from(NamedFields {
-            muscle: self.muscle.clone(),
+        let mut fields = MuscleFields {
+            file: self.muscle.clone().or(self.also_muscle.clone()),
             stiffness: self.stiffness,
-            ..NamedFields::default()
-        });
+            with: self.with.clone(),
+            ..MuscleFields::default()
+        };
         length_mm
             .into_iter()
             .for_each(|length| fields.measures.set(&LENGTH, length));
         let base = fields.resolve()?;
         let length = base.length_mm();
-        let stroke = self.stroke_mm;
+        let stroke = self.stroke_mm.map(f64::from);
         stroke
             .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
             .transpose()?;
@@ -587,41 +707,70 @@ impl DesignRequest {
     }
 }
 
-impl Choice {
-    fn values(&self, field: &str) -> Result<Values> {
-        Ok(match self {
-            Self::One(value) => Values::List(vec![finite(field, *value)?]),
-            Self::Several(list) if list.is_empty() => {
-                return Err(
-                    Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field)
-                );
-            }
-            Self::Several(list) => Values::List(
-                list.iter()
-                    .map(|&v| finite(field, v))
-                    .collect::<Result<_, _>>()?,
-            ),
-            Self::Between { low, high } if low <= high => {
-                Values::Interval(finite(field, *low)?, finite(field, *high)?)
-            }
-            Self::Between { low, high } => {
+/// The values of a choice, checked.
+fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
+    Ok(match choice {
+        Choice::One(value) => Values::List(vec![finite(field, *value)?]),
+        Choice::Several(list) if list.is_empty() => {
+            return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
+        }
+        Choice::Several(list) => {
+            let list = list.iter().map(|&value| finite(field, value));
+            Values::List(list.collect::<Result<_>>()?)
+        }
+        Choice::Between { low, high } => {
+            let (low, high) = (finite(field, *low)?, finite(field, *high)?);
+            if low > high {
                 let message = format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"
                 );
                 return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
             }
-        })
-    }
+            Values::Interval(low, high)
+        }
+    })
 }
 
-impl From<Values> for Choice {
-    fn from(values: Values) -> Self {
-        match values {
-            Values::List(list) => match list[..] {
-                [one] => Self::One(one),
-                _ => Self::Several(list),
-            },
-            Values::Interval(low, high) => Self::Between { low, high },
-        }
-    }
+/// A required pull at a contraction: `700N@15%`.
+#[cfg(feature = "clap")]
+fn operating_point(text: &str) -> Result<OperatingPoint> {
+    let expected = "operating point; expected a pull at a contraction such as 700N@15%";
+    let (Force(force_n), Ratio(contraction)) = at(text, expected)?;
+    let contraction = ratio(contraction)?;
+    Ok(OperatingPoint {
+        force_n,
+        contraction,
+    })
+}
+
+/// A required torque at an angle to either side: `8Nm@45deg`.
+#[cfg(feature = "clap")]
+fn torque(text: &str) -> Result<TorqueWanted> {
+    let expected = "torque at an angle; expected one such as 8Nm@45deg";
+    let (typed::Torque(torque_nm), Angle(angle_deg)) = at(text, expected)?;
+    Ok(TorqueWanted {
+        torque_nm,
+        angle_deg,
+    })
+}
+
+#[cfg(feature = "clap")]
+fn at<A, B>(text: &str, expected: &str) -> Result<(A, B)>
+where
+    A: std::str::FromStr<Err = QuantityError>,
+    B: std::str::FromStr<Err = QuantityError>,
+{
+    let wrong = |message| Problem::new(ProblemKind::Quantity, message, "");
+    let (first, second) = text
+        .split_once('@')
+        .ok_or_else(|| wrong(format!("\"{text}\" is not a valid {expected}")))?;
+    // The joint is symmetric.
+    let second = second.trim().trim_start_matches(['±', '+']);
+    let first = first
+        .parse()
+        .map_err(|e: QuantityError| wrong(e.to_string()))?;
+    let second = second
+        .parse()
+        .map_err(|e: QuantityError| wrong(e.to_string()))?;
+    Ok((first, second))
 }

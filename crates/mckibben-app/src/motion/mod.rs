@@ -1,6 +1,7 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 mod identified;
+mod page;
 mod request;
 mod simulated;
 
@@ -11,8 +12,8 @@ pub use simulated::SimulatedDrive;
 use crate::Result;
 use crate::words::{number, percent};
 use crate::{
-    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Scale, TextFile,
-    breakdown, burst_of, figure, finite, put_first, said_of, units::Units,
+    Model, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, TextFile, breakdown,
+    burst_of, figure, finite, put_first, said_of, units::Units,
 };
 use mckibben::joint::{JointModel, Turning};
 use mckibben::{
@@ -156,8 +157,9 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut said = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) =
-            moved.with(drive, |drive| go(&drive, request.rise_time_s, progress))?;
+        let (motion, conductance) = moved.with(drive, |drive| {
+            go(&drive, request.rise_time_s.map(f64::from), progress)
+        })?;
         sized = sized.or(conductance);
         let wanted = match &drive.target {
             Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
@@ -561,7 +563,7 @@ impl MotionRun {
     pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
         let torque = self.end.end_angle_uncertainty_deg.is_some();
         let (of, scale) = if torque {
-            ("torque", Scale::newton_metres())
+            ("torque", crate::units::NEWTON_METRES)
         } else {
             ("pull", u.force.clone())
         };

@@ -1,66 +1,93 @@
 //! Requests of a drive.
 
+use crate::fields::name_or_file;
+use crate::flags::{self, Args};
 use crate::{
     JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite,
     given, no_ratio,
 };
+use mckibben::units::typed::{Damping, Pressure, Time};
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_motion::{MotionError, Valve, with_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::str::FromStr;
 
 /// A drive: its file, and the files that it names.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct MotionRequest {
     /// Drive file (TOML).
+    #[arg(skip)]
     pub drive: Option<TextFile>,
+    /// Run once for each value of a key of the drive file
+    #[arg(long, value_name = "KEY=VALUE,…")]
+    pub sweep: Option<MotionSweep>,
+    /// Required rise time (10 to 90 %) with the smallest valve
+    #[arg(long)]
+    pub rise_time_s: Option<Time>,
     /// Instead of a drive file: a muscle with a load, filled through a valve.
+    #[command(flatten)]
     pub step: Option<StepFields>,
-    /// The muscle file that it names, of a drive with one muscle.
+    /// Muscle file
+    #[serde(deserialize_with = "name_or_file")]
+    #[arg(long, value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Instead of a drive file", requires = "step_pressure_mpa")]
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
+    #[arg(skip)]
     pub tables: Vec<TextFile>,
     /// The joint file that it names, with its muscle files.
     #[serde(flatten)]
+    #[arg(skip)]
     pub joint: JointFields,
     /// The model.
-    #[serde(flatten)]
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
     pub model: ModelFields,
-    /// A key of the drive file and values that take its place, one run each:
-    /// `valve.sonic_conductance`.
-    pub sweep: Option<MotionSweep>,
     /// A recorded motion of the drive: times, with pressures, contractions or shortenings, or
     /// angles. Constants are identified from the first half of its time.
+    #[arg(skip)]
     pub log: Option<TextFile>,
     /// What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of
     /// `valve.sonic_conductance`, `air.dead_volume`, `load.damping` and `friction.coefficient` that
     /// the files state.
+    #[arg(skip)]
     pub free: Vec<String>,
-    /// Find the smallest valve with this rise time (10–90 %), s.
-    pub rise_time_s: Option<f64>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
 /// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle,
 /// until the muscle lifts it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
+#[command(next_help_heading = "Instead of a drive file")]
 pub struct StepFields {
-    /// Gauge pressure from 0.05 s on, MPa.
-    pub pressure_mpa: Option<f64>,
-    /// Gauge pressure of the supply, MPa; default 0.6.
-    pub supply_mpa: Option<f64>,
-    /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
-    pub valve: Option<String>,
-    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a
-    /// contraction.
+    /// Gauge pressure from 0.05 s on
+    #[arg(
+        id = "step_pressure_mpa",
+        short = 'p',
+        long = "pressure",
+        requires = "muscle"
+    )]
+    pub pressure_mpa: Option<Pressure>,
+    /// Load: mass:10kg, spring:2N/mm+mass:1kg; held, or held:10%, holds both ends at a contraction
+    #[arg(long, requires = "muscle")]
     pub load: Option<String>,
-    /// Damping of the load, N s/m.
-    pub damping_n_s_per_m: f64,
-    /// The end, s; default 2.
-    pub until_s: Option<f64>,
+    /// Valve: its name, or its sonic conductance such as '0.5 L/(s bar)'
+    #[arg(long, requires = "muscle")]
+    pub valve: Option<String>,
+    /// Gauge pressure of the supply [6bar]
+    #[arg(long, requires = "muscle")]
+    pub supply_mpa: Option<Pressure>,
+    /// Damping of the load [0]
+    #[arg(long, requires = "muscle")]
+    pub damping_n_s_per_m: Option<Damping>,
+    /// End time of the run [2s]
+    #[arg(long, requires = "muscle")]
+    pub until_s: Option<Time>,
 }
 
 impl StepFields {
@@ -71,9 +98,12 @@ impl StepFields {
             self.pressure_mpa,
             "a pressure, such as 0.3 MPa",
         )?;
-        let until_s = finite("until_s", self.until_s.unwrap_or(2.0))?;
-        let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
-        let damping_n_s_per_m = finite("damping_n_s_per_m", self.damping_n_s_per_m)?;
+        let until_s = finite("until_s", self.until_s.unwrap_or(Time(2.0)))?;
+        let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(Pressure(0.6)))?;
+        let damping_n_s_per_m = finite(
+            "damping_n_s_per_m",
+            self.damping_n_s_per_m.unwrap_or_default(),
+        )?;
         let valve = self.valve.as_deref().ok_or_else(|| {
             let expected =
                 "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
@@ -146,4 +176,23 @@ pub struct MotionSweep {
     pub key: String,
     /// Its values as the file would have them: `0.5 L/(s bar)`.
     pub values: Vec<String>,
+}
+
+impl FromStr for MotionSweep {
+    type Err = Problem;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let (key, values) = text.split_once('=').ok_or_else(|| {
+            let message = format!("\"{text}\" has no = followed by values");
+            let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
+            Problem::new(ProblemKind::Usage, message, hint)
+        })?;
+        Ok(Self {
+            key: key.trim().to_owned(),
+            values: values
+                .split(',')
+                .map(|value| value.trim().to_owned())
+                .collect(),
+        })
+    }
 }

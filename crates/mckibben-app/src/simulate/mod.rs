@@ -2,18 +2,22 @@
 
 mod answer;
 mod files;
+mod page;
 
 pub use answer::*;
 
+use crate::flags::{self, Args};
+use crate::{Contractions, ModelFields};
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
-    RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure, forces,
-    list, put_first, reach, said_of, steps, warnings,
+    Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
+    Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach,
+    said_of, steps, warnings,
 };
 use files::ShapeFiles;
 use mckibben::analysis::Evaluation;
 use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::{Ends, Muscle};
+use mckibben::units::typed::{Force, List, Pressure};
 use mckibben::{
     answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
 };
@@ -39,42 +43,49 @@ pub struct Simulated {
 }
 
 /// A finite-element test.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[serde(default)]
+#[command(next_help_heading = "Question")]
 pub struct SimulateRequest {
-    /// Which test.
+    /// Which test
+    #[arg(long, value_parser = flags::word::<Test>(), default_value = "isometric")]
     pub test: Test,
-    /// The muscle.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// `fe` or `fe3d`; default `fe`.
-    pub model: Option<String>,
-    /// The mesh.
-    #[serde(flatten)]
-    pub mesh: MeshFields,
-    /// Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free
-    /// contraction at the highest pressure.
-    pub contractions: Option<Vec<f64>>,
-    /// Contractions are shares of the free contraction at the highest pressure.
-    #[serde(default)]
+    /// Gauge pressures [0.05..0.25:0.05]
+    #[arg(short, long)]
+    pub pressures_mpa: Option<List<Pressure>>,
+    /// Contraction ratios ΔL/L0 [isometric 0,0.1,0.2; isobaric by 0.02 to the free contraction at
+    /// the highest pressure]
+    #[arg(short = 'e', long)]
+    pub contractions: Option<Contractions>,
+    /// Give contractions as shares of the free contraction at the highest pressure
+    #[arg(long)]
     pub of_largest: bool,
-    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
-    pub forces_n: Option<Vec<f64>>,
-    /// Give the negative force, not slack, where the muscle would have to push.
-    #[serde(default)]
+    /// Pulls of an isotonic test [20,80,150]
+    #[arg(short = 'F', long)]
+    pub forces_n: Option<List<Force>>,
+    /// The muscle.
+    #[serde(deserialize_with = "MuscleFields::or_name")]
+    #[command(flatten)]
+    pub muscle: MuscleFields,
+    /// The model, `fe` or `fe3d`.
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
+    pub model: ModelFields,
+    /// Give the negative force, not slack, where the muscle would have to push
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
     /// Add the input deck of the test for other programs to the answer; only with `fe3d`.
-    #[serde(default)]
+    #[arg(skip)]
     pub deck: bool,
     /// Add the deformed muscle of every point to the answer, as files that ParaView opens.
-    #[serde(default)]
+    #[arg(skip)]
     pub vtu: bool,
     /// In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the
     /// whole muscle.
-    #[serde(default)]
+    #[arg(skip)]
     pub eighth: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
+    #[arg(skip)]
     pub figure: Option<Units>,
 }
 
@@ -142,7 +153,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
     }
     let muscle = request.muscle.resolve()?;
-    let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
+    let model = Model::choose(&request.model)?;
     let Model::Elements(elements) = &model else {
         let name = model.name();
         let message = format!(
@@ -235,18 +246,19 @@ impl SimulateRequest {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || {
             steps(5, 0.05, 0.25)
         })?;
-        let mut contractions = contractions(&self.contractions, || {
-            if self.test == Test::Isobaric && !self.of_largest {
-                reach(
-                    &mut Evaluation::new(model, workspace, Options::default()),
-                    &pressures,
-                    0.02,
-                    true,
-                )
-            } else {
-                steps(3, 0.0, 0.2)
-            }
-        })?;
+        let mut contractions =
+            contractions(&self.contractions, model.muscle().length_mm(), || {
+                if self.test == Test::Isobaric && !self.of_largest {
+                    reach(
+                        &mut Evaluation::new(model, workspace, Options::default()),
+                        &pressures,
+                        0.02,
+                        true,
+                    )
+                } else {
+                    steps(3, 0.0, 0.2)
+                }
+            })?;
         let options = Options {
             two_sided: true,
             ..Options::default()

@@ -1,13 +1,15 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
 use crate::{
-    Args, Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::json,
-    overwrite, pairs, place, progress::INTERRUPTED, said, shown, tabled, value, warn,
+    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::Output,
+    output::json, output::print_text, overwrite, pairs, place, progress::INTERRUPTED, said, shown,
+    tabled, value, warn,
 };
+use clap::Subcommand;
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    CampaignMergeRequest, CampaignRequest, CampaignStatusRequest, ProblemKind, campaign_merge,
-    campaign_show, campaign_status,
+    CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
+    campaign_merge, campaign_show, campaign_status,
 };
 use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
 use std::time::{Duration, Instant};
@@ -24,13 +26,87 @@ fn no_csv(format: Format) -> Result<(), Problem> {
     ))
 }
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    no_csv(args.format)?;
-    let quiet = args.is("quiet");
+/// A campaign, or what is asked of one.
+#[derive(Debug, clap::Args)]
+#[command(
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true,
+    after_long_help = "Examples:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign plans/paper.toml -o parts/ --shard 1/2
+  mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1"
+)]
+pub struct Campaign {
+    #[command(subcommand)]
+    about: Option<About>,
+    #[command(flatten)]
+    request: CampaignRequest,
+    /// Print neither progress nor summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// What is asked of a campaign.
+#[derive(Debug, Subcommand)]
+enum About {
+    /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
+    #[command(after_long_help = "Example:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign show campaign.parquet")]
+    Show {
+        #[command(flatten)]
+        request: CampaignShowRequest,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// Join folders of parts into one file, identical to that of a single run
+    #[command(after_long_help = "Example:
+  mckibben campaign plans/paper.toml -o one/ --shard 1/2
+  mckibben campaign plans/paper.toml -o other/ --shard 2/2
+  mckibben campaign merge one/ other/ -o merged.parquet")]
+    Merge {
+        #[command(flatten)]
+        request: CampaignMergeRequest,
+    },
+    /// How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a
+    /// shard is missing
+    #[command(after_long_help = "Example:
+  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
+  mckibben campaign status parts/")]
+    Status {
+        #[command(flatten)]
+        request: CampaignStatusRequest,
+        #[command(flatten)]
+        output: Output,
+    },
+}
+
+impl Campaign {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        match self.about {
+            Some(About::Show { request, output }) => {
+                output.show(format, &campaign_show(&request)?, "ranges", summary_text)
+            }
+            Some(About::Merge { request }) => merge(request, format),
+            Some(About::Status { request, output }) => {
+                let status = campaign_status(&request)?;
+                output.show(format, &status, "shards", status_text)?;
+                Ok(if status.shards_missing > 0 {
+                    NO_ANSWER
+                } else {
+                    0
+                })
+            }
+            None => run(self.request, self.quiet, format),
+        }
+    }
+}
+
+fn run(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, Problem> {
+    no_csv(format)?;
     let bar = Bar::new("muscles");
     let progress: &dyn Progress = if quiet { &Silent } else { &bar };
     let from = Instant::now();
-    let mut request: CampaignRequest = args.request()?;
     request.overwrite = overwrite();
     let outcome = mckibben_app::campaign(&request, progress)?;
     let interrupted = bar.cancelled() && !outcome.complete;
@@ -44,7 +120,7 @@ pub fn run(args: &Args) -> Result<u8, Problem> {
     }
     if !quiet {
         // What is on the disk is valid, whatever ended the run.
-        let out = match args.format {
+        let out = match format {
             Format::Json => format!("{:#}\n", json(&outcome)?),
             _ => as_text(&outcome, from.elapsed()),
         };
@@ -84,25 +160,17 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
     }
 }
 
-pub fn merge(args: &Args) -> Result<u8, Problem> {
-    no_csv(args.format)?;
-    let request = CampaignMergeRequest {
-        overwrite: overwrite(),
-        ..args.request()?
-    };
+fn merge(mut request: CampaignMergeRequest, format: Format) -> Result<u8, Problem> {
+    no_csv(format)?;
+    request.overwrite = overwrite();
     let merged = campaign_merge(&request)?;
-    args.print(&merged, "", |merged, _| {
+    print_text(format, &merged, "", |merged, _| {
         let out = place(&merged.output);
         format!(
             "{} points of {} muscles are in {out}\n",
             merged.points, merged.muscles
         )
     })
-}
-
-pub fn show(args: &Args) -> Result<u8, Problem> {
-    let summary = campaign_show(&args.request()?)?;
-    args.show(&summary, "ranges", summary_text)
 }
 
 fn summary_text(s: &Summary, u: &Units) -> String {
@@ -130,19 +198,6 @@ fn summary_text(s: &Summary, u: &Units) -> String {
             .map(|damaged| format!("Damaged: {damaged}\n")),
     );
     out
-}
-
-pub fn status(args: &Args) -> Result<u8, Problem> {
-    let request = CampaignStatusRequest {
-        output: args.path("folder").unwrap_or_default(),
-    };
-    let status = campaign_status(&request)?;
-    args.show(&status, "shards", status_text)?;
-    Ok(if status.shards_missing > 0 {
-        NO_ANSWER
-    } else {
-        0
-    })
 }
 
 fn status_text(s: &CampaignStatus, u: &Units) -> String {

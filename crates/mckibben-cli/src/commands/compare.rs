@@ -1,14 +1,33 @@
 //! `compare`: models, and measured points.
 
-use crate::{Args, Bar, Problem, Units, headed, tabled, understood, value, warn};
+use crate::{Bar, Format, Output, Plot, Problem, Units, headed, tabled, understood, value, warn};
 use mckibben_app::{CompareAnswer, CompareRequest, ComparedModel, Direction};
 use serde_json::Value;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let request: CompareRequest = args.request()?;
-    let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
-    args.draw(&mut answer.figure)?;
-    args.show(&answer, "models", |answer, u| as_text(&request, answer, u))
+/// Models, and measured points.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben compare --models ideal,paper,thick-wall -p 1,2bar
+  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
+    --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor")]
+pub struct Compare {
+    #[command(flatten)]
+    request: CompareRequest,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Compare {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        self.request.figure = self.plot.wanted();
+        let mut answer = mckibben_app::compare(&self.request, &Bar::new("models"))?;
+        self.plot.save(&mut answer.figure)?;
+        self.output.show(format, &answer, "models", |answer, u| {
+            as_text(&self.request, answer, u)
+        })
+    }
 }
 
 const ERRORS: &str =

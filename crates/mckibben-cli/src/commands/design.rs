@@ -1,35 +1,74 @@
 //! `design`: the main job.
 
+use crate::output::ShownUnits;
+use crate::typed::in_flags;
 use crate::{
-    Args, Bar, Format, NO_ANSWER, Problem, Units, burst_first, check_ending, each, emit, headed,
-    in_flags, listed, number, pairs, place, said, save, tabled, value,
+    Bar, Format, NO_ANSWER, Plot, Problem, Units, burst_first, check_ending, each, emit, headed,
+    listed, number, pairs, place, print_text, said, save, tabled, value,
 };
 use mckibben::units::rounded;
-use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer};
+use mckibben_app::{CandidateAnswer, ClosestAnswer, DesignAnswer, DesignRequest, RejectedAnswer};
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let target = args.path("output");
-    check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = mckibben_app::design(&args.request()?, &Bar::new("muscles"))?;
-    let winner = answer.muscle_files.first();
-    if let Some(winner) = winner {
-        save(target.as_deref(), winner.text.as_bytes())?;
+/// The main job.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar
+  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar \\
+    --max-bulged-diameter 80mm --plot muscle.svg
+  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
+    -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
+    -o winner.toml
+  mckibben design --load mass:20kg --stroke 40mm --length 285 \\
+    --max-pressure 3bar
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
+    --count 7 --max-envelope 80mm
+  mckibben design -F 50N -e 15% --max-pressure 2.5bar --length 200 \\
+    --liquid water --max-liquid 20mL
+  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
+    --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30")]
+pub struct Design {
+    #[command(flatten)]
+    request: DesignRequest,
+    /// Everything that is known of them, and the near misses
+    #[arg(long, help_heading = "Output")]
+    all: bool,
+    #[command(flatten)]
+    units: ShownUnits,
+    #[command(flatten)]
+    plot: Plot,
+    /// Write the best muscle as a muscle file
+    #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
+    output: Option<PathBuf>,
+}
+
+impl Design {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        check_ending(target, &["toml"])?;
+        self.request.load.read_tables()?;
+        self.request.figure = self.plot.wanted();
+        let mut answer = mckibben_app::design(&self.request, &Bar::new("muscles"))?;
+        let winner = answer.muscle_files.first();
+        if let Some(winner) = winner {
+            save(target, winner.text.as_bytes())?;
+        }
+        let text = |answer: &DesignAnswer, u: &Units| {
+            burst_first(&answer.warnings) + &as_text(answer, target, self.all, u)
+        };
+        print_text(format, &answer, "candidates", text)?;
+        if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
+            emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
+        }
+        self.plot.save(&mut answer.figure)?;
+        Ok(if answer.candidates.is_empty() {
+            NO_ANSWER
+        } else {
+            0
+        })
     }
-    let text = |answer: &DesignAnswer, u: &Units| {
-        burst_first(&answer.warnings) + &as_text(answer, target.as_deref(), args.is("all"), u)
-    };
-    args.print(&answer, "candidates", text)?;
-    if let (Some(path), Some(_), Format::Text) = (&target, winner, args.format) {
-        emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
-    }
-    args.draw(&mut answer.figure)?;
-    Ok(if answer.candidates.is_empty() {
-        NO_ANSWER
-    } else {
-        0
-    })
 }
 
 const HEAD: &str =

@@ -1,8 +1,8 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, check_ending, listed, number, overwrite, pairs, place,
-    save, save_inside, tabled, value,
+    Bar, Format, NO_ANSWER, Problem, Units, check_ending, listed, number, output::show, overwrite,
+    pairs, place, print_text, save, save_inside, shown, tabled, value,
 };
 use mckibben::formula::Document;
 use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report};
@@ -11,44 +11,89 @@ use mckibben_campaign::fit::signs::signs;
 use mckibben_campaign::fit::{FittedFormula, PaperMethod};
 use mckibben_report::FigureError;
 use serde_json::{Map, Value, json};
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let target = args.path("output");
-    let Some(path) = args.path("file") else {
-        return report(args);
-    };
-    check_ending(target.as_deref(), &["json"])?;
-    let (tables, plots) = (args.path("folder"), args.path("plots"));
-    let mut request: FitRequest = args.request()?;
-    if path.is_dir()
-        || path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("parquet"))
-    {
-        request.campaign = Some(path);
-    } else {
-        request.table = Some(TextFile::table(&path)?);
+/// A formula from a table of points.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
+    -o formula.json --tables tables --plots plots
+  mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
+    -o global.json
+  mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
+  mckibben fit --report")]
+pub struct Fit {
+    /// Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg,
+    /// pressure_mpa, contraction, force_n, status)
+    #[arg(
+        required_unless_present = "report",
+        conflicts_with = "report",
+        help_heading = "Question"
+    )]
+    file: Option<PathBuf>,
+    /// Compute the paper's campaign again and print all comparisons, without a table
+    #[arg(
+        long,
+        conflicts_with_all = [
+            "method", "hold_out_mm", "thin_rule", "slack_rule", "name", "rubber", "stiffness",
+            "muscle", "table_folder", "plots"
+        ],
+        help_heading = "Question"
+    )]
+    report: bool,
+    #[command(flatten)]
+    request: FitRequest,
+    /// Write the intermediate tables of the paper's method (CSV and JSON) into a folder
+    #[arg(
+        id = "table_folder",
+        long = "tables",
+        value_name = "DIR",
+        help_heading = "Output"
+    )]
+    tables: Option<PathBuf>,
+    /// Write figures into a folder: figures 5 to 12 of the paper, or with `global` figure 12
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    plots: Option<PathBuf>,
+    /// Write the formula
+    #[arg(short, long, value_name = "FILE.json", help_heading = "Output")]
+    output: Option<PathBuf>,
+}
+
+impl Fit {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        let Some(path) = self.file else {
+            return report(target, format);
+        };
+        check_ending(target, &["json"])?;
+        let mut request = self.request;
+        let is_campaign = |end: &OsStr| end.eq_ignore_ascii_case("parquet");
+        if path.is_dir() || path.extension().is_some_and(is_campaign) {
+            request.campaign = Some(path);
+        } else {
+            request.table = Some(TextFile::table(&path)?);
+        }
+        (request.tables, request.figures) = (self.tables.is_some(), self.plots.is_some());
+        let mut answer = mckibben_app::fit(&request, &Bar::new("steps"))?;
+        if let Some(folder) = &self.tables {
+            write_tables(folder, &mut answer)?;
+        }
+        if let Some(folder) = &self.plots {
+            let drawn =
+                |named: &NamedFigure| Ok((format!("{}.svg", named.name), named.figure.to_svg()?));
+            let figures = answer
+                .figures
+                .iter()
+                .map(drawn)
+                .collect::<Result<Vec<_>, FigureError>>()?;
+            save_inside(folder, figures, overwrite())?;
+        }
+        save(target, answer.formula_file().as_bytes())?;
+        print_text(format, &answer, "terms", |answer, _| {
+            as_text(answer, target)
+        })
     }
-    (request.tables, request.figures) = (tables.is_some(), plots.is_some());
-    let mut answer = mckibben_app::fit(&request, &Bar::new("steps"))?;
-    if let Some(folder) = &tables {
-        write_tables(folder, &mut answer)?;
-    }
-    if let Some(folder) = &plots {
-        let drawn =
-            |named: &NamedFigure| Ok((format!("{}.svg", named.name), named.figure.to_svg()?));
-        let figures = answer
-            .figures
-            .iter()
-            .map(drawn)
-            .collect::<Result<Vec<_>, FigureError>>()?;
-        save_inside(folder, figures, overwrite())?;
-    }
-    save(target.as_deref(), answer.formula_file().as_bytes())?;
-    args.print(&answer, "terms", |answer, _| {
-        as_text(answer, target.as_deref())
-    })
 }
 
 fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
@@ -214,9 +259,10 @@ fn signs_text(m: &PaperMethod) -> String {
     )
 }
 
-fn report(args: &Args) -> Result<u8, Problem> {
+fn report(target: Option<&Path>, format: Format) -> Result<u8, Problem> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
-    args.show(&answer, "findings", report_text)?;
+    let text = || report_text(&answer, &shown::units());
+    show(&answer, format, "findings", text, target)?;
     Ok(if answer.findings.iter().all(|f| f.ok) {
         0
     } else {

@@ -1,53 +1,90 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::{Args, Problem, cli::command, emit, overwrite, save_inside, unprinted};
-use clap::Command;
+use crate::{Problem, cli::command, emit, overwrite, save_inside, unprinted};
+use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use mckibben_app::ProblemKind;
+use std::path::PathBuf;
 
 /// Prints the help of a command.
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let (mut root, words) = (built(), args.texts("command"));
-    let mut command = &mut root;
-    for word in &words {
-        command = command
-            .find_subcommand_mut(word)
-            .ok_or_else(|| unknown(&words))?;
+#[derive(Debug, Args)]
+#[command(after_long_help = "Examples:
+  mckibben help force
+  mckibben help parts show")]
+pub struct Help {
+    /// Command, such as `force` or `parts show` [mckibben]
+    command: Vec<String>,
+}
+
+impl Help {
+    pub fn run(self) -> Result<u8, Problem> {
+        let (mut root, words) = (built(), self.command);
+        let mut command = &mut root;
+        for word in &words {
+            command = command
+                .find_subcommand_mut(word)
+                .ok_or_else(|| unknown(&words))?;
+        }
+        command.print_long_help().map_err(|e| unprinted(&e))?;
+        Ok(0)
     }
-    command.print_long_help().map_err(|e| unprinted(&e))?;
-    Ok(0)
 }
 
 /// Prints one manual page, or writes all.
-pub fn man(args: &Args) -> Result<u8, Problem> {
-    let (root, words) = (built(), args.texts("command"));
-    let Some(folder) = args.path("output") else {
-        let command = words
-            .iter()
-            .try_fold(&root, |command, word| command.find_subcommand(word));
-        emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
-        return Ok(0);
-    };
-    let (mut left, mut pages) = (vec![&root], vec![]);
-    while let Some(command) = left.pop() {
-        pages.push((Man::new(command.clone()).get_filename(), page(command)?));
-        left.extend(command.get_subcommands());
+#[derive(Debug, Args)]
+#[command(after_long_help = "Examples:
+  mckibben man -o man/man1
+  mckibben man force
+
+Read the pages of a folder with: man -M man mckibben-force
+Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1")]
+pub struct ManPages {
+    /// Command whose page is printed [mckibben]
+    #[arg(conflicts_with = "output")]
+    command: Vec<String>,
+    /// Write the pages of all commands into a folder
+    #[arg(short, long, value_name = "DIR", help_heading = "Output")]
+    output: Option<PathBuf>,
+}
+
+impl ManPages {
+    pub fn run(self) -> Result<u8, Problem> {
+        let (root, words) = (built(), self.command);
+        let Some(folder) = self.output else {
+            let command = words
+                .iter()
+                .try_fold(&root, |command, word| command.find_subcommand(word));
+            emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
+            return Ok(0);
+        };
+        let (mut left, mut pages) = (vec![&root], vec![]);
+        while let Some(command) = left.pop() {
+            pages.push((Man::new(command.clone()).get_filename(), page(command)?));
+            left.extend(command.get_subcommands());
+        }
+        save_inside(&folder, pages, overwrite()).map(|()| 0)
     }
-    save_inside(&folder, pages, overwrite()).map(|()| 0)
 }
 
 /// Prints the completions of a shell.
-pub fn completions(args: &Args) -> Result<u8, Problem> {
-    let shell: Shell = args
-        .text("shell")
-        .and_then(|name| name.parse().ok())
-        .unwrap_or(Shell::Bash);
-    // Into memory first: clap_complete panics where it cannot write.
-    let mut script = vec![];
-    clap_complete::generate(shell, &mut command(), "mckibben", &mut script);
-    emit(&script, None)?;
-    Ok(0)
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben completions bash")]
+pub struct Completions {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+impl Completions {
+    pub fn run(self) -> Result<u8, Problem> {
+        // Into memory first: clap_complete panics where it cannot write.
+        let mut script = vec![];
+        clap_complete::generate(self.shell, &mut command(), "mckibben", &mut script);
+        emit(&script, None)?;
+        Ok(0)
+    }
 }
 
 /// The command line with all that it inherits.

@@ -1,59 +1,100 @@
 //! `identify`: constants of a muscle from points.
 
+use crate::output::ShownUnits;
 use crate::{
-    Args, Bar, Problem, Units, burst_first, check_ending, listed, pairs, percent, place, save,
-    table, tabled, understood, value,
+    Bar, Format, Plot, Problem, Units, burst_first, check_ending, listed, pairs, percent, place,
+    print_text, save, table, tabled, understood, value,
 };
 use mckibben::muscle::Bench;
 use mckibben_app::{IdentifyAnswer, IdentifyRequest, MotionRequest, TextFile, with_error_bar};
 use mckibben_fit::identify::{Identification, Identified};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let target = args.path("output");
-    check_ending(target.as_deref(), &["toml"])?;
-    if let Some(log) = args.path("motion") {
-        return of_motion(args, &log, target.as_deref());
-    }
-    let mut answer =
-        mckibben_app::identify(&args.request::<IdentifyRequest>()?, &Bar::new("points"))?;
-    args.draw(&mut answer.figure)?;
-    save(target.as_deref(), answer.muscle_file.as_bytes())?;
-    let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(&path)));
-    args.print(&answer, "points", |answer, u| {
-        as_text(answer, u) + &written.unwrap_or_default()
-    })
+/// Constants of a muscle, or of a drive.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben identify examples/bench.toml --data examples/bench.csv
+  mckibben identify examples/tondu2012.toml \\
+    --data data/tondu2012/static_force_20deg.csv --model thick-wall \\
+    --free mu,terminals.end_factor,friction.c,friction.beta \\
+    --plot fit.svg -o found.toml
+  mckibben motion examples/drive.toml --model universal -o log.csv
+  mckibben identify examples/drive.toml --motion log.csv --model universal \\
+    -o drive.toml")]
+pub struct Identify {
+    #[command(flatten)]
+    request: IdentifyRequest,
+    /// Recorded motion of a drive, whose file is named in place of the muscle's: times, with
+    /// pressures, contractions or shortenings
+    ///
+    /// Constants of the drive are identified from the first half of its time.
+    #[arg(
+        long,
+        value_name = "LOG.csv",
+        requires = "file",
+        conflicts_with_all = ["data", "fix", "laws"],
+        help_heading = "Question"
+    )]
+    motion: Option<PathBuf>,
+    #[command(flatten)]
+    units: ShownUnits,
+    #[command(flatten)]
+    plot: Plot,
+    /// Write the muscle with the identified values as a muscle file
+    #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
+    output: Option<PathBuf>,
 }
 
-/// Constants of a drive from a log of its motion.
-fn of_motion(args: &Args, log: &Path, target: Option<&Path>) -> Result<u8, Problem> {
-    let request: MotionRequest =
-        mckibben_app::understood(&args.fields_without(&["muscle"])?.into())?;
-    let log = Some(TextFile::table(log)?);
-    let request = MotionRequest {
-        log,
-        ..request.with_drive(&args.path("file").unwrap_or_default())?
-    };
-    let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
-    args.draw(&mut answer.figure)?;
-    let Some(identified) = &answer.identified else {
-        return Ok(0);
-    };
-    save(target, identified.drive_file.as_bytes())?;
-    let written = target.map(|path| format!("\nThe drive is in {}.\n", place(path)));
-    args.print(&answer, "series", |answer, u| {
-        let errors = tabled(
-            &identified.errors,
-            "of=log rms:3 held_out_rms=second_half,_predicted:3",
-            u,
-        );
-        let table = format!(
-            "model {}\n\n{}\n{errors}",
-            answer.model,
-            constants(&identified.parameters, u)
-        );
-        burst_first(&answer.warnings) + &table + &written.unwrap_or_default()
-    })
+impl Identify {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        check_ending(target, &["toml"])?;
+        self.request.figure = self.plot.wanted();
+        if let Some(log) = &self.motion {
+            return self.of_motion(log, format);
+        }
+        let mut answer = mckibben_app::identify(&self.request, &Bar::new("points"))?;
+        self.plot.save(&mut answer.figure)?;
+        save(target, answer.muscle_file.as_bytes())?;
+        let written = target.map(|path| format!("\nThe muscle is in {}.\n", place(path)));
+        print_text(format, &answer, "points", |answer, u| {
+            as_text(answer, u) + &written.unwrap_or_default()
+        })
+    }
+
+    /// Constants of a drive from a log of its motion.
+    fn of_motion(&self, log: &Path, format: Format) -> Result<u8, Problem> {
+        let drive = self.request.muscle.file().map(|file| &*file.name);
+        let request = MotionRequest {
+            model: self.request.model.clone(),
+            free: self.request.free.clone(),
+            figure: self.request.figure.clone(),
+            log: Some(TextFile::table(log)?),
+            ..MotionRequest::default()
+        };
+        let request = request.with_drive(Path::new(drive.unwrap_or_default()))?;
+        let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
+        self.plot.save(&mut answer.figure)?;
+        let Some(identified) = &answer.identified else {
+            return Ok(0);
+        };
+        let target = self.output.as_deref();
+        save(target, identified.drive_file.as_bytes())?;
+        let written = target.map(|path| format!("\nThe drive is in {}.\n", place(path)));
+        print_text(format, &answer, "series", |answer, u| {
+            let errors = tabled(
+                &identified.errors,
+                "of=log rms:3 held_out_rms=second_half,_predicted:3",
+                u,
+            );
+            let table = format!(
+                "model {}\n\n{}\n{errors}",
+                answer.model,
+                constants(&identified.parameters, u)
+            );
+            burst_first(&answer.warnings) + &table + &written.unwrap_or_default()
+        })
+    }
 }
 
 const PARAMETERS: &str = "name=_ shown=value bar=±_95_% standard_error=std._error:2~ unit start:4~ \

@@ -1,7 +1,13 @@
 //! `parts list|show`.
 
-use crate::{Args, Problem, Units, listed, output::text::law_text, pairs, tabled, value, warn};
-use mckibben_app::{PartShowAnswer, PartsListAnswer, RubberDetails, part_show, parts_list};
+use crate::{
+    Format, Output, Problem, Units, listed, output::text::law_text, pairs, tabled, value, warn,
+};
+use clap::Subcommand;
+use mckibben_app::{
+    PartKind, PartShowAnswer, PartShowRequest, PartsListAnswer, PartsListRequest, RubberDetails,
+    part_show, parts_list,
+};
 
 /// The lists, their columns, and what these are.
 const LISTS: [(&str, &str, &str); 5] = [
@@ -69,10 +75,49 @@ const DETAILS: [(&str, &str); 5] = [
     ),
 ];
 
-pub fn list(args: &Args) -> Result<u8, Problem> {
-    let answer = parts_list(&args.request()?)?;
-    let rows = args.text("kind").unwrap_or_else(|| "tubes".into());
-    args.show(&answer, &rows, list_text)
+/// What has a name.
+#[derive(Debug, Subcommand)]
+pub enum Parts {
+    /// All of them, or those of one kind
+    #[command(after_long_help = "Example:
+  mckibben parts list tubes")]
+    List {
+        #[command(flatten)]
+        request: PartsListRequest,
+        #[command(flatten)]
+        output: Output,
+    },
+    /// What has a name: its data, source and terms
+    #[command(after_long_help = "Examples:
+  mckibben parts show latex-1/4x3/8in
+  mckibben parts show dragon-skin-30
+  mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in")]
+    Show {
+        #[command(flatten)]
+        request: PartShowRequest,
+        #[command(flatten)]
+        output: Output,
+    },
+}
+
+impl Parts {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        match self {
+            Self::List { request, output } => {
+                let rows = match request.kind {
+                    None | Some(PartKind::Tubes) => "tubes",
+                    Some(PartKind::Sleeves) => "sleeves",
+                    Some(PartKind::Rubbers) => "rubbers",
+                    Some(PartKind::Muscles) => "muscles",
+                    Some(PartKind::Models) => "models",
+                };
+                output.show(format, &parts_list(&request)?, rows, list_text)
+            }
+            Self::Show { request, output } => {
+                output.show(format, &part_show(&request)?, "", show_text)
+            }
+        }
+    }
 }
 
 fn list_text(answer: &PartsListAnswer, u: &Units) -> String {
@@ -83,11 +128,6 @@ fn list_text(answer: &PartsListAnswer, u: &Units) -> String {
     };
     let lists: String = LISTS.into_iter().filter_map(one).collect();
     lists + "`mckibben parts show NAME` shows source, price and use.\n"
-}
-
-pub fn show(args: &Args) -> Result<u8, Problem> {
-    let answer = part_show(&args.request()?)?;
-    args.show(&answer, "", show_text)
 }
 
 fn show_text(answer: &PartShowAnswer, u: &Units) -> String {

@@ -1,41 +1,60 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Args, Problem, burst_first, output::loaded::loaded, pairs};
-use mckibben_app::{PointAnswer, PointQuantity, rows::point_rows};
+use crate::{Format, Output, Problem};
+use clap::Args;
+use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
 /// F(P, ε).
-pub fn force(args: &Args) -> Result<u8, Problem> {
-    show(
-        args,
-        mckibben_app::force(&args.request()?)?,
-        PointQuantity::Force,
-    )
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper")]
+pub struct Force {
+    #[command(flatten)]
+    request: ForceRequest,
+    #[command(flatten)]
+    output: Output,
 }
 
 /// P(F, ε).
-pub fn pressure(args: &Args) -> Result<u8, Problem> {
-    show(
-        args,
-        mckibben_app::pressure(&args.request()?)?,
-        PointQuantity::Pressure,
-    )
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar")]
+pub struct Pressure {
+    #[command(flatten)]
+    request: PressureRequest,
+    #[command(flatten)]
+    output: Output,
 }
 
 /// ε(F, P).
-pub fn contraction(args: &Args) -> Result<u8, Problem> {
-    show(
-        args,
-        mckibben_app::contraction(&args.request()?)?,
-        PointQuantity::Contraction,
-    )
+#[derive(Debug, Args)]
+#[command(after_long_help = "Example:
+  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
+pub struct Contraction {
+    #[command(flatten)]
+    request: ContractionRequest,
+    #[command(flatten)]
+    output: Output,
 }
 
-fn show(args: &Args, answer: PointAnswer, of: PointQuantity) -> Result<u8, Problem> {
-    args.show(&answer, "", |answer, u| {
-        let load = answer
-            .loaded
-            .as_ref()
-            .map_or_else(String::new, |load| loaded(load, u));
-        burst_first(&answer.point.warnings) + &pairs(&point_rows(answer, of, u)) + &load
-    })
+impl Force {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        self.output
+            .print(format, &mckibben_app::force(&self.request)?)
+    }
+}
+
+impl Pressure {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        self.output
+            .print(format, &mckibben_app::pressure(&self.request)?)
+    }
+}
+
+impl Contraction {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        self.request.load.read_tables()?;
+        self.output
+            .print(format, &mckibben_app::contraction(&self.request)?)
+    }
 }

@@ -1,15 +1,18 @@
 //! `rubber`: laws from tension tests.
 
 use crate::{
-    Args, Format, Problem, Units, check_ending, emit, listed, number, pairs, place, save, tabled,
-    understood, value, warn,
+    Format, Plot, Problem, Units, check_ending, emit, listed, number, pairs, place, print_text,
+    save, tabled, understood, value, warn,
 };
 use mckibben::progress::Silent;
-use mckibben_app::{ConstantRow, ProblemKind, RubberFitAnswer, rubber_fit};
+use mckibben_app::{
+    ConstantRow, ProblemKind, RubberFitAnswer, RubberFitRequest, TextFile, rubber_fit,
+};
 use mckibben_fit::rubber::FittedLaw;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
+use std::path::{Path, PathBuf};
 
 /// The constants of all laws, as a table.
 #[derive(Serialize, JsonSchema)]
@@ -17,40 +20,70 @@ struct Constants {
     constants: Vec<ConstantRow>,
 }
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let target = args.path("output");
-    check_ending(target.as_deref(), &["toml"])?;
-    let mut answer = rubber_fit(&args.request()?, &Silent)?;
-    let written = target.as_deref().zip(answer.muscle_file.as_deref());
-    written.map_or(Ok(()), |(path, text)| save(Some(path), text.as_bytes()))?;
-    if target.is_some() && written.is_none() {
-        let message = "none of these laws is stable over the stretches of a muscle; no muscle file \
-            is written";
-        return Err(Problem::new(
-            ProblemKind::NoAnswer,
-            message,
-            "add `stable`, or take `laws` neo-hookean",
-        ));
-    }
-    args.draw(&mut answer.figure)?;
-    if args.format == Format::Csv {
-        return args.print(
-            &Constants {
+/// Laws from tension tests.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben rubber data/treloar/tension.csv --law yeoh --relative
+  mckibben rubber data/silicones/dragon_skin_30.csv --up-to 200% \\
+    --plot rubber.svg -o silicone.toml
+  mckibben force --muscle silicone.toml -p 2bar -e 10%")]
+pub struct Rubber {
+    /// Tension tests: a table of stretches, strains or extensions and of stresses or forces, with
+    /// units; several are fitted together
+    #[arg(
+        value_name = "FILE",
+        value_parser = table,
+        required_unless_present = "data",
+        help_heading = "Question"
+    )]
+    tests: Vec<TextFile>,
+    #[command(flatten)]
+    request: RubberFitRequest,
+    #[command(flatten)]
+    plot: Plot,
+    /// Write a muscle file with the recommended law
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
+    output: Option<PathBuf>,
+}
+
+fn table(path: &str) -> Result<TextFile, Problem> {
+    TextFile::table(Path::new(path))
+}
+
+impl Rubber {
+    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        check_ending(target, &["toml"])?;
+        self.request.tables.data.splice(0..0, self.tests);
+        self.request.figure = self.plot.plot.is_some();
+        let mut answer = rubber_fit(&self.request, &Silent)?;
+        let written = target.zip(answer.muscle_file.as_deref());
+        written.map_or(Ok(()), |(path, text)| save(Some(path), text.as_bytes()))?;
+        if target.is_some() && written.is_none() {
+            let message = "none of these laws is stable over the stretches of a muscle; no muscle \
+                file is written";
+            return Err(Problem::new(
+                ProblemKind::NoAnswer,
+                message,
+                "add `stable`, or take `laws` neo-hookean",
+            ));
+        }
+        self.plot.save(&mut answer.figure)?;
+        if format == Format::Csv {
+            let constants = Constants {
                 constants: answer.constants(),
-            },
-            "constants",
-            |_, _| String::new(),
-        );
+            };
+            return print_text(format, &constants, "constants", |_, _| String::new());
+        }
+        print_text(format, &answer, "", as_text)?;
+        if let (Some(path), Format::Text) = (target, format) {
+            let path = place(path);
+            let text =
+                format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n");
+            emit(text, None)?;
+        }
+        Ok(0)
     }
-    args.print(&answer, "", as_text)?;
-    if let (Some(path), Format::Text) = (&target, args.format) {
-        let path = place(path);
-        emit(
-            format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n"),
-            None,
-        )?;
-    }
-    Ok(0)
 }
 
 /// The law in words: `mooney-rivlin, held stable`.

@@ -1,23 +1,47 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::{Args, Problem, check_ending, emit, overwrite, save_inside};
+use crate::{Problem, check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
+use std::path::PathBuf;
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    let target = args.path("output");
-    let one = match (args.text("file"), args.text("command")) {
-        (Some(kind), _) => file_schema(&kind)?,
-        (None, Some(command)) => schema(&command)?,
-        (None, None) => {
-            let Some(folder) = &target else {
-                return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
-            };
-            let files = COMMANDS
-                .iter()
-                .map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
-            return save_inside(folder, files, overwrite()).map(|()| 0);
-        }
-    };
-    check_ending(target.as_deref(), &["json"])?;
-    emit(format!("{one:#}\n"), target.as_deref()).map(|()| 0)
+/// The JSON Schema of a command, or of a file.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben schema force
+  mckibben schema --file muscle -o muscle.schema.json")]
+pub struct Schema {
+    /// Command, its words joined by a hyphen (force, parts-list) [all commands in one document with
+    /// shared `$defs`]
+    command: Option<String>,
+    /// Schema of a file that people write: muscle, joint, drive or plan
+    ///
+    /// For TOML editors, which complete and check with it. Files that this program writes name it in
+    /// the line `#:schema`.
+    #[arg(long, value_name = "KIND", conflicts_with = "command")]
+    file: Option<String>,
+    /// Write to a file instead of standard output; without COMMAND: into a folder, one file per
+    /// command
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
+    output: Option<PathBuf>,
+}
+
+impl Schema {
+    pub fn run(self) -> Result<u8, Problem> {
+        let target = self.output;
+        let one = match (self.file, self.command) {
+            (Some(kind), _) => file_schema(&kind)?,
+            (None, Some(command)) => schema(&command)?,
+            (None, None) => {
+                let Some(folder) = &target else {
+                    return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
+                };
+                let files = COMMANDS
+                    .iter()
+                    .map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
+                return save_inside(folder, files, overwrite()).map(|()| 0);
+            }
+        };
+        check_ending(target.as_deref(), &["json"])?;
+        emit(format!("{one:#}\n"), target.as_deref()).map(|()| 0)
+    }
 }

@@ -1,42 +1,56 @@
 //! `serve`: the workbench in a browser.
 
-use crate::{Args, Format, Problem, emit, progress, warn};
+use crate::{Format, Problem, emit, progress, warn};
 use mckibben_app::ProblemKind;
 use mckibben_server::Config;
 use std::io::ErrorKind;
 use std::net::{Ipv4Addr, TcpListener};
 
 /// Serves until a signal ends it.
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    // Signals are taken over before anybody can know that the server is there.
-    progress::stopped();
-    let port = args
-        .text("port")
-        .and_then(|text| text.trim().parse().ok())
-        .unwrap_or(8080);
-    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|e| unbound(port, &e))?;
-    let address = listener.local_addr().map_err(|e| unbound(port, &e))?;
-    let address = format!("http://{address}");
-    let line = match args.format {
-        Format::Json => serde_json::json!({ "address": address }).to_string(),
-        _ => address.clone(),
-    };
-    emit(&(line + "\n"), None)?;
-    if args.is("open")
-        && let Err(error) = open::that_detached(&address)
-    {
-        warn(format!(
-            "no browser can be opened ({error}): open {address} yourself"
-        ));
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Example:
+  mckibben serve --port 0
+
+Open the address that it prints in a browser; Ctrl-C ends it.")]
+pub struct Serve {
+    /// Port; 0 selects a free port
+    #[arg(long, default_value_t = 8080)]
+    port: u16,
+    /// Open the page in the browser
+    #[arg(long)]
+    open: bool,
+}
+
+impl Serve {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        // Signals are taken over before anybody can know that the server is there.
+        progress::stopped();
+        let port = self.port;
+        let listener =
+            TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|e| unbound(port, &e))?;
+        let address = listener.local_addr().map_err(|e| unbound(port, &e))?;
+        let address = format!("http://{address}");
+        let line = match format {
+            Format::Json => serde_json::json!({ "address": address }).to_string(),
+            _ => address.clone(),
+        };
+        emit(&(line + "\n"), None)?;
+        if self.open
+            && let Err(error) = open::that_detached(&address)
+        {
+            warn(format!(
+                "no browser can be opened ({error}): open {address} yourself"
+            ));
+        }
+        mckibben_server::run(listener, Config::default(), progress::stopped).map_err(|e| {
+            Problem::new(
+                ProblemKind::Output,
+                format!("the server cannot run: {e}"),
+                "",
+            )
+        })?;
+        Ok(0)
     }
-    mckibben_server::run(listener, Config::default(), progress::stopped).map_err(|e| {
-        Problem::new(
-            ProblemKind::Output,
-            format!("the server cannot run: {e}"),
-            "",
-        )
-    })?;
-    Ok(0)
 }
 
 fn unbound(port: u16, error: &std::io::Error) -> Problem {

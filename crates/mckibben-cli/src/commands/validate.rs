@@ -1,30 +1,78 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{
-    Args, Bar, NO_ANSWER, Problem, Units, headed, listed, number, output::width, pairs, plot,
-    shown, tabled, value,
+    Bar, Format, NO_ANSWER, Output, Plot, Problem, Units, headed, listed, number, output::width,
+    pairs, tabled, value,
 };
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFolder, MeasuredRequest, MeasuredResult,
-    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, ValidateAnswer, in_one_line,
-    measured_folder,
+    MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind, ValidateAnswer,
+    ValidateRequest, in_one_line, measured_folder,
 };
 use mckibben_fit::validation::case::built_in;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub fn run(args: &Args) -> Result<u8, Problem> {
-    if args.text("measured").is_some() {
-        return run_measured(args);
+/// Verification and validation.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = "Examples:
+  mckibben validate
+  mckibben validate --measured --only dmsp-20-300
+  mckibben validate --measured --only dmsp-10-hose --model thick-wall
+  mckibben validate --measured --only rubber-treloar")]
+pub struct Validate {
+    #[command(flatten)]
+    request: ValidateRequest,
+    /// Validation report of measured muscles and rubbers: known data, fitted constants, errors at
+    /// fitted points and at predicted points
+    ///
+    /// Cases of DIR, one folder each [the built-in cases].
+    #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with = "all")]
+    measured: Option<Option<PathBuf>>,
+    /// Only these cases, by folder name
+    #[arg(
+        long,
+        value_name = "NAME,…",
+        value_delimiter = ',',
+        requires = "measured"
+    )]
+    only: Vec<String>,
+    /// Model of the measured muscles [fe]
+    #[arg(long, value_name = "NAME", requires = "measured")]
+    model: Option<String>,
+    #[command(flatten)]
+    plot: Plot,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Validate {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
+        if let Some(folder) = self.measured {
+            let cases = folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?;
+            let request = MeasuredRequest {
+                cases: chosen(cases, &self.only)?,
+                model: self.model,
+                figure: self.plot.wanted(),
+            };
+            let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
+            self.plot.save(&mut answer.figure)?;
+            let rows = if answer.results.is_empty() {
+                "stresses"
+            } else {
+                "results"
+            };
+            return self.output.show(format, &answer, rows, measured_text);
+        }
+        if self.plot.plot.is_some() {
+            let message = "--plot draws the measured muscles: it requires --measured";
+            let hint = "mckibben validate --measured --plot FILE.svg";
+            return Err(Problem::new(ProblemKind::Usage, message, hint));
+        }
+        let answer = mckibben_app::validate(&self.request, &Bar::new("groups of cases"))?;
+        self.output.show(format, &answer, "cases", as_text)?;
+        Ok(if answer.ok() { 0 } else { NO_ANSWER })
     }
-    if args.path("plot").is_some() {
-        let message = "--plot draws the measured muscles: it requires --measured";
-        let hint = "mckibben validate --measured --plot FILE.svg";
-        return Err(Problem::new(ProblemKind::Usage, message, hint));
-    }
-    let answer = mckibben_app::validate(&args.request()?, &Bar::new("groups of cases"))?;
-    args.show(&answer, "cases", as_text)?;
-    Ok(if answer.ok() { 0 } else { NO_ANSWER })
 }
 
 /// The cases of one kind, and what they are.
@@ -87,37 +135,6 @@ fn as_text(answer: &ValidateAnswer, u: &Units) -> String {
         summary += "\nSources of the cases: mckibben validate --format csv\n";
     }
     out + &summary
-}
-
-fn run_measured(args: &Args) -> Result<u8, Problem> {
-    plot::check(args)?;
-    let figure = args.path("plot").map(|_| shown::units());
-    let folder = args
-        .path("measured")
-        .filter(|path| !path.as_os_str().is_empty());
-    let only: Vec<String> = args
-        .texts("only")
-        .iter()
-        .flat_map(|t| t.split(','))
-        .map(str::to_owned)
-        .collect();
-    let cases = chosen(
-        folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?,
-        &only,
-    )?;
-    let request = MeasuredRequest {
-        cases,
-        model: args.text("model"),
-        figure,
-    };
-    let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-    args.draw(&mut answer.figure)?;
-    let rows = if answer.results.is_empty() {
-        "stresses"
-    } else {
-        "results"
-    };
-    args.show(&answer, rows, measured_text)
 }
 
 /// The measured muscle or rubber of a folder, or those of the folders in it.

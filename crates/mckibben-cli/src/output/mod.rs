@@ -1,26 +1,27 @@
 //! Results as text, JSON and CSV, and where they go.
 
 pub mod keyed;
-pub mod loaded;
 mod table;
 pub mod text;
 pub mod width;
 mod write;
 
 pub use table::FLAT;
+use table::Table;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
     save_all, save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, clean, quantities::unit_hint, unprinted};
+use crate::{Format, Problem, Units, clean, quantities::unit_hint, shown, unprinted};
 use mckibben::warning::is_of_burst;
+use mckibben_app::print::{Page, Show};
 use mckibben_app::{ProblemKind, answer_schema};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
@@ -65,8 +66,91 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
     written.map_err(|error| unprinted(&error))
 }
 
+/// Units that are shown.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Output")]
+pub struct ShownUnits {
+    /// Units that are shown: bar, or psi,lbf,in
+    ///
+    /// Of text and figures: a unit of pressure, force or length, or several. Without it those of
+    /// your flags, else MPa, N and mm.
+    #[arg(long, value_name = "UNIT,…")]
+    // `shown` finds it among the flags.
+    #[allow(dead_code)]
+    units: Option<Units>,
+}
+
+/// Where the result goes, and in which units it is shown.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Output")]
+pub struct Output {
+    #[command(flatten)]
+    pub units: ShownUnits,
+    /// Write the result to a file
+    ///
+    /// Instead of standard output. The ending selects the format: .txt, .json, .csv.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+impl Output {
+    /// Prints an answer where `--output` says.
+    pub fn print<T: Show>(&self, format: Format, answer: &T) -> Result<u8, Problem> {
+        print(answer, format, |_| (), self.output.as_deref())?;
+        Ok(0)
+    }
+
+    /// Prints an answer where `--output` says.
+    pub fn show<T: Serialize + JsonSchema>(
+        &self,
+        format: Format,
+        answer: &T,
+        rows: &str,
+        text: impl FnOnce(&T, &Units) -> String,
+    ) -> Result<u8, Problem> {
+        let text = || text(answer, &shown::units());
+        show(answer, format, rows, text, self.output.as_deref())?;
+        Ok(0)
+    }
+}
+
+/// Prints an answer beside the file that `--output` names.
+pub fn print_text<T: Serialize + JsonSchema>(
+    format: Format,
+    answer: &T,
+    rows: &str,
+    text: impl FnOnce(&T, &Units) -> String,
+) -> Result<u8, Problem> {
+    show(answer, format, rows, || text(answer, &shown::units()), None)?;
+    Ok(0)
+}
+
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
+
+/// Prints an answer in the requested form: as text for people with what `add` adds, as JSON, or as
+/// a table.
+pub fn print<T: Show>(
+    answer: &T,
+    format: Format,
+    add: impl FnOnce(&mut Page),
+    target: Target<'_>,
+) -> Result<(), Problem> {
+    let text = || {
+        let first = burst_first(&answer.warnings());
+        let mut page = answer.page(&shown::units());
+        add(&mut page);
+        first + &text::laid_out(&page)
+    };
+    let csv = || {
+        let csv = answer.csv();
+        let warnings = answer.warnings();
+        let all = warnings.iter().chain(&csv.warnings);
+        all.filter(|w| is_of_burst(w)).for_each(warn);
+        table::csv(&Table::of(csv)?)
+    };
+    made(&|| json(answer), &csv, format, Box::new(text), target)
+}
 
 /// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row
 /// for each element of the list named `rows` (for the answer itself where the name is empty or
@@ -78,23 +162,39 @@ pub fn show<T: Serialize + JsonSchema>(
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    made(
-        &|| json(answer),
-        answer_schema::<T>,
-        format,
-        rows,
-        Box::new(text),
-        target,
-    )
+    let csv = || {
+        let mut value = json(answer)?;
+        // A table has no place for it.
+        let all = value
+            .get("warnings")
+            .and_then(Value::as_array)
+            .into_iter()
+            .flatten();
+        all.filter_map(Value::as_str)
+            .filter(|w| is_of_burst(w))
+            .for_each(warn);
+        let list = match value.get_mut(rows).map(Value::take) {
+            Some(Value::Array(list)) => list,
+            Some(Value::Object(columns)) => table::of_columns(&columns),
+            _ if rows == FLAT => vec![table::flat(value)],
+            _ if rows.is_empty() => vec![value],
+            _ => vec![],
+        };
+        let columns = table::with_others(table::columns(&answer_schema::<T>(), rows), &list);
+        table::csv(&Table {
+            columns,
+            rows: list,
+        })
+    };
+    made(&|| json(answer), &csv, format, Box::new(text), target)
 }
 
 /// The same of what can be made of an answer, of one type for all answers, so that it is compiled
 /// once.
 fn made(
     json: &dyn Fn() -> Result<Value, Problem>,
-    schema: fn() -> Value,
+    csv: &dyn Fn() -> Result<Vec<u8>, Problem>,
     format: Format,
-    rows: &str,
     text: Box<dyn FnOnce() -> String + '_>,
     target: Target<'_>,
 ) -> Result<(), Problem> {
@@ -107,31 +207,7 @@ fn made(
             width::broken(&clean::lines(&plain(text()))).into_bytes()
         }
         Format::Json => plain(format!("{:#}\n", json()?)).into_bytes(),
-        Format::Csv => {
-            let mut value = json()?;
-            // A table has no place for it.
-            let all = value
-                .get("warnings")
-                .and_then(Value::as_array)
-                .into_iter()
-                .flatten();
-            all.filter_map(Value::as_str)
-                .filter(|w| is_of_burst(w))
-                .for_each(warn);
-            let list = match value.get_mut(rows).map(Value::take) {
-                Some(Value::Array(list)) => list,
-                Some(Value::Object(columns)) => table::of_columns(&columns),
-                _ if rows == FLAT => vec![table::flat(value)],
-                _ if rows.is_empty() => vec![value],
-                _ => vec![],
-            };
-            let columns = table::with_others(table::columns(&schema(), rows), &list);
-            let table = table::Table {
-                columns,
-                rows: list,
-            };
-            table::csv(&table)?
-        }
+        Format::Csv => csv()?,
     };
     emit(&out, target)?;
     warn_behind();

@@ -3,6 +3,7 @@
 
 use crate::Problem;
 use mckibben_app::ProblemKind;
+use mckibben_app::print::{Csv, Form};
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
@@ -126,6 +127,32 @@ pub struct Table {
     pub rows: Vec<Value>,
 }
 
+impl Table {
+    /// The table of an answer.
+    pub fn of(answer: Csv) -> Result<Self, Problem> {
+        let schema = answer.schema();
+        let rows = answer.rows.map_err(|e| broken(&e))?;
+        let mut known = vec![];
+        scalars(&schema, &schema, answer.form == Form::Columns, &mut known);
+        let rows: Vec<Value> = match answer.form {
+            Form::Rows => rows,
+            Form::Flat => {
+                properties(&schema, &schema)
+                    .for_each(|(_, value)| scalars(&schema, value, false, &mut known));
+                rows.into_iter().map(flat).collect()
+            }
+            Form::Columns => {
+                let lists = rows.iter().filter_map(Value::as_object);
+                lists.flat_map(of_columns).collect()
+            }
+        };
+        Ok(Self {
+            columns: with_others(known, &rows),
+            rows,
+        })
+    }
+}
+
 /// An object with the values of its objects beside the others.
 pub fn flat(value: Value) -> Value {
     let mut out = Map::new();
@@ -166,10 +193,11 @@ fn text(value: Option<&Value>) -> Option<String> {
     }
 }
 
+fn broken(error: &dyn std::fmt::Display) -> Problem {
+    Problem::new(ProblemKind::Output, format!("cannot make CSV: {error}"), "")
+}
+
 pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
-    let broken = |e: &dyn std::fmt::Display| {
-        Problem::new(ProblemKind::Output, format!("cannot make CSV: {e}"), "")
-    };
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))

@@ -4,8 +4,9 @@ use super::width::{self, fold};
 use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
+use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, half_width, law_text, number, percent, within};
+pub use mckibben_app::words::{aligned, law_text, number, percent};
 use std::path::Path;
 
 /// The name of a file.
@@ -123,6 +124,22 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
     drawn.collect::<Vec<_>>().join("\n")
 }
 
+/// A page of an answer.
+pub fn laid_out(page: &Page) -> String {
+    let block = |block: &Block| match block {
+        Block::Text(text) => format!("{text}\n"),
+        Block::Rows(rows) => {
+            let rows: Vec<_> = rows.iter().cloned().collect();
+            pairs(&rows)
+        }
+        Block::Table(list) => columns(
+            list.iter()
+                .map(|column| (column.heading.clone(), column.cells.clone())),
+        ),
+    };
+    page.blocks.iter().map(block).collect()
+}
+
 /// Aligned `name   value` lines; a long value goes on below.
 pub fn pairs<S: AsRef<str>>(list: &[(S, String)]) -> String {
     pairs_within(width::of_tables(), list)
@@ -148,15 +165,6 @@ pub fn understood(tables: &[UnderstoodTable]) -> String {
     tables
         .iter()
         .map(|table| line(&table.line()).into_owned() + "\n")
-        .collect()
-}
-
-/// A percentage a row, with their points aligned.
-pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
-    let hundredfold: Vec<Option<f64>> = ratios.into_iter().map(|v| v.map(|v| 100.0 * v)).collect();
-    let column = aligned(&hundredfold, digits).into_iter();
-    column
-        .map(|cell| if cell == "–" { cell } else { cell + " %" })
         .collect()
 }
 

@@ -2,7 +2,8 @@
 //! is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::{Args, Problem, clean, in_flags, progress, shown};
+use crate::typed::{self, in_flags};
+use crate::{Problem, clean, progress, shown};
 use anstyle::{AnsiColor, Style};
 use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
@@ -15,7 +16,7 @@ use std::{path::Path, sync::Mutex};
 static OVERWRITE: AtomicBool = AtomicBool::new(false);
 
 /// Flags that name files that are written.
-const WRITTEN: [&str; 4] = ["output", "plot", "alone", "export_inp"];
+const WRITTEN: [&str; 4] = ["--output", "--plot", "--report", "--export-inp"];
 
 pub fn overwrite() -> bool {
     OVERWRITE.load(Ordering::Relaxed)
@@ -23,14 +24,13 @@ pub fn overwrite() -> bool {
 
 /// Refuses a command line that names an existing file for a result, before any work is done for it.
 /// A campaign continues its file.
-pub fn check_named(args: &Args, command: &str, overwrite: bool) -> Result<(), Problem> {
+pub fn check_named(continues: bool, overwrite: bool) -> Result<(), Problem> {
     OVERWRITE.store(overwrite, Ordering::Relaxed);
-    let written = WRITTEN
+    let written = typed::flags()
         .iter()
-        .filter(|flag| **flag != "output" || command != "campaign");
-    written
-        .filter_map(|flag| args.path(flag))
-        .try_for_each(|path| check(&path))
+        .filter(|flag| WRITTEN.contains(&&*flag.name) && !(continues && flag.name == "--output"));
+    let mut paths = written.flat_map(|flag| &flag.texts);
+    paths.try_for_each(|(_, path)| check(Path::new(path)))
 }
 
 /// Refuses to write what is no answer, and to overwrite a file.

@@ -14,10 +14,19 @@ pub struct QuantityError {
     pub problem: String,
 }
 
+/// The beginning of a long text.
+pub(super) fn shortened(text: &str) -> String {
+    if text.chars().count() <= 60 {
+        text.into()
+    } else {
+        text.chars().take(59).chain(['…']).collect()
+    }
+}
+
 impl QuantityError {
     pub(super) fn about(text: &str, problem: String) -> Self {
         Self {
-            subject: format!("\"{}\" ", text.trim()),
+            subject: format!("\"{}\" ", shortened(text.trim())),
             problem,
         }
     }
@@ -25,14 +34,6 @@ impl QuantityError {
     /// A text that is something else than what was expected.
     pub(super) fn is(text: &str, what: &str, expected: Dimension) -> Self {
         Self::about(text, format!("{what}; expected {}", expected.expectation()))
-    }
-
-    /// A text longer than any quantity.
-    pub(super) fn long(expected: Dimension) -> Self {
-        Self {
-            subject: String::new(),
-            problem: format!("is a long text; expected {}", expected.expectation()),
-        }
     }
 
     /// `NaN`, `inf`, or a number too large for a double.
@@ -139,7 +140,8 @@ pub(super) fn factor(
             let other = Dimension::all()
                 .find(|d| d.unit(unit).is_some())
                 .map(|d| format!("is {}", d.noun()));
-            let what = other.unwrap_or_else(|| format!("has the unknown unit \"{unit}\""));
+            let what =
+                other.unwrap_or_else(|| format!("has the unknown unit \"{}\"", shortened(unit)));
             Err(QuantityError::is(text, &what, expected))
         }
     }

@@ -1,6 +1,6 @@
 //! [valve], [regulator], [pump], [syringe] and [air].
 
-use super::keys::{DriveKeys, OfAir, OfValve};
+use super::keys::{DriveKeys, OfAir, OfPump, OfRegulator, OfSyringe, OfValve};
 use super::liquid;
 use crate::air::{Air, Heat};
 use crate::catalogue::{CRITICAL_RATIO, known, valve_named};
@@ -22,38 +22,40 @@ pub(super) fn actuator<P>(
     source: &Source<'_>,
     is_liquid: bool,
 ) -> Result<Actuator, FileError> {
-    let DriveKeys {
-        valve,
-        regulator,
-        pump,
-        syringe,
-        ..
-    } = keys;
-    let given = [
-        ("valve", valve.is_some()),
-        ("regulator", regulator.is_some()),
-        ("pump", pump.is_some()),
-        ("syringe", syringe.is_some()),
+    let of_valve = |keys| read_valve(keys, source, is_liquid);
+    let of_regulator = |keys: &OfRegulator| {
+        Ok(Actuator::Regulator {
+            time_constant_s: keys.time_constant.into(),
+        })
+    };
+    let of_pump = |keys: &OfPump| {
+        Ok(Actuator::Pump(Pump {
+            kind: keys.moves(),
+            flow_mm3_per_s: keys.flow.into(),
+            line: hose(keys.hose_length, keys.hose_diameter, source, "pump")?,
+        }))
+    };
+    let of_syringe = |keys: &OfSyringe| {
+        Ok(Actuator::Syringe(Syringe {
+            volume_mm3: keys.volume.into(),
+            time_constant_s: keys.time_constant.map_or(TIME_CONSTANT_S, f64::from),
+        }))
+    };
+    let all = [
+        ("valve", keys.valve.as_ref().map(of_valve)),
+        ("regulator", keys.regulator.as_ref().map(of_regulator)),
+        ("pump", keys.pump.as_ref().map(of_pump)),
+        ("syringe", keys.syringe.as_ref().map(of_syringe)),
     ];
-    let mut names = given.into_iter().filter(|(_, given)| *given);
-    if let (Some((first, _)), Some((second, _))) = (names.next(), names.next()) {
-        return Err(source.error(second, format!("conflicts with [{first}]; keep one")));
-    }
-    match (valve, regulator, pump, syringe) {
-        (Some(valve), ..) => read_valve(valve, source, is_liquid),
-        (_, Some(regulator), ..) => Ok(Actuator::Regulator {
-            time_constant_s: regulator.time_constant.into(),
-        }),
-        (_, _, Some(pump), _) => Ok(Actuator::Pump(Pump {
-            kind: pump.moves(),
-            flow_mm3_per_s: pump.flow.into(),
-            line: hose(pump.hose_length, pump.hose_diameter, source, "pump")?,
-        })),
-        (.., Some(syringe)) => Ok(Actuator::Syringe(Syringe {
-            volume_mm3: syringe.volume.into(),
-            time_constant_s: syringe.time_constant.map_or(TIME_CONSTANT_S, f64::from),
-        })),
-        (None, None, None, None) => {
+    let mut given = all
+        .into_iter()
+        .filter_map(|(name, read)| Some((name, read?)));
+    match (given.next(), given.next()) {
+        (Some((first, _)), Some((second, _))) => {
+            Err(source.error(second, format!("conflicts with [{first}]; keep one")))
+        }
+        (Some((_, actuator)), None) => actuator,
+        (None, _) => {
             let expected = "a [valve] or a [regulator] that gives the air; of a liquid also a \
                 [pump] or a [syringe]";
             Err(source.missing("valve", "", expected))

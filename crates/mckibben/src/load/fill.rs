@@ -13,6 +13,7 @@ use crate::answer::{Answer, exactly};
 use crate::model::ModelError;
 use crate::refused::Refused;
 use serde::Serialize;
+use std::fmt;
 use thiserror::Error;
 use way::{Leg, Slopes, Way};
 
@@ -26,6 +27,12 @@ pub enum FillState {
     Balanced,
     /// At the contraction at which it is held.
     Held,
+}
+
+impl fmt::Display for FillState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// A muscle with a volume pushed in.

@@ -25,6 +25,7 @@ mod reader;
 mod source;
 mod table;
 mod text;
+mod with;
 mod write;
 
 #[cfg(test)]
@@ -38,6 +39,7 @@ pub use material::named;
 pub use read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, parse_muscle};
 pub use source::{MAX_BYTES, Source};
 pub use table::Table;
+pub use with::with_keys;
 pub use write::to_toml;
 
 use super::Muscle;

@@ -1,0 +1,103 @@
+//! What a row or a cell of a table shows.
+
+use crate::words::{half_width, within};
+use crate::{Scale, units::NUMBER};
+
+/// A number, or what stands in its place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Amount {
+    Nothing,
+    Number(f64),
+    /// A number with its ±, where that is known.
+    Within(f64, Option<f64>),
+    /// Such as `slack`.
+    Words(String),
+}
+
+impl From<f64> for Amount {
+    fn from(number: f64) -> Self {
+        if number.is_finite() {
+            Self::Number(number)
+        } else {
+            Self::Nothing
+        }
+    }
+}
+
+/// A number and its ±.
+impl<V: Into<Option<f64>>> From<(V, Option<f64>)> for Amount {
+    fn from((number, half): (V, Option<f64>)) -> Self {
+        match number.into().filter(|v| v.is_finite()) {
+            Some(number) => Self::Within(number, half.filter(|half| half.is_finite())),
+            None => Self::Nothing,
+        }
+    }
+}
+
+impl<T: Into<Amount>> From<Option<T>> for Amount {
+    fn from(there: Option<T>) -> Self {
+        there.map_or(Self::Nothing, T::into)
+    }
+}
+
+impl From<String> for Amount {
+    fn from(text: String) -> Self {
+        Self::Words(text)
+    }
+}
+
+impl From<&String> for Amount {
+    fn from(text: &String) -> Self {
+        Self::Words(text.clone())
+    }
+}
+
+impl From<&str> for Amount {
+    fn from(text: &str) -> Self {
+        Self::Words(text.into())
+    }
+}
+
+impl From<usize> for Amount {
+    fn from(count: usize) -> Self {
+        Self::Words(count.to_string())
+    }
+}
+
+impl Amount {
+    /// With its unit; none where there is nothing to show.
+    pub(crate) fn text(self, scale: &Scale) -> Option<String> {
+        let is_number = !matches!(self, Self::Words(_));
+        let text = self.bare(scale).filter(|text| !text.is_empty())?;
+        Some(if is_number {
+            scale.with_unit(text)
+        } else {
+            text
+        })
+    }
+
+    /// Without its unit.
+    pub(crate) fn bare(&self, scale: &Scale) -> Option<String> {
+        Some(match self {
+            Self::Nothing => return None,
+            Self::Words(text) => text.clone(),
+            Self::Within(number, Some(half)) => {
+                let (number, half) = (scale.rounded(*number), scale.rounded(*half));
+                format!("{} ± {}", within(number, half), half_width(half))
+            }
+            Self::Number(number) | Self::Within(number, None) => scale.bare(*number),
+        })
+    }
+}
+
+impl Scale {
+    /// An amount with its unit; none where there is nothing to show.
+    pub fn of(&self, amount: impl Into<Amount>) -> Option<String> {
+        amount.into().text(self)
+    }
+}
+
+/// What has no unit.
+pub(crate) fn plain(amount: impl Into<Amount>) -> Option<String> {
+    NUMBER.of(amount)
+}

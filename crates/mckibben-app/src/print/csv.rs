@@ -1,0 +1,70 @@
+//! An answer as a table for other programs: the columns are those of the rows' schema, so that they
+//! are the same whatever the values.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use serde::Serialize;
+use serde_json::{Error, Value, to_value};
+
+/// Rows as objects, and the schema of their type.
+#[derive(Debug)]
+pub struct Csv {
+    pub rows: Result<Vec<Value>, Error>,
+    schema: fn(SchemaGenerator) -> Schema,
+    pub form: Form,
+    /// Warnings that the page has among its lines.
+    pub warnings: Vec<String>,
+}
+
+/// How the lines follow from the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    Rows,
+    /// The values of objects in a row are columns as well.
+    Flat,
+    /// A row has lists of equal length.
+    Columns,
+}
+
+impl Csv {
+    /// A line for each of a list.
+    pub fn rows<T: Serialize + JsonSchema>(list: impl IntoIterator<Item = T>) -> Self {
+        Self {
+            rows: list.into_iter().map(to_value).collect(),
+            schema: SchemaGenerator::into_root_schema_for::<T>,
+            form: Form::Rows,
+            warnings: vec![],
+        }
+    }
+
+    /// One line.
+    pub fn row<T: Serialize + JsonSchema>(row: &T) -> Self {
+        Self::rows([row])
+    }
+
+    /// One line, with the values of its objects beside the others.
+    pub fn flat<T: Serialize + JsonSchema>(row: &T) -> Self {
+        Self {
+            form: Form::Flat,
+            ..Self::row(row)
+        }
+    }
+
+    /// A line for each place of an object of lists.
+    pub fn columns<T: Serialize + JsonSchema>(lists: &T) -> Self {
+        Self {
+            form: Form::Columns,
+            ..Self::row(lists)
+        }
+    }
+
+    /// With warnings that the page has among its lines.
+    pub fn with_warnings(mut self, list: &[String]) -> Self {
+        self.warnings.extend_from_slice(list);
+        self
+    }
+
+    pub fn schema(&self) -> Value {
+        let settings = SchemaSettings::draft2020_12().for_serialize();
+        (self.schema)(settings.into_generator()).to_value()
+    }
+}

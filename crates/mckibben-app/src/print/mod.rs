@@ -1,0 +1,68 @@
+//! Answers as people read them, and as tables of other programs.
+//!
+//! An answer implements [`Show`] in the file of its command. Its [`Page`] is a list of lines, rows
+//! and tables; a terminal lays it out, and the report of `build` has the same rows.
+//!
+//! A label with a value is a row ([`Rows`]); what is not there is left out:
+//!
+//! ```
+//! use mckibben_app::{Units, print::Rows, units::PERCENT};
+//!
+//! let (u, work_j) = (Units::default(), None::<f64>);
+//! let rows = Rows::default()
+//!     .text("model", "fe")
+//!     .quantity("contraction", &PERCENT, 0.1)
+//!     .quantity("pull", &u.force, (491.43, Some(30.0)))
+//!     .quantity("work", &mckibben_app::units::JOULES, work_j);
+//! let pull = ("pull".to_owned(), "491 ± 30 N".to_owned());
+//! assert_eq!(rows.into_iter().last(), Some(pull));
+//! ```
+//!
+//! A [`Table`] over a slice has the same two words, with a function of the row in place of the
+//! value: `Table::of(&points).quantity("F", &u.force, |p| (p.force_n, p.uncertainty_n))`. The
+//! numbers of a column have equally many decimals; a column with nothing in it is left out.
+//!
+//! A value is an [`Amount`]: a number, an option of one, a pair of a number and its ±, or words in
+//! its place. The [`Scale`](crate::Scale) says the unit and the digits; `u.length.digits(4)` is the
+//! same unit with other digits. A sentence is `format!`.
+//!
+//! A [`Csv`] is made of the rows themselves, `Csv::rows(&self.points)`; the schema of their type
+//! says the columns.
+
+mod amount;
+mod csv;
+mod page;
+mod rows;
+mod table;
+
+pub use amount::Amount;
+pub use csv::{Csv, Form};
+pub use page::{Block, Page};
+pub use rows::Rows;
+pub use table::{Column, Table};
+
+use crate::Units;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt::Display;
+
+/// An answer that prints itself; its JSON is that of serde.
+pub trait Show: Serialize + JsonSchema + Sized {
+    /// Sentences that a reader sees beside the answer, whatever its form.
+    fn warnings(&self) -> Vec<String> {
+        vec![]
+    }
+
+    /// The answer for people.
+    fn page(&self, u: &Units) -> Page;
+
+    /// The answer as a table for other programs: one line, unless it says otherwise.
+    fn csv(&self) -> Csv {
+        Csv::row(self)
+    }
+}
+
+/// Warnings as sentences.
+pub(crate) fn sentences(list: &[impl Display]) -> Vec<String> {
+    list.iter().map(ToString::to_string).collect()
+}

@@ -1,0 +1,50 @@
+//! Labels with their values.
+
+use super::amount::{Amount, plain};
+use crate::Scale;
+
+/// Labels with their values, in the order in which they are read.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Rows(Vec<(String, String)>);
+
+impl Rows {
+    /// A quantity; none where it is not there.
+    pub fn quantity(self, label: &str, scale: &Scale, amount: impl Into<Amount>) -> Self {
+        self.text(label, scale.of(amount))
+    }
+
+    /// Words, or a number without a unit; none where there are none.
+    pub fn text(mut self, label: &str, text: impl Into<Amount>) -> Self {
+        self.0.extend(plain(text).map(|text| (label.into(), text)));
+        self
+    }
+
+    /// The rows of another list behind these.
+    pub fn and(mut self, others: Self) -> Self {
+        self.0.extend(others.0);
+        self
+    }
+
+    /// Only the rows with such labels.
+    pub fn only(mut self, wanted: impl Fn(&str) -> bool) -> Self {
+        self.0.retain(|(label, _)| wanted(label));
+        self
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = &(String, String)> {
+        self.0.iter()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl IntoIterator for Rows {
+    type Item = (String, String);
+    type IntoIter = std::vec::IntoIter<Self::Item>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
