@@ -8,7 +8,7 @@ use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "whole")]
 use mckibben_campaign::fit::results::Results;
 use serde::{Serialize, de::DeserializeOwned};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::sync::LazyLock;
 #[cfg(feature = "schema")]
 use std::sync::OnceLock;
@@ -23,9 +23,9 @@ pub struct CommandEntry {
     read: fn(&Value) -> Result<Ready, Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
-    /// The fields of its request, from the schema, which is made once.
+    /// The schema of its request, which is made once.
     #[cfg(feature = "schema")]
-    fields: OnceLock<Vec<String>>,
+    request: OnceLock<Value>,
 }
 
 /// The work that answers a request.
@@ -74,25 +74,32 @@ impl CommandEntry {
     /// default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        let known = self.fields.get_or_init(|| {
-            let schema = self.schema();
-            schema["request"]["properties"]
-                .as_object()
-                .into_iter()
-                .flat_map(Map::keys)
-                .cloned()
-                .collect()
-        });
-        let mut given = request.as_object().into_iter().flat_map(Map::keys);
-        let Some(field) = given.find(|field| !known.is_empty() && !known.contains(field)) else {
-            return Ok(());
-        };
-        let known = || known.iter().map(String::as_str);
-        let hint = nearest(field, known())
-            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
-        let message = format!("there is no field \"{field}\" in this request");
-        Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
+        let schema = self.request.get_or_init(|| self.schema()["request"].take());
+        check_fields(request, schema, schema)
     }
+}
+
+/// Refuses fields that a schema does not have, in the objects of fields within too.
+#[cfg(feature = "schema")]
+fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Problem> {
+    let known = schema["properties"].as_object();
+    let (Some(fields), Some(known)) = (fields.as_object(), known) else {
+        return Ok(());
+    };
+    for (field, value) in fields {
+        let Some(schema) = known.get(field) else {
+            let near = nearest(field, known.keys().map(String::as_str));
+            let hint = near.map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+            let message = format!("there is no field \"{field}\" in this request");
+            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
+        };
+        let name = schema["$ref"]
+            .as_str()
+            .and_then(|path| path.rsplit('/').next());
+        let schema = name.map_or(schema, |name| &root["$defs"][name]);
+        check_fields(value, schema, root)?;
+    }
+    Ok(())
 }
 
 macro_rules! command {
@@ -109,7 +116,7 @@ macro_rules! command {
                 })))
             },
             #[cfg(feature = "schema")]
-            fields: OnceLock::new(),
+            request: OnceLock::new(),
             long: false,
         }
     };
@@ -175,7 +182,8 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 /// ```
 /// let answer = mckibben_app::ask(
 ///     "force",
-///     r#"{"outer_diameter_mm": 50, "wall_mm": 1, "pressure_mpa": 0.25, "contraction": 0.1, "model": "paper"}"#,
+///     r#"{"muscle": {"outer_diameter_mm": 50, "wall_mm": 1}, "model": {"name": "paper"},
+///         "pressure_mpa": 0.25, "contraction": 0.1}"#,
 ///     &mckibben::progress::Silent,
 /// )?;
 /// assert!(answer.starts_with(r#"{"model":"paper""#));
@@ -238,29 +246,40 @@ fn parsed(request: &str) -> Result<Value, Problem> {
     serde_json::from_str(request).map_err(|e| not_understood(&e, None))
 }
 
-/// A request by its type, or a group of fields of one. To blame is the field without which
-/// something else is wrong, or nothing.
-pub fn understood<T: DeserializeOwned>(fields: &Value) -> Result<T, Problem> {
-    T::deserialize(fields).map_err(|error| {
-        let said = error.to_string();
-        let without = |name: &String| {
-            let mut rest = fields.clone();
-            drop(rest.as_object_mut().and_then(|map| map.shift_remove(name)));
-            T::deserialize(&rest).map_or_else(|e| e.to_string(), |_: T| String::new())
+/// A request by its type, or a group of fields of one.
+pub fn understood<T: DeserializeOwned>(request: &Value) -> Result<T, Problem> {
+    T::deserialize(request).map_err(|error| {
+        let wrong = |request: &Value| {
+            T::deserialize(request).map_or_else(|e| e.to_string(), |_: T| String::new())
         };
-        let names = || fields.as_object().into_iter().flat_map(Map::keys);
-        let others = || {
-            names()
-                .map(|name| (name, without(name)))
-                .filter(|(_, other)| *other != said)
-        };
-        // A field that must be there is to blame where no other one is.
-        let blamed = others()
-            .find(|(_, other)| !other.starts_with("missing field"))
-            .or_else(|| others().next());
-        let field = blamed.map(|(name, _)| name);
-        not_understood(&error, field.map(String::as_str))
+        let field = blamed(request, &error.to_string(), &wrong);
+        not_understood(&error, field)
     })
+}
+
+/// The field to blame: the one without which something else is wrong, or nothing; in an object of
+/// fields the innermost.
+fn blamed<'a>(fields: &'a Value, said: &str, wrong: &dyn Fn(&Value) -> String) -> Option<&'a str> {
+    let without = |name: &String| {
+        let mut rest = fields.clone();
+        drop(rest.as_object_mut().and_then(|map| map.shift_remove(name)));
+        wrong(&rest)
+    };
+    let fields_of = || fields.as_object().into_iter().flatten();
+    let others = || {
+        let others = fields_of().map(|(name, value)| (name, value, without(name)));
+        others.filter(|(_, _, other)| other != said)
+    };
+    // A field that must be there is to blame where no other one is.
+    let (name, value, _) = others()
+        .find(|(_, _, other)| !other.starts_with("missing field"))
+        .or_else(|| others().next())?;
+    let inside = |inner: &Value| {
+        let mut whole = fields.clone();
+        whole[name] = inner.clone();
+        wrong(&whole)
+    };
+    blamed(value, said, &inside).or(Some(name))
 }
 
 /// The command of a name.
@@ -328,6 +347,7 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
             let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
             format!("{what} is {wanted}, not {start}")
         }
+        None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),
     };
     let problem = Problem::new(ProblemKind::Usage, message, "");

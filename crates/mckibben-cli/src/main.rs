@@ -21,11 +21,11 @@ use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{Units, columns, half_width, number, pairs, percent, percents, place};
-use output::{
-    FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
-};
+use output::text::{Units, number, pairs, place};
 use output::{Output, print_text};
+use output::{
+    burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
+};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;
@@ -47,12 +47,15 @@ fn main() -> ExitCode {
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
-        Err(error) => return unparsed(&error),
+        Err(error) => {
+            typed::take(&root, None);
+            return unparsed(&error);
+        }
     };
     let format = cli.format;
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        typed::take(&root, &matches);
+        typed::take(&root, Some(&matches));
         shown::take();
         // A server ends by itself, when its requests have ended.
         if !matches!(cli.command, cli::Command::Serve(_)) {
@@ -73,7 +76,7 @@ fn main() -> ExitCode {
 /// clap's own words.
 fn unparsed(error: &clap::Error) -> ExitCode {
     let format = asked_format();
-    if let Some(problem) = problem::of_value(error) {
+    if let Some(problem) = problem::of_value(error).or_else(|| problem::of_gone_flag(error)) {
         return report(problem, format);
     }
     if error.use_stderr() && format == Format::Json {

@@ -83,7 +83,7 @@ impl<'a, T> Table<'a, T> {
             "%" | "" => label.into(),
             _ => scale.heading(label),
         };
-        self.column(heading, cells)
+        self.cells(heading, cells)
     }
 
     /// A column of words, or of numbers without a unit.
@@ -92,14 +92,17 @@ impl<'a, T> Table<'a, T> {
     }
 
     /// A column of cells; what there is not is a dash.
-    pub fn column(mut self, heading: String, cells: Vec<Option<String>>) -> Self {
-        if cells.iter().flatten().any(|cell| !cell.is_empty()) {
-            let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
-            self.columns.push(Column {
-                heading,
-                cells: cells.collect(),
-            });
+    fn cells(self, heading: String, cells: Vec<Option<String>>) -> Self {
+        if cells.iter().flatten().all(String::is_empty) {
+            return self;
         }
+        let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
+        self.column(heading, cells.collect())
+    }
+
+    /// A column of cells as they are.
+    pub fn column(mut self, heading: String, cells: Vec<String>) -> Self {
+        self.columns.push(Column { heading, cells });
         self
     }
 }

@@ -108,7 +108,7 @@ async fn problems_have_their_status_and_their_words() {
     for (name, request, status, kind) in [
         (
             "force",
-            r#"{"outer_diameter_mm": -1, "pressure_mpa": 0.2}"#,
+            r#"{ "muscle": { "outer_diameter_mm": -1 }, "pressure_mpa": 0.2 }"#,
             422,
             "muscle",
         ),
