@@ -139,7 +139,7 @@ impl MotionRun {
         );
         if all.len() > SHOWN {
             let more = all.len() - SHOWN;
-            page.line(format!("and {more} more (--format json has them all)"));
+            page.line(format!("and {more} more (JSON has them all)"));
         }
     }
 }

@@ -19,12 +19,6 @@ pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
         };
         let value = value.trim();
         let read: Value = value.parse().unwrap_or_else(|_| value.into());
-        // Both are measures of the ends, each of one model.
-        let key = match key.trim() {
-            "terminals.end_factor" => "model.tondu-lopez.end_factor",
-            "terminals.cone_factor" => "model.conical-ends.cone_factor",
-            key => key,
-        };
         let mut path: Vec<&str> = key.split('.').map(str::trim).collect();
         let last = path.pop().unwrap_or_default();
         let mut table = document.as_table_mut() as &mut dyn toml_edit::TableLike;
