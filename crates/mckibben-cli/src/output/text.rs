@@ -5,7 +5,7 @@ use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, number, percent};
+pub use mckibben_app::words::{aligned, number};
 use std::path::Path;
 
 /// The name of a file.
