@@ -97,6 +97,11 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     column.iter().map(one).collect()
 }
 
+/// Texts with commas between.
+pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
+    texts.into_iter().collect::<Vec<_>>().join(", ")
+}
+
 /// The name of a file, on one line.
 pub fn place(path: &Path) -> String {
     path.display().to_string().replace('\n', "\\n")

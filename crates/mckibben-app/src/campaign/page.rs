@@ -1,8 +1,9 @@
 //! Campaigns as people read them.
 
+use crate::Units;
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::NUMBER;
-use crate::{Units, words::place};
+use crate::words::{in_a_row, place};
 use mckibben_campaign::campaign::{CampaignStatus, Merged, ShardState, ShardStatus, Summary};
 
 impl Show for Summary {
@@ -19,7 +20,7 @@ impl Show for Summary {
                 .text("points wanted", self.points_wanted)
                 .text("points per muscle", of.points_per_muscle)
                 .text("answered", self.answered)
-                .text("failed", failed.collect::<Vec<_>>().join(", "))
+                .text("failed", in_a_row(failed))
                 .text("model", &of.model)
                 .text("sampling", &of.sampling)
                 .text("seed", of.seed)

@@ -3,7 +3,7 @@
 use super::{CompareAnswer, ComparedModel, Direction};
 use crate::print::{Csv, Page, Show, Table, sentences};
 use crate::units::PERCENT;
-use crate::{UnderstoodTable, Units};
+use crate::{UnderstoodTable, Units, words::in_a_row};
 
 impl Show for CompareAnswer {
     fn warnings(&self) -> Vec<String> {
@@ -77,8 +77,7 @@ impl CompareAnswer {
         } else {
             ""
         };
-        let names = self.understood.iter().map(|table| table.data.as_str());
-        let names = names.collect::<Vec<_>>().join(", ");
+        let names = in_a_row(self.understood.iter().map(|table| table.data.clone()));
         let (points, largest) = (self.points, u.force.show(self.largest_force_n));
         format!("{points} points of {names}{which}, largest {largest}")
     }

@@ -3,10 +3,10 @@
 use super::{CheckFormulaAnswer, FitAnswer};
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::{DEGREES, NUMBER, PERCENT};
-use crate::{Units, number};
+use crate::{Units, number, words::in_a_row};
 use mckibben::formula::{
-    Body, Document, ErrorSummary, Formula, FormulaErrors, Made, MadeBraid, NamedBraid,
-    UniversalErrors, UniversalFormula, UniversalSummary, paper_terms,
+    Body, Document, Formula, FormulaErrors, Made, MadeBraid, NamedBraid, UniversalFormula,
+    UniversalSummary, paper_terms,
 };
 use mckibben_campaign::fit::results::Results;
 use mckibben_campaign::fit::signs::{Sign, signs};
@@ -65,22 +65,16 @@ fn terms(formula: &Document) -> Vec<TermRow> {
 
 /// What a formula is, where it holds, and its errors; with its terms if that is wanted.
 fn formula_page(formula: &Document, with_terms: bool) -> Page {
-    let (rows, provenance, against, errors) = match formula {
-        Document::Section(f) => {
-            let errors = of_section(&f.errors);
-            (section(f), &f.provenance, &f.errors.against, errors)
-        }
-        Document::Universal(f) => {
-            let errors = of_universal(&f.errors);
-            (universal(f), &f.provenance, &f.errors.against, errors)
-        }
+    let (rows, provenance, against) = match formula {
+        Document::Section(f) => (section(f), &f.provenance, &f.errors.against),
+        Document::Universal(f) => (universal(f), &f.provenance, &f.errors.against),
     };
     let mut page = Page::from(
         rows.text("method", &provenance.method)
             .text("points", provenance.points)
-            .text("table", provenance.table.as_ref())
+            .text("table", &provenance.table)
             .text("data", &provenance.data_hash)
-            .text("plan", provenance.plan_hash.as_ref())
+            .text("plan", &provenance.plan_hash)
             .text("mckibben", &provenance.version),
     );
     if with_terms {
@@ -95,7 +89,17 @@ fn formula_page(formula: &Document, with_terms: bool) -> Page {
     }
     page.paragraph(format!("Errors against {against}"));
     page.gap();
-    page.table(error_table("points that pull", &errors));
+    match formula {
+        Document::Section(f) => section_errors(&f.errors, &mut page),
+        Document::Universal(f) => {
+            let left_out = "muscles left out, a fifth at a time";
+            let rows = [
+                ("all fitted", &f.errors.fit),
+                (left_out, &f.errors.left_out),
+            ];
+            universal_errors("points that pull", &rows, &mut page);
+        }
+    }
     page
 }
 
@@ -123,9 +127,9 @@ fn section(f: &Formula) -> Rows {
         )
         .quantity("L0", &u.length.digits(4), made.length_mm)
         .quantity("θ0", &DEGREES, made.angle_deg)
-        .text("rubber", made.rubber.name.as_ref())
+        .text("rubber", &made.rubber.name)
         .text("law", &made.rubber.law)
-        .text("constants", constants.collect::<Vec<_>>().join(", "))
+        .text("constants", in_a_row(constants))
         .text("braid", braid(made))
 }
 
@@ -172,87 +176,43 @@ fn interval(name: &str, (low, high): (f64, f64)) -> String {
     format!("{name} {}..{high}", number(low, 5))
 }
 
-/// Errors of a formula at some points, as shares of the blocked force.
-struct ErrorRow {
-    name: String,
-    points: usize,
-    muscles: Option<usize>,
-    rms: f64,
-    p95: f64,
-    p99: Option<f64>,
-    max: f64,
-    /// By the paper's (12).
-    max_12: Option<f64>,
-    max_n: Option<f64>,
-}
-
-impl ErrorRow {
-    fn section(name: impl Into<String>, errors: &ErrorSummary) -> Self {
-        Self {
-            name: name.into(),
-            points: errors.points,
-            muscles: None,
-            rms: errors.rms,
-            p95: errors.p95,
-            p99: None,
-            max: errors.max,
-            max_12: Some(errors.max_12),
-            max_n: Some(errors.max_n),
-        }
-    }
-
-    fn universal(name: &str, errors: &UniversalSummary) -> Self {
-        Self {
-            name: name.into(),
-            points: errors.points,
-            muscles: Some(errors.muscles),
-            rms: errors.rms,
-            p95: errors.p95,
-            p99: Some(errors.p99),
-            max: errors.max,
-            max_12: None,
-            max_n: None,
-        }
-    }
-}
-
 /// The errors of all points, of those that were left out, and by region.
-fn of_section(errors: &FormulaErrors) -> Vec<ErrorRow> {
-    let held_out = errors.held_out.as_ref().map(|held_out| {
+fn section_errors(errors: &FormulaErrors, page: &mut Page) {
+    let mut rows = vec![("all fitted".to_owned(), &errors.fit)];
+    if let Some(held_out) = &errors.held_out {
         let diameters = held_out.outer_diameters_mm.iter().map(|d| number(*d, 4));
-        let diameters = diameters.collect::<Vec<_>>().join(", ");
-        ErrorRow::section(format!("held out: D0 {diameters}"), &held_out.errors)
-    });
-    let regions = errors.regions.iter().map(|region| {
+        let name = format!("held out: D0 {}", in_a_row(diameters));
+        rows.push((name, &held_out.errors));
+    }
+    rows.extend(errors.regions.iter().map(|region| {
         let name = format!("{} {}", region.quantity, number(region.value, 4));
-        ErrorRow::section(name, &region.errors)
-    });
-    let all = ErrorRow::section("all fitted", &errors.fit);
-    std::iter::once(all)
-        .chain(held_out)
-        .chain(regions)
-        .collect()
-}
-
-fn of_universal(errors: &UniversalErrors) -> Vec<ErrorRow> {
-    vec![
-        ErrorRow::universal("all fitted", &errors.fit),
-        ErrorRow::universal("muscles left out, a fifth at a time", &errors.left_out),
-    ]
-}
-
-fn error_table<'a>(heading: &str, errors: &'a [ErrorRow]) -> Table<'a, ErrorRow> {
+        (name, &region.errors)
+    }));
     let (share, force) = (PERCENT.digits(3), Units::default().force.digits(3));
-    Table::of(errors)
-        .text(heading, |e| &e.name)
-        .text("number", |e| e.points)
-        .text("muscles", |e| e.muscles)
-        .quantity("rms", &share, |e| e.rms)
-        .quantity("95 % of them", &share, |e| e.p95)
-        .quantity("99 %", &share, |e| e.p99)
-        .quantity("largest", &share, |e| e.max)
-        .quantity("(12)", &share, |e| e.max_12)
-        .unaligned("largest", &force, |e| e.max_n)
+    page.table(
+        Table::of(&rows)
+            .text("points that pull", |e| &e.0)
+            .text("number", |e| e.1.points)
+            .quantity("rms", &share, |e| e.1.rms)
+            .quantity("95 % of them", &share, |e| e.1.p95)
+            .quantity("largest", &share, |e| e.1.max)
+            .quantity("(12)", &share, |e| e.1.max_12)
+            .unaligned("largest", &force, |e| e.1.max_n),
+    );
+}
+
+fn universal_errors(heading: &str, rows: &[(&str, &UniversalSummary)], page: &mut Page) {
+    let share = PERCENT.digits(3);
+    page.table(
+        Table::of(rows)
+            .text(heading, |e| e.0)
+            .text("number", |e| e.1.points)
+            .text("muscles", |e| e.1.muscles)
+            .quantity("rms", &share, |e| e.1.rms)
+            .quantity("95 % of them", &share, |e| e.1.p95)
+            .quantity("99 %", &share, |e| e.1.p99)
+            .quantity("largest", &share, |e| e.1.max),
+    );
 }
 
 /// Intermediate results of a formula for muscles of one make.
@@ -279,16 +239,11 @@ fn intermediate(f: &FittedFormula, failed: usize, page: &mut Page) {
 /// R² of the steps, curves that a rule changed, and the signs of section 3.3.1.
 fn steps(m: &PaperMethod, page: &mut Page) {
     let smallest = |list: &mut dyn Iterator<Item = f64>| list.fold(1.0, f64::min);
-    let curves = m.curves.iter().filter_map(|c| c.abc).map(|f| f.r2);
-    let lines = m.lines.iter().flat_map(|l| l.lines).map(|f| f.r2);
-    let walls = m.walls.iter();
-    let walls = walls.flat_map(|w| w.parabolas.into_iter().flatten());
-    let [curves, lines, walls, diameters] = [
-        smallest(&mut { curves }),
-        smallest(&mut { lines }),
-        smallest(&mut walls.map(|f| f.r2)),
-        smallest(&mut m.r2.into_iter().flatten()),
-    ];
+    let parabolas = m.walls.iter().flat_map(|w| w.parabolas.iter().flatten());
+    let curves = smallest(&mut m.curves.iter().filter_map(|c| Some(c.abc?.r2)));
+    let lines = smallest(&mut m.lines.iter().flat_map(|l| l.lines).map(|f| f.r2));
+    let walls = smallest(&mut parabolas.map(|f| f.r2));
+    let diameters = smallest(&mut m.r2.into_iter().flatten());
     page.paragraph(format!(
         "Smallest R² of each step: F over ε (5) {curves:.4}; a, b, c over P (8) {lines:.4}; m, q \
          over s (9) {walls:.4}; X over D0 (11) {diameters:.4}"
@@ -342,8 +297,8 @@ impl Show for Results {
         );
         page.gap();
         let random = self.random_muscles.iter();
-        let random = random.map(|row| ErrorRow::universal(&row.model, &row.errors));
-        page.table(error_table("model", &random.collect::<Vec<_>>()));
+        let random = random.map(|row| (row.model.as_str(), &row.errors));
+        universal_errors("model", &random.collect::<Vec<_>>(), &mut page);
         page
     }
 

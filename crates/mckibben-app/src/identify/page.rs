@@ -3,7 +3,7 @@
 use super::{IdentifiedPoint, IdentifyAnswer, LawRow, with_error_bar};
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::NUMBER;
-use crate::{UnderstoodTable, Units, percent};
+use crate::{UnderstoodTable, Units, percent, words::in_a_row};
 use mckibben::muscle::Bench;
 use mckibben_fit::identify::{Identification, Identified};
 
@@ -96,7 +96,7 @@ impl LawRow {
             let (value, bar) = with_error_bar(p);
             Some(format!("{name} {value} ± {bar}"))
         });
-        constants.collect::<Vec<_>>().join(", ")
+        in_a_row(constants)
     }
 }
 

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::{MEGAPASCALS, NUMBER, PERCENT};
-use crate::{Units, in_one_line, number};
+use crate::{Units, in_one_line, number, words::in_a_row};
 
 impl Show for MeasuredAnswer {
     fn page(&self, u: &Units) -> Page {
@@ -147,6 +147,5 @@ fn constants(fit: &MeasuredRubberFit) -> String {
         .iter()
         .map(|(share, time_s)| format!("g {} at {} s", number(*share, 2), number(*time_s, 2)));
     let doubt = (!fit.stable).then(|| "not stable in a muscle".to_owned());
-    let parts: Vec<String> = constants.chain(branches).chain(doubt).collect();
-    parts.join(", ")
+    in_a_row(constants.chain(branches).chain(doubt))
 }

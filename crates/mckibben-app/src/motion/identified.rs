@@ -37,7 +37,7 @@ pub struct IdentifiedDrive {
 
 impl IdentifiedDrive {
     /// The constants and the errors of a model, as people read them.
-    pub fn page(&self, model: &str) -> Page {
+    pub(super) fn page(&self, model: &str) -> Page {
         let mut page = Page::default();
         page.line(format!("model {model}"));
         page.gap();

@@ -15,6 +15,9 @@ impl Show for MotionAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
+        if let Some(identified) = &self.identified {
+            return identified.page(&self.model);
+        }
         let mut page = Page::default();
         page.line(format!("model {}", self.model));
         page.lines(

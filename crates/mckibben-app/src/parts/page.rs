@@ -17,7 +17,7 @@ impl Show for PartsListAnswer {
             .quantity("bore", &length, |t| t.inner_diameter_mm)
             .quantity("D0", &length, |t| t.outer_diameter_mm)
             .quantity("wall", &length, |t| t.wall_mm)
-            .text("rubber", |t| t.rubber.name.as_ref())
+            .text("rubber", |t| &t.rubber.name)
             .text("cast", |t| t.is_cast);
         part(&mut page, tubes, &[]);
         let sleeves = Table::of(&self.sleeves)
@@ -52,7 +52,7 @@ impl Show for PartsListAnswer {
             })
             .quantity("ε free", &PERCENT.digits(3), |m| m.free_contraction)
             .text("points", |m| m.points)
-            .text("product", |m| m.facts.product.as_ref())
+            .text("product", |m| &m.facts.product)
             .text("source", |m| &m.facts.source);
         let about = [
             "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.",
@@ -133,13 +133,13 @@ fn tube_rows(tube: &TubePart, u: &Units) -> Rows {
         .quantity("bore", &length, tube.inner_diameter_mm)
         .quantity("outer diameter", &length, tube.outer_diameter_mm)
         .quantity("wall", &length, tube.wall_mm)
-        .text("rubber", tube.rubber.name.as_ref())
+        .text("rubber", &tube.rubber.name)
         .quantity("density", &density, tube.density_kg_per_m3)
         .text("cast by hand", tube.is_cast)
-        .text("price", tube.price.as_ref())
+        .text("price", &tube.price)
         .quantity("largest pressure named", &u.pressure, tube.pressure_mpa)
         .text("source", &tube.source)
-        .text("note", tube.note.as_ref())
+        .text("note", &tube.note)
 }
 
 impl BraidDetails {
@@ -164,7 +164,7 @@ impl BraidDetails {
             .text("strands stated", self.strands_stated)
             .quantity("strand diameter", &length, sleeve.strand_diameter_mm)
             .quantity("strand modulus", &MEGAPASCALS, sleeve.strand_modulus_mpa)
-            .text("modulus from", self.modulus_source.as_ref())
+            .text("modulus from", &self.modulus_source)
             .text("filaments", sleeve.filaments)
             .quantity(
                 "strand strength",
@@ -177,12 +177,12 @@ impl BraidDetails {
                 &NUMBER,
                 self.stiffness_factor,
             )
-            .text("estimates from", self.estimate.as_ref())
-            .text("price", entry.price.as_ref())
+            .text("estimates from", &self.estimate)
+            .text("price", &entry.price)
             .text("for a stiffness give", self.missing.join(", "))
             .text("source", &entry.source)
             .text("terms", &entry.terms)
-            .text("note", entry.note.as_ref())
+            .text("note", &entry.note)
     }
 }
 
@@ -202,11 +202,11 @@ impl RubberDetails {
                 &MEGAPASCALS.digits(3),
                 entry.max_stress_mpa,
             )
-            .text("curve in data/", entry.data.as_ref())
+            .text("curve in data/", &entry.data)
             .text("laws", self.laws.join(", "))
             .text("source", &entry.source)
             .text("terms", &entry.terms)
-            .text("note", entry.note.as_ref())
+            .text("note", &entry.note)
     }
 
     /// The laws of a rubber, without those that the data refuse.
@@ -257,7 +257,7 @@ impl LibraryDetails {
         Rows::default()
             .text("name", &facts.name)
             .text("title", &facts.title)
-            .text("product", facts.product.as_ref())
+            .text("product", &facts.product)
             .quantity("outer diameter", &length, of.muscle.outer_diameter_mm)
             .quantity("wall", &length, of.muscle.wall_mm)
             .quantity("length", &length, of.muscle.length_mm)
@@ -291,7 +291,7 @@ impl ModelDetails {
         Rows::default()
             .text("name", &self.name)
             .text("description", &self.description)
-            .text("needs", self.needs.as_ref())
+            .text("needs", &self.needs)
             .text("source", &self.source)
             .text("basis of the ±", &self.uncertainty_basis)
     }

@@ -40,6 +40,12 @@ impl<T: Into<Amount>> From<Option<T>> for Amount {
     }
 }
 
+impl From<&Option<String>> for Amount {
+    fn from(there: &Option<String>) -> Self {
+        there.as_ref().into()
+    }
+}
+
 impl From<String> for Amount {
     fn from(text: String) -> Self {
         Self::Words(text)

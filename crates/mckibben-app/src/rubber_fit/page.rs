@@ -3,7 +3,7 @@
 use super::RubberFitAnswer;
 use crate::print::{Csv, Page, Rows, Show, Table};
 use crate::units::{MEGAPASCALS, NUMBER, PERCENT, Scale};
-use crate::{UnderstoodTable, Units, number};
+use crate::{UnderstoodTable, Units, number, words::in_a_row};
 use mckibben::rubber::Law;
 use mckibben_fit::rubber::{FittedLaw, Measure};
 use mckibben_fit::rubber_over_time::{PronyFit, SofteningFit};
@@ -166,7 +166,7 @@ impl RubberFitAnswer {
 fn constants(law: &Law) -> String {
     let columns = law.columns().into_iter();
     let constants = columns.map(|(name, v)| format!("{name} {}", number(v, 5)));
-    constants.collect::<Vec<_>>().join(", ")
+    in_a_row(constants)
 }
 
 fn relaxation_onto(page: &mut Page, fit: &PronyFit) {
@@ -203,10 +203,7 @@ fn softening_rows(fit: &SofteningFit) -> Rows {
         .quantity("r", &NUMBER, fit.r)
         .quantity("m", &MEGAPASCALS, fit.m_mpa)
         .quantity("β", &NUMBER, fit.beta)
-        .text(
-            "standard errors of r, m, β",
-            errors.collect::<Vec<_>>().join(", "),
-        )
+        .text("standard errors of r, m, β", in_a_row(errors))
         .quantity("largest energy", &MEGAPASCALS, fit.largest_energy_mpa)
         .text("first loading points", fit.first_loading_points)
         .quantity("their rms", &stress, fit.first_loading_rms_mpa)

@@ -1,7 +1,7 @@
 //! `identify`: constants of a muscle from points.
 
-use crate::output::{ShownUnits, print, show, text::laid_out};
-use crate::{Bar, Format, Plot, Problem, burst_first, check_ending, place, save};
+use crate::output::{ShownUnits, print};
+use crate::{Bar, Format, Plot, Problem, check_ending, place, save};
 use mckibben_app::print::Page;
 use mckibben_app::{IdentifyRequest, MotionRequest, TextFile};
 use std::path::{Path, PathBuf};
@@ -76,13 +76,9 @@ impl Identify {
         };
         let target = self.output.as_deref();
         save(target, identified.drive_file.as_bytes())?;
-        let text = || {
-            let mut page = identified.page(&answer.model);
-            let written = target.map(|path| format!("The drive is in {}.", place(path)));
-            written.into_iter().for_each(|text| page.paragraph(text));
-            burst_first(&answer.warnings) + &laid_out(&page)
-        };
-        show(&answer, format, "series", text, None)?;
+        let written = target.map(|path| format!("The drive is in {}.", place(path)));
+        let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
+        print(&answer, format, add, None)?;
         Ok(0)
     }
 }

@@ -99,19 +99,6 @@ impl Output {
         print(answer, format, |_| (), self.output.as_deref())?;
         Ok(0)
     }
-
-    /// Prints an answer where `--output` says.
-    pub fn show<T: Serialize + JsonSchema>(
-        &self,
-        format: Format,
-        answer: &T,
-        rows: &str,
-        text: impl FnOnce(&T, &Units) -> String,
-    ) -> Result<u8, Problem> {
-        let text = || text(answer, &shown::units());
-        show(answer, format, rows, text, self.output.as_deref())?;
-        Ok(0)
-    }
 }
 
 /// Prints an answer beside the file that `--output` names.
