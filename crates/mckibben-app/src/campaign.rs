@@ -111,7 +111,7 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 #[command(next_help_heading = "Question")]
 pub struct CampaignStatusRequest {
     /// The folder of parts
-    #[arg(value_name = "DIR")]
+    #[arg(id = "folder", value_name = "DIR")]
     pub output: PathBuf,
 }
 

@@ -84,7 +84,7 @@ pub struct IdentifyRequest {
     #[arg(long, value_name = "LIST", help_heading = "Advanced")]
     pub weights: Option<List<Ratio>>,
     /// Treatment of the branches of the hysteresis
-    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "mean", help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "both", help_heading = "Advanced")]
     pub branches: Branches,
     /// Use points with a force of zero or below as measurements; by default the muscle counts as
     /// slack there
