@@ -11,8 +11,11 @@ use mckibben_campaign::campaign::PlanKeys;
 use mckibben_motion::DriveKeys;
 use serde_json::Value;
 
+/// A kind of file: its name, and its schema.
+type Kind = (&'static str, fn() -> Value);
+
 /// The kinds of files with a schema: the name of each, and its schema.
-const KINDS: [(&str, fn() -> Value); 4] = [
+const KINDS: [Kind; 4] = [
     ("muscle", schema_of::<MuscleFile>),
     ("joint", schema_of::<JointKeys>),
     ("drive", schema_of::<DriveKeys>),
