@@ -5,7 +5,7 @@
     python python/write.py pages FOLDER         the same as pages for Sphinx (python/docs.sh makes HTML of them)
 
 The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of a package with its compiled half: the installed one, or that of
-``--native FILE`` (the library of the workspace's build).
+``--native FILE`` (the library of the workspace's build). ``api`` formats what it writes by ruff.
 """
 
 from __future__ import annotations
@@ -229,7 +229,6 @@ class Bundle:
 
     def __init__(self, held: dict[str, Any]) -> None:
         self.held, self.defs = held, held["$defs"]
-        self.commands = [name for name in held if not name.startswith("$")]
 
     def defined(self, schema: Schema) -> Schema:
         """A schema, or the definition to which it refers."""
@@ -255,19 +254,11 @@ class Bundle:
 
     def request(self, command: str) -> dict[str, Schema]:
         """The arguments of a command: the fields of its request, those of its model one by one."""
-        out: dict[str, Schema] = {}
-        for name, field in self.properties(self.held[command]["request"]).items():
-            if reference(field) == "ModelFields":
-                made = self.properties(field)
-                out |= {"model": made.pop("name"), **made}
-            else:
-                out[name] = field
-        return out
-
-    def has(self, command: str, group: str) -> bool:
-        """Whether a request has an object of fields."""
-        fields = self.properties(self.held[command]["request"]).values()
-        return any(reference(field) == group for field in fields)
+        fields = self.properties(self.held[command]["request"])
+        if reference(fields.get("model")) == "ModelFields":
+            made = self.properties(fields["model"])
+            fields |= {"model": made.pop("name"), **made}
+        return fields
 
     def is_record(self, schema: Schema) -> bool:
         return bool(self.properties(schema)) and not words(self.defined(schema))
@@ -483,11 +474,11 @@ def function(
         keywords.append(("progress: Progress", "None"))
         listed.append(("progress", "", PROGRESS))
     given = "locals()"
-    if "muscle" in fields and bundle.has(command, "MuscleFields"):
+    if reference(fields.get("muscle")) == "MuscleFields":
         keywords.append(("**measures: Unpack[Measures]", None))
         listed.append(("measures", "", MEASURES))
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
-    if bundle.has(command, "ModelFields"):
+    if reference(bundle.properties(held["request"]).get("model")) == "ModelFields":
         given = f"modelled({given})"
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
@@ -540,12 +531,8 @@ def fields_class(bundle: Bundle) -> str:
         ),
         "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n",
     ]
-    parameters = [
-        *(needed[n] for n in always),
-        *(made[n] for n in fields if n not in always),
-    ]
     out.append(
-        f'    def __init__({signature(True, [], parameters)}) -> None:\n{documented([section("Parameters", sorted(entries, key=lambda e: e[0] not in always)), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def __init__({signature(True, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
     )
     out.append(
         f'    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        return self._changed({{name: value for name, value in locals().items() if name != "self"}})\n'
@@ -724,14 +711,13 @@ def state(bundle: Bundle) -> str:
 
 
 def keywords(
-    bundle: Bundle, name: str, about: str, listed: bool, fields: dict[str, Schema]
+    bundle: Bundle, name: str, about: list[str], fields: dict[str, Schema]
 ) -> str:
     """Fields as keywords of one type."""
-    entries = section("Attributes", entries_of(fields)) if listed else ""
     return "\n".join(
         [
             f"class {name}(TypedDict, total=False):",
-            documented([about, entries], "    "),
+            documented(about, "    "),
             *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items()),
         ]
     )
@@ -811,29 +797,19 @@ def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
 
 def api(bundle: Bundle) -> str:
     made = answers(bundle)
-    geometry = ("outer_diameter_mm", "wall_mm", "length_mm")
-    keys = {
-        n: f["x-key"]
-        for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry)
-        if "x-key" in f
-    }
+    keys = {n: f["x-key"] for n, f in bundle.muscle().items() if "x-key" in f}
     parts = [
         HEAD,
         f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}",
     ]
     parts += [record(bundle, name, *held) for name, held in made.items()]
     own = ("pressure_mpa", "contraction", "both", "muscle")
-    options = {n: f for n, f in bundle.request("force").items() if n not in own}
-    measures = "What may differ from a muscle, named as in :class:`Muscle`."
+    how = {n: f for n, f in bundle.request("force").items() if n not in own}
+    about = "Which model of a muscle answers, and how."
+    listed = section("Attributes", entries_of(how))
     parts += [
-        keywords(
-            bundle,
-            "Options",
-            "Which model of a muscle answers, and how.",
-            True,
-            options,
-        ),
-        keywords(bundle, "Measures", measures, False, bundle.muscle()),
+        keywords(bundle, "Options", [about, listed], how),
+        keywords(bundle, "Measures", [MEASURES], bundle.muscle()),
         tables("joint", ["joint", "muscle_1", "muscle_2"]),
         tables("drive", ["muscle", "joint", "command"]),
     ]

@@ -6078,6 +6078,12 @@ class Options(TypedDict, total=False):
     ----------
     model
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    extrapolate
+        Compute outside the model's range too, with a warning.
+    two_sided
+        Give the negative force, not slack, where the muscle would have to push.
+    direction
+        Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
         (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -6087,25 +6093,19 @@ class Options(TypedDict, total=False):
     terminal
         Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
         aluminium:20mm:3mm.
-    extrapolate
-        Compute outside the model's range too, with a warning.
-    two_sided
-        Give the negative force, not slack, where the muscle would have to push.
-    direction
-        Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
     """
 
     model: FormulaLike | None
-    mesh: str | None
-    match: Literal["length", "angle"] | None
-    terminal: Mapping[str, Plain] | None
     extrapolate: bool
     two_sided: bool
     direction: Literal["mean", "contraction", "elongation"] | None
+    mesh: str | None
+    match: Literal["length", "angle"] | None
+    terminal: Mapping[str, Plain] | None
 
 
 class Measures(TypedDict, total=False):
-    """What may differ from a muscle, named as in :class:`Muscle`."""
+    """What differs from the muscle, as in :class:`Muscle`."""
 
     outer_diameter_mm: Number | None
     wall_mm: Number | None
@@ -7146,12 +7146,12 @@ class MuscleCommands:
         load_tables: TableLike | Sequence[TableLike] | None = None,
         both: bool = False,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> Curve:
         """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
@@ -7176,6 +7176,12 @@ class MuscleCommands:
             Both branches of the friction hysteresis.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7185,12 +7191,6 @@ class MuscleCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        extrapolate
-            Compute outside the model's range too, with a warning.
-        two_sided
-            Give the negative force, not slack, where the muscle would have to push.
-        direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7215,13 +7215,13 @@ class MuscleCommands:
         of_largest: bool = False,
         forces_n: Numbers | None = None,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         two_sided: bool = False,
         deck: bool = False,
         vtu: bool = False,
         eighth: bool = False,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> SimulateAnswer:
         """A finite-element test.
@@ -7240,6 +7240,14 @@ class MuscleCommands:
             Pulls of an isotonic test [20,80,150].
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        deck
+            Add the input deck of the test for other programs to the answer; only with `fe3d`.
+        vtu
+            Add the deformed muscle of every point to the answer, as files that ParaView opens.
+        eighth
+            In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7249,14 +7257,6 @@ class MuscleCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        two_sided
-            Give the negative force, not slack, where the muscle would have to push.
-        deck
-            Add the input deck of the test for other programs to the answer; only with `fe3d`.
-        vtu
-            Add the deformed muscle of every point to the answer, as files that ParaView opens.
-        eighth
-            In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7326,12 +7326,12 @@ class MuscleCommands:
         dead_volume_mm3: Number | None = None,
         liquid_bulk_modulus_mpa: Number | None = None,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
     ) -> FillAnswer:
         """Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its length at rest without pressure, filled without air.
 
@@ -7356,6 +7356,12 @@ class MuscleCommands:
             Bulk modulus of the liquid without gas, in place of that of the table.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7365,12 +7371,6 @@ class MuscleCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        extrapolate
-            Compute outside the model's range too, with a warning.
-        two_sided
-            Give the negative force, not slack, where the muscle would have to push.
-        direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
 
         Returns
         -------
@@ -7391,12 +7391,12 @@ class MuscleCommands:
         only_data: bool = False,
         muscle_file: bool = False,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
     ) -> CheckAnswer:
         """A muscle to be checked.
 
@@ -7410,6 +7410,12 @@ class MuscleCommands:
             Add the equivalent muscle file to the answer.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7419,12 +7425,6 @@ class MuscleCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        extrapolate
-            Compute outside the model's range too, with a warning.
-        two_sided
-            Give the negative force, not slack, where the muscle would have to push.
-        direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
 
         Returns
         -------
@@ -7511,12 +7511,12 @@ class MuscleCommands:
         self,
         *,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> StudyAnswer:
         """The thickness study with a rubber, a braid and a model.
@@ -7525,6 +7525,12 @@ class MuscleCommands:
         ----------
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        two_sided
+            Give the negative force, not slack, where the muscle would have to push.
+        direction
+            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7534,12 +7540,6 @@ class MuscleCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        extrapolate
-            Compute outside the model's range too, with a warning.
-        two_sided
-            Give the negative force, not slack, where the muscle would have to push.
-        direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7692,11 +7692,11 @@ class JointCommands:
         max_pressure_mpa: Number | None = None,
         map: int | None = None,
         model: FormulaLike | None = None,
+        extrapolate: bool = False,
+        without_start_pressures: bool = False,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        extrapolate: bool = False,
-        without_start_pressures: bool = False,
         progress: Progress = None,
     ) -> JointSolution:
         """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
@@ -7717,6 +7717,10 @@ class JointCommands:
             Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        extrapolate
+            Compute outside the model's range too, with a warning.
+        without_start_pressures
+            Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7726,10 +7730,6 @@ class JointCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        extrapolate
-            Compute outside the model's range too, with a warning.
-        without_start_pressures
-            Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7750,12 +7750,12 @@ class JointCommands:
         target: str | None = None,
         *,
         model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         pressure_mpa: Number | None = None,
         overpressure: bool = False,
         name: str | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> JointExport:
         """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
@@ -7766,6 +7766,12 @@ class JointCommands:
             The target: `c`, `python`, `mjcf` or `fmu`.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        pressure_mpa : MPa
+            Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower].
+        overpressure
+            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+        name
+            Name of the joint in the files [that of the joint file].
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7775,12 +7781,6 @@ class JointCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        pressure_mpa : MPa
-            Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower].
-        overpressure
-            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
-        name
-            Name of the joint in the files [that of the joint file].
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7806,11 +7806,11 @@ class DriveCommands:
         sweep: Mapping[str, Plain] | None = None,
         rise_time_s: Number | None = None,
         model: FormulaLike | None = None,
+        log: TableLike | None = None,
+        free: Sequence[str] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        log: TableLike | None = None,
-        free: Sequence[str] | None = None,
         progress: Progress = None,
     ) -> Motion:
         """A drive: its file, and the files that it names.
@@ -7823,6 +7823,12 @@ class DriveCommands:
             Required rise time (10 to 90 %) with the smallest valve.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        log
+            A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its
+            time.
+        free
+            What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`,
+            `load.damping` and `friction.coefficient` that the files state.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7832,12 +7838,6 @@ class DriveCommands:
         terminal
             Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
             aluminium:20mm:3mm.
-        log
-            A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its
-            time.
-        free
-            What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`,
-            `load.damping` and `friction.coefficient` that the files state.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7968,11 +7968,11 @@ def design(
     strand_length_per_turn_mm: Numbers | None = None,
     radius_mm: Choice | None = None,
     model: FormulaLike | None = None,
+    extrapolate: bool = False,
+    top: int | None = None,
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    extrapolate: bool = False,
-    top: int | None = None,
     progress: Progress = None,
 ) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
@@ -8070,6 +8070,10 @@ def design(
         Radii of the pulley [searched].
     model
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    extrapolate
+        Compute outside the model's range too, with a warning.
+    top
+        Number of candidates to show [5].
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
         (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -8079,10 +8083,6 @@ def design(
     terminal
         Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
         aluminium:20mm:3mm.
-    extrapolate
-        Compute outside the model's range too, with a warning.
-    top
-        Number of candidates to show [5].
     progress
         True for a line on standard error, or a function that is called with (done, total).
 
@@ -8112,13 +8112,13 @@ def identify(
     bounds: Sequence[str] | None = None,
     laws: bool = False,
     model: FormulaLike | None = None,
-    mesh: str | None = None,
-    match: Literal["length", "angle"] | None = None,
-    terminal: Mapping[str, Plain] | None = None,
     weights: Numbers | None = None,
     branches: Literal["both", "mean", "history"] | None = None,
     two_sided: bool = False,
     loss: Literal["squares", "huber", "largest"] | None = None,
+    mesh: str | None = None,
+    match: Literal["length", "angle"] | None = None,
+    terminal: Mapping[str, Plain] | None = None,
     progress: Progress = None,
     **measures: Unpack[Measures],
 ) -> Identification:
@@ -8151,6 +8151,14 @@ def identify(
         Fit every rubber law, with all its constants free, together with the other free parameters.
     model
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    weights
+        Weight of each data set [1].
+    branches
+        Treatment of the branches of the hysteresis.
+    two_sided
+        Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+    loss
+        Loss function of the residuals.
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
         (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -8160,14 +8168,6 @@ def identify(
     terminal
         Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
         aluminium:20mm:3mm.
-    weights
-        Weight of each data set [1].
-    branches
-        Treatment of the branches of the hysteresis.
-    two_sided
-        Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
-    loss
-        Loss function of the residuals.
     progress
         True for a line on standard error, or a function that is called with (done, total).
     measures

@@ -242,15 +242,7 @@ def answered(
     progress = heard(given.pop("progress", None), command)
     me = given.pop("self", None)
     own = me._files(command) if me else {}
-    request = _native.given(
-        command,
-        fields(
-            {
-                **own,
-                **{name: value for name, value in given.items() if value is not None},
-            }
-        ),
-    )
+    request = _native.given(command, fields({**own, **given}))
     return kind._read(
         _native.ask(
             command,
