@@ -11,7 +11,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 words=${1:-all}
 
 test -x "$target/venv/bin/python" || "${PYTHON:-python3}" -m venv "$target/venv"
-"$target/venv/bin/python" -m pip install --quiet pytest numpy
+"$target/venv/bin/python" -m pip install --quiet pytest numpy ruff==0.17.6
 case $words in
 install) exit ;;
 smoke) tests=tests/test_same.py ;;

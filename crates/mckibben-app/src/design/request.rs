@@ -12,7 +12,9 @@ use crate::{
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
-use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
+use mckibben::units::typed::{
+    Angle, Choice, Force, Length, List, Pressure, Quantity, Ratio, Volume,
+};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
 use mckibben::{units::Values, warning::strand_strength_n};
@@ -226,12 +228,11 @@ pub struct DesignRequest {
     #[arg(
         long,
         value_name = "LIST",
-        value_delimiter = ',',
         conflicts_with = "angle_deg",
         hide_short_help = true,
         help_heading = "Muscle"
     )]
-    pub strand_length_per_turn_mm: Vec<Length>,
+    pub strand_length_per_turn_mm: Option<List<Length>>,
     /// Radii of the pulley [searched]
     #[arg(
         long = "radius",
@@ -315,19 +316,14 @@ impl DesignRequest {
             }
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
-        let braid = match (
-            &self.strand_length_per_turn_mm[..],
-            &sleeves[..],
-            &self.angle_deg,
-        ) {
+        let turns = self.strand_length_per_turn_mm.as_deref();
+        let braid = match (turns.unwrap_or_default(), &sleeves[..], &self.angle_deg) {
             ([], [], None) if extends && !base.is_extensile() => {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             ([], [], Some(angles)) => BraidChoice::Angle(values(angles, "angle_deg")?),
-            (turns, [], None) => {
-                BraidChoice::StrandLengthPerTurn(turns.iter().map(|turn| turn.0).collect())
-            }
+            (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
             ([], _, None) => BraidChoice::Sleeves(sleeves),
             _ => {
                 let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the \
@@ -435,7 +431,7 @@ impl DesignRequest {
             ("`angle_deg`", self.angle_deg.is_some()),
             (
                 "`strand_length_per_turn_mm`",
-                !self.strand_length_per_turn_mm.is_empty(),
+                self.strand_length_per_turn_mm.is_some(),
             ),
             ("`stiffness`", self.stiffness.is_some()),
             // A formula for one braid and rubber has no answer for others.
