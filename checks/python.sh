@@ -11,7 +11,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 words=${1:-all}
 
 test -x "$target/venv/bin/python" || "${PYTHON:-python3}" -m venv "$target/venv"
-"$target/venv/bin/python" -m pip install --quiet pytest numpy
+"$target/venv/bin/python" -m pip install --quiet pytest numpy ruff==0.17.6
 case $words in
 install) exit ;;
 smoke) tests=tests/test_same.py ;;
@@ -20,6 +20,8 @@ smoke) tests=tests/test_same.py ;;
     "$target/venv/bin/python" -m pip install --quiet pandas polars pyarrow pint matplotlib scipy jax xarray gymnasium
     ;;
 esac
+
+"$target/venv/bin/ruff" format --check --quiet .
 
 # Modules come from a copy: the sources are left as they are.
 work=$(mktemp -d)
