@@ -72,7 +72,7 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
         (
             "force",
             example("prototype.toml"),
-            &|f| json!({ "muscle": f, "pressure_mpa": 0.2, "contraction": 0.1 }),
+            &|f| json!({ "muscle": { "file": f }, "pressure_mpa": 0.2, "contraction": 0.1 }),
         ),
         ("joint", example("elbow.toml"), &|f| {
             let muscle = file("biceps.toml", example("biceps.toml"));
