@@ -2,7 +2,7 @@
 //! sheet.
 
 use crate::Contraction;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report,
@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
     /// pressure
@@ -41,16 +41,16 @@ pub struct BuildRequest {
     #[arg(long)]
     pub fitting: Option<String>,
     /// Bolt of the eye [by the load of the end]
-    #[arg(long = "bolt", value_name = "DIAMETER", value_parser = crate::flags::bolt)]
+    #[arg(long, value_name = "DIAMETER", value_parser = flags::bolt)]
     pub bolt_mm: Option<Length>,
     /// Diameter of the sleeve as it comes off the roll [nominal diameter]
-    #[arg(long = "sleeve-diameter", value_name = "DIAMETER")]
+    #[arg(long, value_name = "DIAMETER")]
     pub sleeve_diameter_mm: Option<Length>,
     /// Add the report to the files.
     #[arg(skip)]
     pub report: bool,
     /// Contraction of the state in the report [half the free contraction]
-    #[arg(short = 'e', long, allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Contraction>,
     /// Units of the report: `bar`, or `psi,lbf,in`.
     #[arg(skip)]

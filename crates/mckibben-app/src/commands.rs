@@ -347,6 +347,7 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
             let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
             format!("{what} is {wanted}, not {start}")
         }
+        None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),
     };
     let problem = Problem::new(ProblemKind::Usage, message, "");

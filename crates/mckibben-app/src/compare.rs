@@ -1,6 +1,6 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{AskFields, Contractions, NameOrFile};
 use crate::{
     DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
@@ -28,31 +28,20 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct CompareRequest {
     /// Models, by name or the file of a formula [fe,paper,thick-wall,ideal]
-    #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::model(), hide_possible_values = true)]
+    #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = flags::model(), hide_possible_values = true)]
     pub models: Vec<NameOrFile>,
     /// Measured points.
     #[serde(flatten)]
     #[command(flatten)]
     pub tables: DataFields,
     /// Constants to fit to the points, for each model
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::word::<FitConstant>(), requires = "data")]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>(), requires = "data")]
     pub fit: Vec<FitConstant>,
     /// Pressures, where there are no measured points [0.05..0.25:0.05]
-    #[arg(
-        short,
-        long = "pressure",
-        value_name = "RANGE",
-        conflicts_with = "data"
-    )]
+    #[arg(short, long, conflicts_with = "data")]
     pub pressures_mpa: Option<List<Pressure>>,
     /// Contraction ratios ΔL/L0, likewise [0..0.2:0.01]
-    #[arg(
-        short = 'e',
-        long = "contraction",
-        value_name = "RANGE",
-        conflicts_with = "data",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'e', long, conflicts_with = "data")]
     pub contractions: Option<Contractions>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
@@ -64,13 +53,13 @@ pub struct CompareRequest {
     pub mesh: MeshFields,
     /// Which branch of measured hysteresis; models of a muscle that states its friction answer on
     /// the same one
-    #[arg(long, value_parser = crate::flags::word::<Direction>(), default_value = "mean", hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<Direction>(), default_value = "mean", help_heading = "Advanced")]
     pub branch: Direction,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]

@@ -12,7 +12,7 @@ use std::str::FromStr;
 /// 22mm. As text a list or a range of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Given", into = "Vec<f64>")]
-#[schemars(with = "List<Ratio>")]
+#[schemars(with = "List<Ratio>", inline)]
 pub struct Contractions {
     values: Vec<f64>,
     /// They are shortenings in mm.
@@ -22,7 +22,7 @@ pub struct Contractions {
 /// One of [`Contractions`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Given", into = "f64")]
-#[schemars(with = "Ratio")]
+#[schemars(with = "Ratio", inline)]
 pub struct Contraction(Contractions);
 
 /// What JSON may have in its place.

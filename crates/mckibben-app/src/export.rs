@@ -1,7 +1,7 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::Contraction;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
     QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
@@ -21,11 +21,11 @@ use std::path::Path;
 #[command(next_help_heading = "Question")]
 pub struct ExportRequest {
     /// Target; `--list` describes them
-    #[arg(long = "as", value_name = "TARGET", value_parser = crate::flags::targets())]
+    #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
     /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
     /// lower]
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure
@@ -42,12 +42,7 @@ pub struct ExportRequest {
     /// Length of a rope or rod between the muscle and what it pulls [0]
     ///
     /// Lengths of the files are those of both.
-    #[arg(
-        long = "cord",
-        value_name = "LENGTH",
-        default_value = "0mm",
-        hide_default_value = true
-    )]
+    #[arg(long, default_value = "0mm", hide_default_value = true)]
     pub cord_mm: Length,
     /// Name of the muscle in the files [that of the muscle file]
     #[arg(long)]
@@ -190,7 +185,7 @@ pub struct ExportJointRequest {
     #[arg(long = "as")]
     pub target: Option<String>,
     /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
-    #[arg(long = "pressure")]
+    #[arg(long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure.

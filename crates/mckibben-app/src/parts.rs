@@ -1,7 +1,7 @@
 //! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can
 //! buy or cast, measured muscles, force models.
 
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
     RubberDetails, RubberSummary, TextFile, library_details, library_muscles, rubber_details,
@@ -39,10 +39,10 @@ pub enum PartKind {
 #[command(next_help_heading = "Question")]
 pub struct PartsListRequest {
     /// Only one kind
-    #[arg(value_parser = crate::flags::word::<PartKind>())]
+    #[arg(value_parser = flags::word::<PartKind>())]
     pub kind: Option<PartKind>,
     /// Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`
-    #[arg(long, value_name = "FILE.toml", value_parser = crate::flags::file)]
+    #[arg(long, value_name = "FILE.toml", value_parser = flags::file)]
     pub parts: Option<TextFile>,
 }
 
@@ -67,7 +67,7 @@ pub struct PartsListAnswer {
 #[command(next_help_heading = "Question")]
 pub struct PartShowRequest {
     /// Name; of a rubber also NAME:LAW
-    #[arg(value_parser = crate::flags::parts(), hide_possible_values = true)]
+    #[arg(value_parser = flags::parts(), hide_possible_values = true)]
     pub name: String,
 }
 

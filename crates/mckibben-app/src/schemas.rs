@@ -61,9 +61,7 @@ fn schema_of((name, schema_of_type): Root, settings: SchemaSettings) -> Schema {
 /// Request, answer and error of every command, and in `$defs`, once, what they refer to: all
 /// schemas in one document, for front ends that make their forms, flags or functions of it.
 ///
-/// Beside the keywords of JSON Schema a field has `x-unit` and `x-quantity` (see `annotate`) and
-/// `x-group`, the group of fields to which it belongs in a form or a help text: `muscle`, `model`.
-/// A measure of the muscle also has its bounds (`minimum`, …), its value where nothing is stated
+/// Beside the keywords of JSON Schema a field has `x-unit` and `x-quantity` (see `annotate`). A measure of the muscle also has its bounds (`minimum`, …), its value where nothing is stated
 /// (`default`), `x-symbol`, its short name in formulas, and `x-key`, its key in a muscle file.
 pub fn bundle() -> Value {
     let (mut all, mut defs) = (Map::new(), Map::new());

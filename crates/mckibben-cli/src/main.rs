@@ -49,12 +49,15 @@ fn main() -> ExitCode {
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
-        Err(error) => return unparsed(&error),
+        Err(error) => {
+            typed::take(&root, None);
+            return unparsed(&error);
+        }
     };
     let format = cli.format;
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        typed::take(&root, &matches);
+        typed::take(&root, Some(&matches));
         shown::take();
         // A server ends by itself, when its requests have ended.
         if !matches!(cli.command, cli::Command::Serve(_)) {
@@ -75,7 +78,7 @@ fn main() -> ExitCode {
 /// clap's own words.
 fn unparsed(error: &clap::Error) -> ExitCode {
     let format = asked_format();
-    if let Some(problem) = problem::of_value(error) {
+    if let Some(problem) = problem::of_value(error).or_else(|| problem::of_gone_flag(error)) {
         return report(problem, format);
     }
     if error.use_stderr() && format == Format::Json {

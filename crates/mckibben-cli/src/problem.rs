@@ -3,10 +3,12 @@
 
 use crate::typed::{flag_of, in_flags};
 use crate::{clean, output::plain, quantities::unit_hint, shown};
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use mckibben::muscle::measures::MEASURES;
 use mckibben::units::{QuantityError, RangeError};
 use mckibben_app::{Ending, Problem, ProblemKind};
-use std::{error::Error, io::ErrorKind};
+use std::error::Error;
+use std::io;
 
 /// What a flag's value is refused for.
 pub fn of_value(error: &clap::Error) -> Option<Problem> {
@@ -34,6 +36,29 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     Some(Problem { message, ..problem })
 }
 
+/// A flag that a command does not have, and what to type in its place.
+pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
+    let Some(ContextValue::String(flag)) = error.get(ContextKind::InvalidArg) else {
+        return None;
+    };
+    if error.kind() != ErrorKind::UnknownArgument {
+        return None;
+    }
+    let is_force = std::env::args().nth(1).as_deref() == Some("force");
+    if is_force && ["-F", "--force"].contains(&&**flag) {
+        let message = "`mckibben force` gives the force at a pressure and a contraction";
+        let hint = "`mckibben pressure` and `mckibben contraction` take a force";
+        return Some(Problem::new(ProblemKind::Usage, message, hint));
+    }
+    let name = flag.strip_prefix("--")?;
+    let measure = MEASURES
+        .iter()
+        .find(|m| m.flag().as_deref() == Some(name))?;
+    let message = format!("there is no flag {flag}: it is a key of the muscle file");
+    let hint = format!("write --with {}=VALUE", measure.key);
+    Some(Problem::new(ProblemKind::Usage, message, hint))
+}
+
 /// A command line that clap refuses.
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
@@ -53,9 +78,9 @@ pub fn unparsed(error: &clap::Error) -> Problem {
 
 /// Standard output that cannot be written. Where only its reader went away (`| head`) there is
 /// nothing to say.
-pub fn unprinted(error: &std::io::Error) -> Problem {
+pub fn unprinted(error: &io::Error) -> Problem {
     let message = match error.kind() {
-        ErrorKind::BrokenPipe => String::new(),
+        io::ErrorKind::BrokenPipe => String::new(),
         _ => format!("cannot write to standard output: {error}"),
     };
     Problem::new(ProblemKind::Output, message, "")

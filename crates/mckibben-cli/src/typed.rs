@@ -18,26 +18,35 @@ pub struct Flag {
 
 static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 
-/// Takes the flags of the command that runs, for its messages and units.
-pub fn take(root: &Command, matches: &ArgMatches) {
+/// Takes the flags of the command that runs, for its messages and units; of a command line that
+/// clap refuses their names alone.
+pub fn take(root: &Command, matches: Option<&ArgMatches>) {
     let (mut command, mut leaf) = (root, matches);
-    while let Some((name, inner)) = leaf.subcommand() {
-        let Some(sub) = command.find_subcommand(name) else {
-            break;
-        };
-        (command, leaf) = (sub, inner);
+    for word in std::env::args().skip(1) {
+        if let Some(sub) = command.find_subcommand(&word) {
+            command = sub;
+            leaf = leaf.and_then(ArgMatches::subcommand).map(|(_, sub)| sub);
+        }
     }
+    let texts = |id: &str| -> Vec<(usize, String)> {
+        let is_typed = |leaf: &&ArgMatches| leaf.value_source(id) == Some(ValueSource::CommandLine);
+        let Some(leaf) = leaf.filter(is_typed) else {
+            return vec![];
+        };
+        let raw = leaf.try_get_raw(id).ok().flatten().into_iter().flatten();
+        let texts = raw.map(|text| text.to_string_lossy().into_owned());
+        leaf.indices_of(id)
+            .into_iter()
+            .flatten()
+            .zip(texts)
+            .collect()
+    };
     let flags = command.get_arguments().filter_map(|arg| {
         let id = arg.get_id().as_str();
-        let is_typed = leaf.value_source(id) == Some(ValueSource::CommandLine);
-        let places = leaf.indices_of(id).filter(|_| is_typed);
-        let places = places.into_iter().flatten();
-        let texts = leaf.try_get_raw(id).ok().flatten().into_iter().flatten();
-        let texts = texts.map(|text| text.to_string_lossy().into_owned());
         Some(Flag {
             field: id.to_owned(),
             name: format!("--{}", arg.get_long()?),
-            texts: places.zip(texts).collect(),
+            texts: texts(id),
         })
     });
     FLAGS.get_or_init(|| flags.collect());

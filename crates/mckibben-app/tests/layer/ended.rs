@@ -76,7 +76,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             )
         })
     };
-    let slim = json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "pressure_mpa": 0.2, "contraction": 0.1, "force_n": 300 });
+    let slim = json!({ "model": { "name": "fe", "mesh": "2x1024" }, "muscle": { "length_mm": 30000 }, "pressure_mpa": 0.2, "contraction": 0.1, "force_n": 300 });
     match command {
         "design" => vec![
             json!({ "points": points(19_000), "model": "thick-wall", "max_pressure_mpa": 0.5 }),
@@ -108,12 +108,11 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "fill" => vec![
-            json!({ "model": "fe", "length_mm": 30000, "mesh": "2x1024", "volume_mm3": 6e6, "load": "mass:5kg" }),
+            json!({ "model": { "name": "fe", "mesh": "2x1024" }, "muscle": { "length_mm": 30000 }, "volume_mm3": 6e6, "load": "mass:5kg" }),
         ],
         "curve" => vec![
             json!({ "test": "isobaric", "model": "fe", "pressures_mpa": pressures, "contractions": contractions }),
-            json!({ "test": "isotonic", "model": "thick-wall", "pressures_mpa": pressures, "forces_n": steps(10.0, 300.0, 190),
-                    "muscle": text_file("held.toml") }),
+            json!({ "test": "isotonic", "model": "thick-wall", "pressures_mpa": pressures, "forces_n": steps(10.0, 300.0, 190), "muscle": { "file": text_file("held.toml") } }),
         ],
         "joint" => {
             let muscle = text_file("biceps.toml");
@@ -122,11 +121,8 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                          "max_pressure_mpa": 0.3 }),
             ]
         }
-        "motion" => vec![json!({
-            "step": { "valve": "1 L/(s bar)", "load": "mass:1kg", "pressure_mpa": 0.2, "until_s": 500 },
-            "muscle": text_file("prototype.toml"), "model": "fe",
-        })],
-        "study" => vec![json!({ "model": "fe", "mesh": "4x512" })],
+        "motion" => vec![json!({ "step": { "valve": "1 L/(s bar)", "load": "mass:1kg", "pressure_mpa": 0.2, "until_s": 500 }, "muscle": text_file("prototype.toml"), "model": "fe" })],
+        "study" => vec![json!({ "model": { "name": "fe", "mesh": "4x512" } })],
         "simulate" => vec![
             json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": steps(0.01, 0.2, 3000), "contractions": [0.1] }),
         ],
@@ -140,12 +136,11 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "models": ["fe"], "data": [bench], "fit": ["modulus", "stiffness"] }),
-            json!({ "models": ["thick-wall"], "data": [long()], "muscle": text_file("bench.toml") }),
+            json!({ "models": ["thick-wall"], "data": [long()], "muscle": { "file": text_file("bench.toml") } }),
         ],
         "identify" => [("fe", bench), ("thick-wall", long())]
             .map(|(model, data)| {
-                json!({ "muscle": text_file("bench.toml"), "data": [data], "model": model,
-                    "free": ["tube.material.mu", "braid.stiffness"] })
+                json!({ "muscle": { "file": text_file("bench.toml") }, "data": [data], "model": model, "free": ["tube.material.mu", "braid.stiffness"] })
             })
             .into(),
         "fit" => {
@@ -169,7 +164,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "fit-report" => vec![json!({})],
         "plan" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
-        "build" => vec![json!({ "length_mm": 30000, "report": true })],
+        "build" => vec![json!({ "muscle": { "length_mm": 30000 }, "report": true })],
         "rubber" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;
@@ -204,14 +199,14 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "export" => {
-            vec![json!({ "length_mm": 30000, "target": "c", "model": "fe", "mesh": "8x400" })]
+            vec![json!({ "muscle": { "length_mm": 30000 }, "target": "c", "model": { "name": "fe", "mesh": "8x400" } })]
         }
         "export-joint" => {
             let joint = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = \
                 'long.toml'\n[spring]\nangular_rate = '9 N m/rad'\n";
             let muscle = json!({ "name": "long.toml", "text": "[tube]\nlength = '30 m'\n" });
             let joint = json!({ "name": "arm.toml", "text": joint });
-            vec![json!({ "joint": joint, "muscles": [muscle], "target": "c", "mesh": "8x400" })]
+            vec![json!({ "joint": joint, "muscles": [muscle], "target": "c", "model": { "mesh": "8x400" } })]
         }
         "export-list" | "check" | "check-formula" | "campaign-show" | "campaign-merge"
         | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => {

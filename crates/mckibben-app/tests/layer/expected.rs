@@ -1,6 +1,6 @@
 //! What belongs into a field, and what was given.
 
-use mckibben_app::{COMMANDS, ProblemKind, find};
+use mckibben_app::{COMMANDS, CommandEntry, ProblemKind, find};
 use serde_json::{Value, json};
 
 fn said(command: &str, request: &Value) -> (String, Option<String>) {
@@ -14,44 +14,47 @@ fn what_a_field_wants_and_what_was_given_are_said() {
     for (command, request, words, field) in [
         (
             "force",
-            json!({"end_factor": "1 mm"}),
+            json!({ "muscle": { "end_factor": "1 mm" } }),
             "`end_factor` is a number without a unit, not the text \"1 mm\"",
             "end_factor",
         ),
         (
             "force",
-            json!({"pressure_mpa": "2bar"}),
-            "`pressure_mpa` is a number in MPa, not the text \"2bar\"",
+            json!({"pressure_mpa": "2mm"}),
+            "\"2mm\" is a length; expected a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a \
+             bare number is MPa)",
             "pressure_mpa",
         ),
         (
             "force",
             json!({"pressure_mpa": true}),
-            "`pressure_mpa` is a number in MPa, not true",
+            "`pressure_mpa` is a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number \
+             is MPa), not true",
             "pressure_mpa",
         ),
         (
             "curve",
-            json!({"test": "isobaric", "end_factor": "1 mm"}),
+            json!({ "test": "isobaric", "muscle": { "end_factor": "1 mm" } }),
             "`end_factor` is a number without a unit, not the text \"1 mm\"",
             "end_factor",
         ),
         (
             "force",
             json!({"pressure_mpa": 0.2, "model": 5}),
-            "`model` is a text, not 5",
+            "`model` is a name or an object of fields, not 5",
             "model",
         ),
         (
             "curve",
             json!({"pressures_mpa": [0.1, "x"]}),
-            "`pressures_mpa` is a number in MPa, not the text \"x\"",
+            "\"x\" does not start with a number; expected a pressure such as 2.5bar, 0.25MPa, 250kPa \
+             or 36psi (a bare number is MPa)",
             "pressures_mpa",
         ),
         (
             "curve",
-            json!({"pressures_mpa": 0.1}),
-            "`pressures_mpa` is a list, not 0.1",
+            json!({"pressures_mpa": false}),
+            "`pressures_mpa` is a number, a list of numbers, or low and high, not false",
             "pressures_mpa",
         ),
         (
@@ -73,56 +76,77 @@ fn what_a_field_wants_and_what_was_given_are_said() {
     );
 }
 
-/// A number's place in any request refuses a text in these words, not in those of a parser.
+/// A number's place in any request, in its muscle and its model too, refuses a text in these words,
+/// not in those of a parser.
 #[test]
 fn every_number_of_every_request_refuses_a_text_by_its_name() {
     let mut seen = 0;
     for command in COMMANDS.iter() {
         let schema = &command.schema()["request"];
-        for (name, of) in schema["properties"].as_object().into_iter().flatten() {
-            let mut all = vec![];
-            kinds(of, &schema["$defs"], &mut all);
-            let types = all.iter().flat_map(|kind| match &kind["type"] {
-                Value::Array(list) => list.clone(),
-                one => vec![one.clone()],
-            });
-            let types: Vec<Value> = types.filter(|of| of != "null").collect();
-            if types.is_empty() || !types.iter().all(|of| *of == "number" || *of == "integer") {
-                continue;
-            }
-            let mut request = json!({ name.as_str(): "1 furlong" });
-            for needed in schema["required"]
-                .as_array()
-                .into_iter()
-                .flatten()
-                .filter_map(Value::as_str)
-            {
-                request[needed] = if needed == "test" {
-                    json!("isobaric")
-                } else {
-                    request[name].clone()
-                };
-            }
-            let problem = command.read(request).unwrap_err();
-            assert_eq!(problem.field.as_ref(), Some(name), "{}", command.name);
-            assert!(
-                problem.message.ends_with("not the text \"1 furlong\""),
-                "{problem}"
-            );
-            seen += 1;
-        }
+        seen += refused(command, schema, &schema["$defs"], &|field| field);
     }
     assert!(seen > 150, "{seen}");
+}
+
+/// How many numbers of an object of fields refuse a text; `whole` is the request around them.
+fn refused(
+    command: &CommandEntry,
+    schema: &Value,
+    defs: &Value,
+    whole: &dyn Fn(Value) -> Value,
+) -> usize {
+    let mut seen = 0;
+    for (name, of) in schema["properties"].as_object().into_iter().flatten() {
+        if ["MuscleFields", "ModelFields"]
+            .map(|name| json!(format!("#/$defs/{name}")))
+            .contains(&of["$ref"])
+        {
+            let inner = of["$ref"].as_str().unwrap().rsplit('/').next().unwrap();
+            seen += refused(
+                command,
+                &defs[inner],
+                defs,
+                &|fields| json!({ name.as_str(): fields }),
+            );
+            continue;
+        }
+        let mut all = vec![];
+        kinds(of, defs, &mut all);
+        let types = all.iter().flat_map(|kind| match &kind["type"] {
+            Value::Array(list) => list.clone(),
+            one => vec![one.clone()],
+        });
+        let types: Vec<Value> = types.filter(|of| of != "null").collect();
+        if types.is_empty() || !types.iter().all(|of| *of == "number" || *of == "integer") {
+            continue;
+        }
+        let mut request = whole(json!({ name.as_str(): "1 furlong" }));
+        for needed in schema["required"].as_array().into_iter().flatten() {
+            let needed = needed.as_str().unwrap();
+            request[needed] = match needed {
+                "test" => json!("isobaric"),
+                _ => request[name].clone(),
+            };
+        }
+        let problem = command.read(request).unwrap_err();
+        assert_eq!(problem.field.as_ref(), Some(name), "{}", command.name);
+        assert!(problem.message.contains("\"1 furlong\""), "{problem}");
+        seen += 1;
+    }
+    seen
 }
 
 #[test]
 fn null_is_what_was_left_out_and_long_texts_are_shortened() {
     let force = find("force").unwrap();
     force
-        .read(json!({"pressure_mpa": 0.2, "end_factor": null}))
+        .read(json!({ "pressure_mpa": 0.2, "muscle": { "end_factor": null } }))
         .unwrap();
     let (words, _) = said("force", &json!({"pressure_mpa": "é".repeat(100_000)}));
-    assert!(words.len() < 200 && words.ends_with("é…\""), "{words}");
+    assert!(
+        words.chars().count() < 200 && words.contains("é…"),
+        "{words}"
+    );
 }
 
 /// What a schema may be: itself, or each of those that it refers to.

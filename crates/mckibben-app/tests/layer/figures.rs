@@ -64,15 +64,15 @@ fn figures() -> Vec<(String, Figure)> {
         ),
         (
             "compare",
-            json!({ "models": ["universal", "thick-wall"], "muscle": bench, "data": [points] }),
+            json!({ "models": ["universal", "thick-wall"], "muscle": { "file": bench }, "data": [points] }),
         ),
         (
             "identify",
-            json!({ "muscle": bench, "data": [points], "model": "thick-wall" }),
+            json!({ "muscle": { "file": bench }, "data": [points], "model": "thick-wall" }),
         ),
         (
             "identify",
-            json!({ "muscle": bench, "data": [of_nine], "model": "thick-wall" }),
+            json!({ "muscle": { "file": bench }, "data": [of_nine], "model": "thick-wall" }),
         ),
         (
             "joint",

@@ -46,8 +46,7 @@ fn the_liquid_of_a_design_pushed_in_by_fill_gives_back_its_point() {
         let filled = reply(
             "fill",
             with_liquid(
-                json!({ "muscle": design["muscle_files"][0], "model": model, "load": "force:300N",
-                "volume_mm3": best["liquid_volume_mm3"] }),
+                json!({ "muscle": { "file": design["muscle_files"][0] }, "model": model, "load": "force:300N", "volume_mm3": best["liquid_volume_mm3"] }),
             ),
         );
         let point = &best["points"][0];

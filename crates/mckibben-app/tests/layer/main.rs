@@ -44,8 +44,8 @@ fn refusal(command: &str, request: Value) -> Problem {
 #[test]
 fn a_request_in_json_is_the_request_in_rust() {
     let request = ForceRequest {
-        pressure_mpa: Some(0.2),
-        contraction: Some(0.1),
+        pressure_mpa: Some(0.2.into()),
+        contraction: Some(0.1.into()),
         ..Default::default()
     };
     let answer = force(&request).unwrap();
@@ -80,17 +80,14 @@ fn a_panic_is_a_problem_that_asks_for_a_report() {
 fn words_of_the_contract_are_fields() {
     let point = reply(
         "force",
-        json!({
-            "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:mooney-rivlin",
-            "stiffness": 600, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall", "two_sided": true,
-        }),
+        json!({ "muscle": { "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:mooney-rivlin", "stiffness": 600 }, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall", "two_sided": true }),
     );
     assert_eq!(point["model"], "thick-wall");
     assert_eq!(point["muscle"]["braid"], "600 N/mm");
     for word in ["inextensible", "paper"] {
         let point = reply(
             "force",
-            json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }),
+            json!({ "pressure_mpa": 0.2, "muscle": { "stiffness": word }, "model": "thick-wall" }),
         );
         assert_eq!(point["muscle"]["braid"], word);
     }
@@ -102,7 +99,7 @@ fn words_of_the_contract_are_fields() {
     let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
     let shown = reply(
         "check",
-        json!({ "only_data": true, "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }),
+        json!({ "only_data": true, "muscle": { "file": { "name": "mine.toml", "text": file }, "wall_mm": 2 } }),
     );
     assert_eq!(
         (&shown["outer_diameter_mm"], &shown["wall_mm"]),
@@ -113,7 +110,7 @@ fn words_of_the_contract_are_fields() {
 #[test]
 fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let name = "flexo-overexpanded-0.38in";
-    let braid = json!({ "only_data": true, "outer_diameter_mm": 12, "wall_mm": 1, "braid": name });
+    let braid = json!({ "only_data": true, "muscle": { "outer_diameter_mm": 12, "wall_mm": 1, "braid": name } });
     let shown = reply("check", braid.clone());
     let sleeve = reply("parts-show", json!({ "name": name }))["sleeve"].take();
     let points = sleeve["points"].as_array().unwrap();
@@ -141,14 +138,14 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     let text = file.replace("= 12", "= 20");
     let wider = reply(
         "check",
-        json!({ "only_data": true, "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
+        json!({ "only_data": true, "muscle": { "file": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 } }),
     );
     assert!(
         (wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01,
         "{wider}"
     );
     let problem = |request: Value| refusal("check", request);
-    let said = problem(json!({ "muscle": { "name": "m.toml", "text": file } })).message;
+    let said = problem(json!({ "muscle": { "file": { "name": "m.toml", "text": file } } })).message;
     assert!(
         said.contains("m.toml:5:8: braid.name") && said.contains("15\u{a0}mm to 35\u{a0}mm"),
         "{said}"
@@ -156,14 +153,14 @@ fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
     // What its seller does not state is an estimate, and marked as one.
     let estimated = reply(
         "check",
-        json!({ "only_data": true, "outer_diameter_mm": 20, "braid": "nfl-19" }),
+        json!({ "only_data": true, "muscle": { "outer_diameter_mm": 20, "braid": "nfl-19" } }),
     );
     assert_eq!(estimated["stiffness_factor"], 3.0);
     let refused = problem(
-        json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }),
+        json!({ "muscle": { "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 } }),
     );
     assert!(refused.message.contains("31.68 deg"), "{}", refused.message);
-    let refused = problem(json!({ "strand_diameter_mm": 0.2 }));
+    let refused = problem(json!({ "muscle": { "strand_diameter_mm": 0.2 } }));
     assert!(
         refused
             .message
@@ -180,12 +177,8 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
         GPa\"\nstrand_strength = \"40 N\"\nthickness = \"0.4 mm\"\ndiameter = \"31 mm\"\ncrimp \
         = \"1 %\"\ncrimp_stiffness = 0.2\n[terminals]\ninsertion = \"15 \
         mm\"\n[friction]\ncoefficient = 40\nexponent = 0.7\nlever = \"2 mm\"\n";
-    let fields = json!({
-        "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 8500, "strand_strength_n": 40, "braid_thickness_mm": 0.4,
-        "braid_diameter_mm": 31, "crimp": 0.01, "crimp_stiffness": 0.2, "insertion_mm": 15, "friction_coefficient": 40,
-        "friction_exponent": 0.7, "friction_lever_mm": 2, "muscle_file": true, "only_data": true,
-    });
-    let file = |text: &str| json!({ "muscle": { "name": "m.toml", "text": text }, "muscle_file": true, "only_data": true });
+    let fields = json!({ "muscle": { "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 8500, "strand_strength_n": 40, "braid_thickness_mm": 0.4, "braid_diameter_mm": 31, "crimp": 0.01, "crimp_stiffness": 0.2, "insertion_mm": 15, "friction_coefficient": 40, "friction_exponent": 0.7, "friction_lever_mm": 2 }, "muscle_file": true, "only_data": true });
+    let file = |text: &str| json!({ "muscle": { "file": { "name": "m.toml", "text": text } }, "muscle_file": true, "only_data": true });
     let shown = |request: &Value| reply("check", request.clone());
     let (mine, theirs) = (shown(&fields), shown(&file(text)));
     assert_eq!(mine, theirs);
@@ -223,43 +216,47 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
     let problem = |request: Value| refusal("check", request);
     for (request, field, said) in [
         (
-            json!({ "strand_modulus_mpa": 3000 }),
+            json!({ "muscle": { "strand_modulus_mpa": 3000 } }),
             Some("strands"),
             "`strands` is missing",
         ),
         (
-            json!({ "strands": 96, "strand_area_mm2": 0.05 }),
+            json!({ "muscle": { "strands": 96, "strand_area_mm2": 0.05 } }),
             Some("strand_modulus_mpa"),
             "is missing",
         ),
         (
-            json!({ "strand_strength_n": 40 }),
+            json!({ "muscle": { "strand_strength_n": 40 } }),
             Some("strands"),
             "`strands` is missing",
         ),
         (
-            json!({ "friction_coefficient": 40 }),
+            json!({ "muscle": { "friction_coefficient": 40 } }),
             Some("friction_exponent"),
             "is missing; friction is C·P^β",
         ),
         (
-            json!({ "crimp_stiffness": 0.2 }),
+            json!({ "muscle": { "crimp_stiffness": 0.2 } }),
             Some("crimp"),
             "`crimp` is missing",
         ),
         (
-            json!({ "strands": 37 }),
+            json!({ "muscle": { "strands": 37 } }),
             None,
             "braid.strands is 37; it must be an even whole number",
         ),
-        (json!({ "strands": 36.5 }), None, "braid.strands is 36.5;"),
         (
-            json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_diameter_mm": 0.2, "strand_modulus_mpa": 1 }),
+            json!({ "muscle": { "strands": 36.5 } }),
+            None,
+            "braid.strands is 36.5;",
+        ),
+        (
+            json!({ "muscle": { "strands": 96, "strand_area_mm2": 0.05, "strand_diameter_mm": 0.2, "strand_modulus_mpa": 1 } }),
             None,
             "both are given",
         ),
         (
-            json!({ "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 1, "stiffness": 300 }),
+            json!({ "muscle": { "strands": 96, "strand_area_mm2": 0.05, "strand_modulus_mpa": 1, "stiffness": 300 } }),
             None,
             "give either `stiffness`, or `strands`",
         ),
@@ -278,7 +275,7 @@ fn fields_of_strands_ends_and_friction_are_those_of_a_muscle_file() {
 /// point.
 #[test]
 fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
-    let small = json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
+    let small = json!({ "muscle": { "outer_diameter_mm": 20, "wall_mm": 1.5 }, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
     let said = |answer: &Value| {
         let warnings = answer["warnings"]
             .as_array()
@@ -296,20 +293,20 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
     assert_eq!(
         said(&reply(
             "check",
-            json!({ "only_data": true, "outer_diameter_mm": 60 })
+            json!({ "only_data": true, "muscle": { "outer_diameter_mm": 60 } })
         )),
         1
     );
     assert_eq!(
         said(&reply(
             "check",
-            json!({ "only_data": true, "outer_diameter_mm": 50 })
+            json!({ "only_data": true, "muscle": { "outer_diameter_mm": 50 } })
         )),
         0
     );
     let curve = reply(
         "curve",
-        json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),
+        json!({ "muscle": { "outer_diameter_mm": 20, "wall_mm": 1.5 }, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),
     );
     assert!(
         curve["points"]
@@ -355,7 +352,7 @@ fn problems_name_the_field_and_never_a_flag() {
         ),
         (
             "force",
-            json!({ "pressure_mpa": 0.2, "mesh": "0x9" }),
+            json!({ "pressure_mpa": 0.2, "model": { "mesh": "0x9" } }),
             ProblemKind::Mesh,
             "through",
         ),
@@ -427,9 +424,9 @@ impl Progress for Impatient {
 #[test]
 fn long_work_can_be_cancelled() {
     let wanted = DesignRequest {
-        force_n: Some(300.0),
-        contraction: Some(0.1),
-        max_pressure_mpa: Some(0.25),
+        force_n: Some(300.0.into()),
+        contraction: Some(0.1.into()),
+        max_pressure_mpa: Some(0.25.into()),
         ..Default::default()
     };
     assert_eq!(

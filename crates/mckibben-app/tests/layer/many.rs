@@ -14,10 +14,7 @@ fn fields() -> MuscleFields {
 }
 
 fn named(model: &str) -> ModelFields {
-    ModelFields {
-        model: Some(model.into()),
-        ..Default::default()
-    }
+    ModelFields::named(model)
 }
 
 fn bound(model: &str) -> BoundModel {
@@ -58,8 +55,8 @@ fn a_list_is_its_points() {
                     model: named(model),
                     ..Default::default()
                 },
-                pressure_mpa: Some(0.15),
-                contraction: Some(contraction),
+                pressure_mpa: Some(0.15.into()),
+                contraction: Some(contraction.into()),
                 ..Default::default()
             };
             let alone = force(&request).unwrap().point.response.force_n;

@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 #[test]
 fn fields_are_written_and_read_again_with_all_measures_among_them() {
     let mut fields = MuscleFields::default();
-    fields.named.rubber = Some("paper".into());
+    fields.rubber = Some("paper".into());
     for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
         fields.measures.set(measure, 1.0 + i as f64);
     }
@@ -24,8 +24,11 @@ fn fields_are_written_and_read_again_with_all_measures_among_them() {
             .muscle,
         fields
     );
-    let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
-    let schema = mckibben_app::schema("force").unwrap()["request"]["properties"].take();
+    let mut written: Value = serde_json::from_str(&text).unwrap();
+    let written: Map<String, Value> = serde_json::from_value(written["muscle"].take()).unwrap();
+    let schema =
+        mckibben_app::schema("force").unwrap()["request"]["$defs"]["MuscleFields"]["properties"]
+            .take();
     let names: Vec<&String> = schema.as_object().unwrap().keys().collect();
     let of_muscle = |name: &String| name == "rubber" || Measure::of_field(name).is_some();
     let order: Vec<_> = written
@@ -37,7 +40,7 @@ fn fields_are_written_and_read_again_with_all_measures_among_them() {
         order.is_sorted() && order.len() == fields.measures.iter().count() + 1,
         "{text}"
     );
-    let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#)
+    let wrong = serde_json::from_str::<ForceRequest>(r#"{ "muscle": { "grip_mm": "x" } }"#)
         .unwrap_err()
         .to_string();
     assert!(

@@ -24,7 +24,7 @@ fn a_shape_keeps_length_turns_and_cavity() {
     for (pressure, contraction) in [(0.25, 0.0), (0.25, 0.15), (0.1, -0.02)] {
         let answer = reply(
             "shape",
-            json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": pressure, "contraction": contraction }),
+            json!({ "muscle": { "outer_diameter_mm": 38, "wall_mm": 1 }, "pressure_mpa": pressure, "contraction": contraction }),
         );
         let (stations, across) = (
             answer["stations"].as_u64().unwrap() as usize,
@@ -194,7 +194,7 @@ fn a_plan_in_memory_is_a_table_of_what_fe_says() {
     let number = |i: usize| last[i].parse::<f64>().unwrap();
     let force = reply(
         "force",
-        json!({ "outer_diameter_mm": number(0), "wall_mm": number(1), "pressure_mpa": number(4), "contraction": number(5), "two_sided": true }),
+        json!({ "muscle": { "outer_diameter_mm": number(0), "wall_mm": number(1) }, "pressure_mpa": number(4), "contraction": number(5), "two_sided": true }),
     );
     assert!((number(6) / force["force_n"].as_f64().unwrap() - 1.0).abs() < 1e-9);
     let large = PLAN
@@ -230,7 +230,7 @@ fn what_names_files_of_the_machine_is_known() {
 
 #[test]
 fn a_report_holds_the_answers_of_its_commands() {
-    let request = json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1, "units": "bar", "report": true });
+    let request = json!({ "muscle": { "outer_diameter_mm": 38, "wall_mm": 1 }, "pressure_mpa": 0.2, "contraction": 0.1, "units": "bar", "report": true });
     let request = serde_json::from_value(request).unwrap();
     let report = mckibben_app::build(&request, &Silent)
         .unwrap()
@@ -238,7 +238,7 @@ fn a_report_holds_the_answers_of_its_commands() {
         .unwrap();
     let force = reply(
         "force",
-        json!({ "outer_diameter_mm": 38, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1 }),
+        json!({ "muscle": { "outer_diameter_mm": 38, "wall_mm": 1 }, "pressure_mpa": 0.2, "contraction": 0.1 }),
     );
     let row = |part: &Part| match part {
         Part::Table { rows, .. } => Some(rows[0][1].clone()),
@@ -282,7 +282,7 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
         mm\"\n[tube.material]\n\
                 law = \"neo-hookean\"\nmu = \"0.4 MPa\"\n[braid]\nname = \"nfl-19\"\nstiffness = \
                 400\n[terminals]\nseating = 0.5\nslip = \"1 mm/kN\"\n";
-    let fields = json!({ "muscle": { "name": "mine.toml", "text": file }, "length_mm": 160.2, "grip_mm": 2 });
+    let fields = json!({ "muscle": { "file": { "name": "mine.toml", "text": file }, "length_mm": 160.2, "grip_mm": 2 } });
     let shown = |mut request: Value| {
         request["muscle_file"] = true.into();
         request["only_data"] = true.into();
@@ -290,7 +290,7 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
     };
     let first = shown(fields.clone());
     let written = first["muscle_file"].clone();
-    let again = json!({ "muscle": { "name": "again.toml", "text": written } });
+    let again = json!({ "muscle": { "file": { "name": "again.toml", "text": written } } });
     assert_eq!(shown(again.clone()), first);
     assert_eq!(
         [

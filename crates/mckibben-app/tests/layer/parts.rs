@@ -75,7 +75,7 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
         );
         reply(
             "check",
-            json!({ "only_data": true, "rubber": rubber["name"] }),
+            json!({ "only_data": true, "muscle": { "rubber": rubber["name"] } }),
         );
     }
     for sleeve in list("sleeves") {
@@ -87,7 +87,7 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
         let points = one["points"].as_array().unwrap();
         assert!(points.len() >= 5, "{one}");
         let diameter = number(&points[0], "outer_diameter_mm");
-        let muscle = json!({ "only_data": true, "braid": sleeve["name"], "outer_diameter_mm": diameter, "wall_mm": 0.1 * diameter, "stiffness": "inextensible" });
+        let muscle = json!({ "only_data": true, "muscle": { "braid": sleeve["name"], "outer_diameter_mm": diameter, "wall_mm": 0.1 * diameter, "stiffness": "inextensible" } });
         reply("check", muscle);
     }
     for muscle in list("muscles") {

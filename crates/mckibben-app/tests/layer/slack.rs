@@ -19,11 +19,10 @@ fn owned() -> Value {
 /// A muscle that hangs slack has one volume and diameter, in both commands, and no slopes.
 #[test]
 fn a_slack_muscle_of_simulate_is_that_of_force() {
-    let test = json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.1], "contractions": [0.1, 0.2]});
+    let test = json!({ "test": "isometric", "muscle": { "file": owned() }, "pressures_mpa": [0.1], "contractions": [0.1, 0.2] });
     let simulated = reply("simulate", test);
     for point in simulated["points"].as_array().unwrap() {
-        let question =
-            json!({"muscle": owned(), "pressure_mpa": 0.1, "contraction": point["contraction"]});
+        let question = json!({ "muscle": { "file": owned() }, "pressure_mpa": 0.1, "contraction": point["contraction"] });
         let force = reply("force", question);
         assert_eq!(
             (&point["slack"], &force["slack"]),
@@ -65,13 +64,13 @@ fn one_muscle_has_one_pull_in_every_command() {
         );
         let muscle = json!({"name": "random.toml", "text": text});
         let pressures = [0.0, 0.02, 0.2];
-        let test = json!({"test": "isobaric", "muscle": muscle, "pressures_mpa": pressures, "contractions": contractions});
+        let test = json!({ "test": "isobaric", "muscle": { "file": muscle }, "pressures_mpa": pressures, "contractions": contractions });
         for command in ["curve", "simulate"] {
             let answer = reply(command, test.clone());
             let points = answer["points"].as_array().unwrap();
             assert_eq!(points.len(), 9, "{command} {text}");
             for point in points {
-                let question = json!({"muscle": muscle, "pressure_mpa": point["pressure_mpa"], "contraction": point["contraction"]});
+                let question = json!({ "muscle": { "file": muscle }, "pressure_mpa": point["pressure_mpa"], "contraction": point["contraction"] });
                 let Ok(force) = ask("force", &question.to_string(), &Silent) else {
                     assert_ne!(point["status"], "ok", "{command} {question}");
                     continue;
@@ -95,30 +94,30 @@ fn one_muscle_has_one_pull_in_every_command() {
 fn a_muscle_whose_strands_break_neither_pulls_nor_has_an_uncertainty() {
     let force = reply(
         "force",
-        json!({"muscle": owned(), "pressure_mpa": 0.3, "contraction": -0.3, "two_sided": true}),
+        json!({ "muscle": { "file": owned() }, "pressure_mpa": 0.3, "contraction": -0.3, "two_sided": true }),
     );
     assert_eq!(force["force_n"], 0.0);
     assert!(force["strand_tension_n"].as_f64().unwrap() > 20.0 && force["uncertainty_n"].is_null());
     let simulated = reply(
         "simulate",
-        json!({"test": "isometric", "muscle": owned(), "pressures_mpa": [0.3], "contractions": [-0.25, 0.0]}),
+        json!({ "test": "isometric", "muscle": { "file": owned() }, "pressures_mpa": [0.3], "contractions": [-0.25, 0.0] }),
     );
     assert_eq!(simulated["points"][0]["force_n"], 0.0);
-    let grid = json!({"muscle": owned(), "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0]});
+    let grid = json!({ "muscle": { "file": owned() }, "models": ["fe"], "pressures_mpa": [0.3], "contractions": [-0.2, 0.0] });
     assert_eq!(reply("compare", grid)["models"][0]["max_n"], 0.0);
     // Nor is its pull the answer of an inverse, or the nearest one.
     for (command, question) in [
         (
             "contraction",
-            json!({"muscle": owned(), "force_n": 4000.0, "pressure_mpa": 0.3}),
+            json!({ "muscle": { "file": owned() }, "force_n": 4000.0, "pressure_mpa": 0.3 }),
         ),
         (
             "contraction",
-            json!({"muscle": owned(), "force_n": 9e4, "pressure_mpa": 0.3}),
+            json!({ "muscle": { "file": owned() }, "force_n": 9e4, "pressure_mpa": 0.3 }),
         ),
         (
             "pressure",
-            json!({"muscle": owned(), "force_n": 9000.0, "contraction": -0.2}),
+            json!({ "muscle": { "file": owned() }, "force_n": 9000.0, "contraction": -0.2 }),
         ),
     ] {
         let error = ask(command, &question.to_string(), &Silent).unwrap_err();
@@ -145,7 +144,7 @@ fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
             let muscle = json!({"name": "wide.toml", "text": text});
             let force = reply(
                 "force",
-                json!({"muscle": muscle, "pressure_mpa": pressure_mpa}),
+                json!({ "muscle": { "file": muscle }, "pressure_mpa": pressure_mpa }),
             );
             let pull = force["force_n"].as_f64().unwrap();
             assert!(pull >= before, "{plug_mm} mm, {pressure_mpa} MPa: {pull} N");
@@ -159,7 +158,7 @@ fn a_tube_on_wide_plugs_has_an_answer_without_pull_too() {
 /// default muscle.
 #[test]
 fn a_muscle_has_a_text_or_is_of_the_library() {
-    let of = |muscle: Value| json!({"muscle": muscle, "pressure_mpa": 0.3});
+    let of = |muscle: Value| json!({ "muscle": { "file": muscle }, "pressure_mpa": 0.3 });
     let alone = reply("force", of(json!("lib:dmsp-20-300")));
     let empty = json!({"name": "lib:dmsp-20-300", "text": ""});
     assert_eq!(alone["force_n"], reply("force", of(empty))["force_n"]);

@@ -69,10 +69,7 @@ fn whatever_was_identified_is_a_muscle() {
         free.sort_unstable();
         free.dedup();
         let branches = ["both", "mean"][chance(2)];
-        let request = json!({
-            "muscle": { "name": "m.toml", "text": muscle }, "data": [{ "name": "points.csv", "text": text("points.csv") }],
-            "free": free, "model": "thick-wall", "branches": branches,
-        });
+        let request = json!({ "muscle": { "file": { "name": "m.toml", "text": muscle } }, "data": [{ "name": "points.csv", "text": text("points.csv") }], "free": free, "model": "thick-wall", "branches": branches });
         let answer: Value = match ask("identify", &request.to_string(), &Silent) {
             Ok(answer) => serde_json::from_str(&answer).unwrap(),
             Err(problem) => {
@@ -86,7 +83,7 @@ fn whatever_was_identified_is_a_muscle() {
         };
         written += 1;
         let file = json!({ "name": "identified.toml", "text": answer["muscle_file"] });
-        let point = json!({ "muscle": file, "pressure_mpa": 0.3, "contraction": 0.1, "model": "thick-wall" });
+        let point = json!({ "muscle": { "file": file }, "pressure_mpa": 0.3, "contraction": 0.1, "model": "thick-wall" });
         if let Err(problem) = ask("force", &point.to_string(), &Silent) {
             assert_ne!(
                 serde_json::to_value(problem.kind).unwrap(),
@@ -94,7 +91,10 @@ fn whatever_was_identified_is_a_muscle() {
                 "{set} {law} {free:?}: {problem}"
             );
         }
-        let shown = reply("check", json!({ "muscle": file, "only_data": true }));
+        let shown = reply(
+            "check",
+            json!({ "muscle": { "file": file }, "only_data": true }),
+        );
         let said = shown["warnings"].to_string();
         assert!(
             !said.contains("[identified]"),
@@ -132,7 +132,7 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
             if let Some(file) = answer["muscle_file"].as_str() {
                 reply(
                     "check",
-                    json!({ "muscle": { "name": "r.toml", "text": file }, "only_data": true }),
+                    json!({ "muscle": { "file": { "name": "r.toml", "text": file } }, "only_data": true }),
                 );
             }
         }

@@ -40,7 +40,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, format: Format) -> Result<u8, Problem> {
         let mut request = self.request;
         request.figure = self.plot.wanted();
         if self.study.is_some() {

@@ -5,7 +5,7 @@ use crate::{
     listed, output::check, pairs, percent, place, save, save_all, tabled, value,
 };
 use mckibben_app::{SimulateAnswer, SimulateRequest, Simulated};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::path::PathBuf;
 
 /// One finite-element test.

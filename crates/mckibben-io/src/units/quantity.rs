@@ -14,10 +14,19 @@ pub struct QuantityError {
     pub problem: String,
 }
 
+/// The beginning of a long text.
+pub(super) fn shortened(text: &str) -> String {
+    if text.chars().count() <= 60 {
+        text.into()
+    } else {
+        text.chars().take(59).chain(['…']).collect()
+    }
+}
+
 impl QuantityError {
     fn about(text: &str, problem: String) -> Self {
         Self {
-            subject: format!("\"{}\" ", text.trim()),
+            subject: format!("\"{}\" ", shortened(text.trim())),
             problem,
         }
     }
@@ -131,7 +140,8 @@ pub(super) fn factor(
             let other = Dimension::all()
                 .find(|d| d.unit(unit).is_some())
                 .map(|d| format!("is {}", d.noun()));
-            let what = other.unwrap_or_else(|| format!("has the unknown unit \"{unit}\""));
+            let what =
+                other.unwrap_or_else(|| format!("has the unknown unit \"{}\"", shortened(unit)));
             Err(QuantityError::is(text, &what, expected))
         }
     }

@@ -2,7 +2,7 @@
 
 use super::convert::{convert, tidy};
 use super::dimension::Dimension;
-use super::quantity::{QuantityError, factor, plausible, split};
+use super::quantity::{QuantityError, factor, plausible, shortened, split};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -182,14 +182,6 @@ fn too_many(text: &str, points: f64) -> RangeError {
     RangeError::Form(format!(
         "\"{text}\" makes {points:.3e} points, more than {MAX_POINTS}: take a larger step"
     ))
-}
-
-fn shortened(text: &str) -> String {
-    if text.chars().count() <= 60 {
-        text.into()
-    } else {
-        text.chars().take(57).chain("...".chars()).collect()
-    }
 }
 
 #[cfg(test)]

@@ -108,14 +108,14 @@ async fn problems_have_their_status_and_their_words() {
     for (name, request, status, kind) in [
         (
             "force",
-            r#"{"muscle": {"outer_diameter_mm": -1}, "pressure_mpa": 0.2}"#,
+            r#"{ "muscle": { "outer_diameter_mm": -1 }, "pressure_mpa": 0.2 }"#,
             422,
             "muscle",
         ),
         ("force", "[]", 422, "usage"),
         (
             "pressure",
-            r#"{"force_n": 1e9, "contraction": 0.1, "model": {"name": "ideal"}}"#,
+            r#"{"force_n": 1e9, "contraction": 0.1, "model": "ideal"}"#,
             422,
             "no_answer",
         ),

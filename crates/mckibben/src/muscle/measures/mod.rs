@@ -13,7 +13,7 @@ mod table;
 mod values;
 
 pub use table::*;
-pub use values::{GROUP, MeasureValues};
+pub use values::MeasureValues;
 
 use super::error::{must, not_negative, positive};
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};

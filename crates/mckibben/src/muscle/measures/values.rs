@@ -1,6 +1,7 @@
 //! Values of measures as fields of requests.
 
 use super::{Measure, fields};
+use crate::units::parse_quantity;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;
@@ -56,25 +57,26 @@ impl TryFrom<Map<String, Value>> for MeasureValues {
     fn try_from(given: Map<String, Value>) -> Result<Self, serde_json::Error> {
         let mut out = Self::default();
         for (field, measure) in fields() {
-            let value = given
-                .get(field)
-                .map(Option::<f64>::deserialize)
-                .transpose()?
-                .flatten();
+            let value = match given.get(field) {
+                Some(Value::String(text)) if !measure.is_plain() => {
+                    let read = parse_quantity(text, measure.dimension);
+                    Some(read.map_err(serde::de::Error::custom)?)
+                }
+                Some(value) => Option::<f64>::deserialize(value)?,
+                None => None,
+            };
             out.0.extend(value.map(|value| (measure, value)));
         }
         Ok(out)
     }
 }
 
-/// The group of fields to which those of a muscle belong.
-pub const GROUP: &str = "muscle";
 impl Measure {
     /// The schema of its field; `more` is added to the sentence about it.
     pub fn schema(&self, more: &str) -> Value {
         let mut field = json!({
             "description": self.documentation(more), "type": ["number", "null"], "format": "double",
-            "x-group": GROUP, "x-key": self.key,
+            "x-key": self.key,
         });
         if !self.symbol.is_empty() {
             field["x-symbol"] = self.symbol.into();
