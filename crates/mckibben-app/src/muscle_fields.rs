@@ -62,9 +62,9 @@ pub struct MuscleFields {
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]
     #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness)]
     pub stiffness: Option<Stiffness>,
-    /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
+    /// Any key of a muscle file; may be repeated
     ///
-    /// `mckibben schema --file muscle` has all keys.
+    /// Such as terminals.seating=1.6mm; `mckibben schema --file muscle` has all keys.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[arg(long, value_name = "KEY=VALUE")]
     pub with: Vec<String>,

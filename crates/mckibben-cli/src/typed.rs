@@ -22,7 +22,7 @@ static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 /// clap refuses their names alone.
 pub fn take(root: &Command, matches: Option<&ArgMatches>) {
     let (mut command, mut leaf) = (root, matches);
-    for word in std::env::args().skip(1) {
+    for word in std::env::args_os().skip(1) {
         if let Some(sub) = command.find_subcommand(&word) {
             command = sub;
             leaf = leaf.and_then(ArgMatches::subcommand).map(|(_, sub)| sub);
@@ -59,6 +59,10 @@ pub fn flags() -> &'static [Flag] {
 
 /// The flag of a request's field.
 pub fn flag_of(field: &str) -> Option<String> {
+    // Of every command.
+    if field == "overwrite" {
+        return Some("--overwrite".into());
+    }
     let fills = |flag: &&Flag| flag.field == field;
     let flag = flags().iter().find(fills).map(|flag| flag.name.clone());
     flag.or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))

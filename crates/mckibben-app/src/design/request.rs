@@ -13,7 +13,7 @@ use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
 use mckibben::units::typed::{
-    Angle, Choice, Force, Length, List, Pressure, Quantity, Ratio, Volume,
+    Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume,
 };
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
@@ -232,7 +232,7 @@ pub struct DesignRequest {
         hide_short_help = true,
         help_heading = "Muscle"
     )]
-    pub strand_length_per_turn_mm: Option<List<Length>>,
+    pub strand_length_per_turn_mm: Option<Choice<Length>>,
     /// Radii of the pulley [searched]
     #[arg(
         long = "radius",
@@ -316,8 +316,8 @@ impl DesignRequest {
             }
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
-        let turns = self.strand_length_per_turn_mm.as_deref();
-        let braid = match (turns.unwrap_or_default(), &sleeves[..], &self.angle_deg) {
+        let turns = self.turns_mm()?;
+        let braid = match (&turns[..], &sleeves[..], &self.angle_deg) {
             ([], [], None) if extends && !base.is_extensile() => {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
@@ -414,6 +414,22 @@ impl DesignRequest {
                 Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
             }
             share => Ok(share),
+        }
+    }
+
+    /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
+    fn turns_mm(&self) -> Result<Vec<f64>> {
+        const FIELD: &str = "strand_length_per_turn_mm";
+        let Some(choice) = &self.strand_length_per_turn_mm else {
+            return Ok(vec![]);
+        };
+        match values(choice, FIELD)? {
+            Values::List(list) => Ok(list),
+            Values::Interval(..) => {
+                let message = "give the sleeves that are sold as a list";
+                let hint = "such as 90,110,130mm";
+                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::width::{self, fold};
 use crate::clean::line;
+use crate::typed::in_flags;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
@@ -126,7 +127,7 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
 /// A page of an answer.
 pub fn laid_out(page: &Page) -> String {
     let block = |block: &Block| match block {
-        Block::Text(text) => format!("{text}\n"),
+        Block::Text(text) => in_flags(text) + "\n",
         Block::Rows(rows) => {
             let rows: Vec<_> = rows.iter().cloned().collect();
             pairs(&rows)
