@@ -6,7 +6,11 @@
 //! ```
 //! use mckibben_app::{ForceRequest, force};
 //!
-//! let request = ForceRequest { pressure_mpa: Some(0.25), contraction: Some(0.10), ..Default::default() };
+//! let request = ForceRequest {
+//!     pressure_mpa: Some(0.25.into()),
+//!     contraction: Some("10%".parse()?),
+//!     ..Default::default()
+//! };
 //! let answer = force(&request)?;
 //! assert_eq!(answer.point.model, "fe");
 //! assert!((answer.point.response.force_n - 491.43).abs() < 0.01);

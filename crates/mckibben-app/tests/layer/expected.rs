@@ -109,12 +109,8 @@ fn refused(
             .contains(&of["$ref"])
         {
             let inner = of["$ref"].as_str().unwrap().rsplit('/').next().unwrap();
-            seen += refused(
-                command,
-                &defs[inner],
-                defs,
-                &|fields| json!({ name.as_str(): fields }),
-            );
+            let whole = |fields| whole(json!({ name.as_str(): fields }));
+            seen += refused(command, &defs[inner], defs, &whole);
             continue;
         }
         let mut all = vec![];
