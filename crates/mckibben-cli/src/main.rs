@@ -20,14 +20,14 @@ use clap::FromArgMatches;
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
-use output::keyed::{each, headed, listed, said, tabled, value};
+use output::keyed::{headed, listed, said, tabled, value};
 use output::text::{
     Units, columns, half_width, number, pairs, percent, percents, place, table, understood,
 };
 use output::{
     FLAT, burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
 };
-use output::{Output, print_text};
+use output::{Output, print_page, print_text};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;
