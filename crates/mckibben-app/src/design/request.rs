@@ -12,9 +12,7 @@ use crate::{
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
-use mckibben::units::typed::{
-    Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume,
-};
+use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
 use mckibben::{units::Values, warning::strand_strength_n};

@@ -31,6 +31,12 @@ impl Rows {
         self
     }
 
+    pub(super) fn rename(&mut self, name: impl Fn(&str) -> String) {
+        self.0
+            .iter_mut()
+            .for_each(|(_, value)| *value = name(value));
+    }
+
     pub fn iter(&self) -> impl Iterator<Item = &(String, String)> {
         self.0.iter()
     }

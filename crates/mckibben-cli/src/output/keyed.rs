@@ -2,7 +2,7 @@
 
 use super::text::{Units, aligned, columns};
 use mckibben_app::rows::Key;
-pub use mckibben_app::rows::{each, listed, said, value};
+pub use mckibben_app::rows::{listed, said, value};
 use serde::Serialize;
 use serde_json::Value;
 

@@ -123,12 +123,22 @@ pub fn print<T: Show>(
     add: impl FnOnce(&mut Page),
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    let text = || {
-        let first = burst_first(&answer.warnings());
-        let mut page = answer.page(&shown::units());
+    let page = |u: &Units| {
+        let mut page = answer.page(u);
         add(&mut page);
-        first + &text::laid_out(&page)
+        page
     };
+    print_page(answer, format, page, target)
+}
+
+/// The same with a page of its own.
+pub fn print_page<T: Show>(
+    answer: &T,
+    format: Format,
+    page: impl FnOnce(&Units) -> Page,
+    target: Target<'_>,
+) -> Result<(), Problem> {
+    let text = || burst_first(&answer.warnings()) + &text::laid_out(&page(&shown::units()));
     let csv = || {
         let csv = answer.csv();
         let warnings = answer.warnings();
