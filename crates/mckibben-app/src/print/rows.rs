@@ -2,6 +2,7 @@
 
 use super::amount::{Amount, plain};
 use crate::Scale;
+use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -30,13 +31,13 @@ impl Rows {
         self.0.retain(|(label, _)| wanted(label));
         self
     }
+}
 
-    pub fn iter(&self) -> impl Iterator<Item = &(String, String)> {
-        self.0.iter()
-    }
+impl Deref for Rows {
+    type Target = [(String, String)];
 
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+    fn deref(&self) -> &Self::Target {
+        &self.0
     }
 }
 
