@@ -70,7 +70,6 @@ pub mod print;
 mod problem;
 mod quantities;
 mod report;
-pub mod rows;
 mod rubber;
 mod rubber_fit;
 #[cfg(feature = "schema")]
@@ -126,7 +125,7 @@ pub use report::{TitleBlock, body};
 pub use rubber::*;
 pub use rubber_fit::*;
 #[cfg(feature = "schema")]
-pub use schemas::{answer_schema, bundle, schema};
+pub use schemas::{bundle, schema};
 pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;

@@ -2,6 +2,7 @@
 
 use super::amount::{Amount, plain};
 use crate::Scale;
+use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,13 +37,13 @@ impl Rows {
             .iter_mut()
             .for_each(|(_, value)| *value = name(value));
     }
+}
 
-    pub fn iter(&self) -> impl Iterator<Item = &(String, String)> {
-        self.0.iter()
-    }
+impl Deref for Rows {
+    type Target = [(String, String)];
 
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+    fn deref(&self) -> &Self::Target {
+        &self.0
     }
 }
 

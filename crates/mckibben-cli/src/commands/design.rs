@@ -2,10 +2,9 @@
 
 use crate::output::ShownUnits;
 use crate::typed::in_flags;
-use crate::{
-    Bar, Format, NO_ANSWER, Plot, Problem, Units, check_ending, emit, place, print_page, save,
-};
+use crate::{Bar, Format, NO_ANSWER, Plot, Problem, check_ending, emit, place, print_page, save};
 use mckibben_app::DesignRequest;
+use mckibben_app::Units;
 use std::path::{Path, PathBuf};
 
 /// The main job.
