@@ -36,7 +36,7 @@ pub struct DesignRequest {
     #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// Contraction ratio ΔL/L0 with that pull; below zero: an extension
-    #[arg(short = 'e', long)]
+    #[arg(short = 'e', long, value_parser = contraction)]
     pub contraction: Option<Ratio>,
     /// Several operating points: 700N@15%,1200N@5%
     #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point, conflicts_with_all = ["force_n", "contraction"])]
@@ -633,7 +633,11 @@ impl DesignRequest {
             return self
                 .points
                 .iter()
-                .map(|w| Ok((w.force_n, Some(ratio(w.contraction)?))))
+                .map(|w| {
+                    let contraction = ratio(w.contraction);
+                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
+                    Ok((w.force_n, Some(contraction)))
+                })
                 .collect();
         }
         let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
@@ -741,12 +745,23 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
     })
 }
 
+/// A contraction ratio; a shortening in mm is a stroke.
+#[cfg(feature = "clap")]
+fn contraction(text: &str) -> Result<Ratio> {
+    text.parse().map_err(|error: QuantityError| {
+        let hint = match text.parse::<Length>() {
+            Ok(_) => "give a ratio such as 15%, or a stroke with `stroke_mm`",
+            Err(_) => "",
+        };
+        Problem::new(ProblemKind::Quantity, error.to_string(), hint)
+    })
+}
+
 /// A required pull at a contraction: `700N@15%`.
 #[cfg(feature = "clap")]
 fn operating_point(text: &str) -> Result<OperatingPoint> {
     let expected = "operating point; expected a pull at a contraction such as 700N@15%";
     let (Force(force_n), Ratio(contraction)) = at(text, expected)?;
-    let contraction = ratio(contraction)?;
     Ok(OperatingPoint {
         force_n,
         contraction,
