@@ -227,7 +227,9 @@ mod parsers {
                 let dimension = measure.dimension;
                 let read = move |text: &str| parse_quantity(text, dimension);
                 let arg = Arg::new(measure.field?).long(measure.flag()?);
-                let arg = arg.value_name(measure.value_name()).help(measure.help());
+                let arg = arg
+                    .value_name(measure.value_name())
+                    .help(measure.help().replacen(" at rest", "", 1));
                 let arg = arg.hide_short_help(measure.short.is_none() && *measure != ANGLE);
                 Some(arg.value_parser(read).short(measure.short))
             });

@@ -15,7 +15,7 @@ impl Show for MeasuredAnswer {
             page.line(format!(
                 "Validation: {} against measured muscles. Bias is measured − computed; % is of the \
                  blocked force; within ± is the share of the points inside the ±. Errors by \
-                 contraction: --format json",
+                 contraction: in JSON",
                 self.model
             ));
         }
