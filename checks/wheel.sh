@@ -13,7 +13,7 @@ step() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
 step "tools"
 "$PYTHON" -m venv "$work/venv"
 export PATH="$work/venv/bin:$PATH"
-python -m pip install --quiet -r python/requirements-build.txt mypy pytest pandas polars pyarrow pint matplotlib scipy jax \
+python -m pip install --quiet -r python/requirements-build.txt ruff==0.17.6 mypy pytest pandas polars pyarrow pint matplotlib scipy jax \
     nbclient nbformat ipykernel pandas-stubs
 
 step "commands and answers are those of the schema"

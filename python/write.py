@@ -5,7 +5,7 @@
     python python/write.py pages FOLDER         the same as pages for Sphinx (python/docs.sh makes HTML of them)
 
 The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of a package with its compiled half: the installed one, or that of
-``--native FILE`` (the library of the workspace's build).
+``--native FILE`` (the library of the workspace's build). ``api`` formats what it writes by ruff.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
 OWN = {
     "MuscleCommands": {"muscle"},
     "JointCommands": {"joint", "muscles"},
-    "DriveCommands": {"drive", "muscle", "joint", "muscles", "tables"},
+    "DriveCommands": {"drive", "step", "muscle", "joint", "muscles", "tables"},
     "CampaignCommands": {"plan", "output", "campaign"},
 }
 DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric"}
@@ -142,9 +142,7 @@ GIVEN = {
     "muscle": "MuscleLike",
     "cases": "FileLike | Sequence[FileLike]",
     "rubber": "RubberLike",
-    "model": "FormulaLike",
     "models": "FormulaLike | Sequence[FormulaLike]",
-    "formulas": "Sequence[FormulaLike]",
     "file": "FormulaLike",
     "terminal": "Mapping[str, Plain]",
     "log": "TableLike",
@@ -195,7 +193,8 @@ JAC = (
     "diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by `replace`: k of a named braid follows the diameter. Those of finite elements come from the "
     "factorised tangent of the equilibrium itself."
 )
-OPTIONS = "`model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`, `extrapolate`, `two_sided`, `direction`."
+OPTIONS = "`model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`, `two_sided`, `direction`."
+MEASURES = "What differs from the muscle, as in :class:`Muscle`."
 ERRORS = "`raise` for the first point without an answer, `nan` for NaN there."
 PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
@@ -207,7 +206,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered
+from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -230,7 +229,6 @@ class Bundle:
 
     def __init__(self, held: dict[str, Any]) -> None:
         self.held, self.defs = held, held["$defs"]
-        self.commands = [name for name in held if not name.startswith("$")]
 
     def defined(self, schema: Schema) -> Schema:
         """A schema, or the definition to which it refers."""
@@ -255,7 +253,12 @@ class Bundle:
         )
 
     def request(self, command: str) -> dict[str, Schema]:
-        return self.properties(self.held[command]["request"])
+        """The arguments of a command: the fields of its request, those of its model one by one."""
+        fields = self.properties(self.held[command]["request"])
+        if reference(fields.get("model")) == "ModelFields":
+            made = self.properties(fields["model"])
+            fields |= {"model": made.pop("name"), **made}
+        return fields
 
     def is_record(self, schema: Schema) -> bool:
         return bool(self.properties(schema)) and not words(self.defined(schema))
@@ -267,7 +270,9 @@ class Bundle:
         if name := reference(schema):
             known = {
                 "TextFile": "FileLike",
+                "NameOrFile": "FormulaLike",
                 "Choice": "Choice",
+                "Choice2": "Choice",
                 "Stiffness": "Number | str",
             }.get(name)
             if not is_answer and known:
@@ -300,12 +305,9 @@ class Bundle:
         }.get(str(kind), "Any")
 
     def muscle(self) -> dict[str, Schema]:
-        """The fields of a muscle besides its file."""
-        return {
-            name: field
-            for name, field in self.request("check").items()
-            if field.get("x-group") == "muscle" and name != "muscle"
-        }
+        """The fields of a muscle by which it is made and changed."""
+        fields = self.properties({"$ref": "#/$defs/MuscleFields"})
+        return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
 
 
 def reference(schema: Schema) -> str | None:
@@ -360,9 +362,10 @@ def doc(schema: Schema) -> str:
     text = schema.get("description", "") if isinstance(schema, dict) else ""
     text = re.sub(r"```.*?```", "", text, flags=re.DOTALL).strip()
     text = re.sub(r"\\\[([a-z0-9]+)\\\]", r"[\1]", text)
-    return " ".join(re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).split()).replace(
-        "\\", "\\\\"
-    )
+    text = re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).replace("\\", "\\\\")
+    # A short help text has no full stop.
+    text = re.sub(r"(?<![.:;,…])(?<!\.\))(\n\n|$)", r".\1", text) if text else ""
+    return " ".join(text.split())
 
 
 def named(name: str) -> str:
@@ -458,11 +461,7 @@ def function(
     title = held["answer"]["title"]
     answer = NAMES.get(title, title)
     fields = bundle.request(command)
-    left_out = (
-        (OWN[owner] if owner else set())
-        | {"figure"}
-        | (set(bundle.muscle()) if owner == "MuscleCommands" else set())
-    )
+    left_out = {"figure"} | (OWN[owner] if owner else set())
     fields = {
         n: fields[n]
         for n in [*first, *(n for n in fields if n not in first)]
@@ -474,6 +473,13 @@ def function(
     if held["long"] or command == "curve":
         keywords.append(("progress: Progress", "None"))
         listed.append(("progress", "", PROGRESS))
+    given = "locals()"
+    if reference(fields.get("muscle")) == "MuscleFields":
+        keywords.append(("**measures: Unpack[Measures]", None))
+        listed.append(("measures", "", MEASURES))
+        given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
+    if reference(bundle.properties(held["request"]).get("model")) == "ModelFields":
+        given = f"modelled({given})"
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
     # A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
@@ -494,7 +500,7 @@ def function(
         section("Returns", [(answer, "", doc(held["answer"]) or "The answer.")]),
         raises,
     ]
-    return f'{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", locals(){drawn})'
+    return f'{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
 
 
 def fields_class(bundle: Bundle) -> str:
@@ -525,18 +531,14 @@ def fields_class(bundle: Bundle) -> str:
         ),
         "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n",
     ]
-    parameters = [
-        *(needed[n] for n in always),
-        *(made[n] for n in fields if n not in always),
-    ]
     out.append(
-        f'    def __init__({signature(True, [], parameters)}) -> None:\n{documented([section("Parameters", sorted(entries, key=lambda e: e[0] not in always)), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def __init__({signature(True, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
     )
     out.append(
-        f'    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values.", section("Parameters", entries), raises], "        ")}\n        return self._changed({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        return self._changed({{name: value for name, value in locals().items() if name != "self"}})\n'
     )
     for name, field in fields.items():
-        if name not in ("rubber", "rubber_file", "braid"):
+        if name not in ("rubber", "braid"):
             kind = "float | str" if name == "stiffness" else "float"
             kind = kind if name in (*always, "angle_deg") else f"{kind} | None"
             out.append(
@@ -635,9 +637,9 @@ def numbers() -> str:
             ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"),
             ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]"),
         ):
-            ignored = "  # type: ignore[overload-overlap]" if kind == "Number" else ""
+            ignored = "# type: ignore[overload-overlap]\n" if kind == "Number" else ""
             out.append(
-                f"    @overload\n    def {name}(self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ...{ignored}"
+                f"    @overload\n    def {name}({ignored}self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ..."
             )
         returns = (
             "float or numpy.ndarray",
@@ -708,18 +710,13 @@ def state(bundle: Bundle) -> str:
     )
 
 
-def choices(bundle: Bundle) -> str:
-    """Which model answers, and how, as keywords."""
-    fields = {
-        n: f for n, f in bundle.request("force").items() if f.get("x-group") == "model"
-    }
-    about = [
-        "Which model of a muscle answers, and how.",
-        section("Attributes", entries_of(fields)),
-    ]
+def keywords(
+    bundle: Bundle, name: str, about: list[str], fields: dict[str, Schema]
+) -> str:
+    """Fields as keywords of one type."""
     return "\n".join(
         [
-            "class Options(TypedDict, total=False):",
+            f"class {name}(TypedDict, total=False):",
             documented(about, "    "),
             *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items()),
         ]
@@ -800,19 +797,19 @@ def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
 
 def api(bundle: Bundle) -> str:
     made = answers(bundle)
-    geometry = ("outer_diameter_mm", "wall_mm", "length_mm")
-    keys = {
-        n: f["x-key"]
-        for n, f in sorted(bundle.muscle().items(), key=lambda f: f[0] not in geometry)
-        if "x-key" in f
-    }
+    keys = {n: f["x-key"] for n, f in bundle.muscle().items() if "x-key" in f}
     parts = [
         HEAD,
         f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}",
     ]
     parts += [record(bundle, name, *held) for name, held in made.items()]
+    own = ("pressure_mpa", "contraction", "both", "muscle")
+    how = {n: f for n, f in bundle.request("force").items() if n not in own}
+    about = "Which model of a muscle answers, and how."
+    listed = section("Attributes", entries_of(how))
     parts += [
-        choices(bundle),
+        keywords(bundle, "Options", [about, listed], how),
+        keywords(bundle, "Measures", [MEASURES], bundle.muscle()),
         tables("joint", ["joint", "muscle_1", "muscle_2"]),
         tables("drive", ["muscle", "joint", "command"]),
     ]
@@ -832,7 +829,15 @@ def api(bundle: Bundle) -> str:
     parts += [
         function(bundle, c, n, first, None) for c, (n, first) in FUNCTIONS.items()
     ]
-    return "\n\n\n".join(parts) + "\n"
+    return formatted("\n\n\n".join(parts) + "\n")
+
+
+def formatted(code: str) -> str:
+    """Code as ruff formats all of Python."""
+    command = [sys.executable, "-m", "ruff", "format", "--isolated", "-"]
+    return subprocess.run(
+        command, input=code, capture_output=True, text=True, check=True
+    ).stdout
 
 
 def program(*words: str) -> Schema:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered
+from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -194,7 +194,6 @@ KEYS = {
     "outer_diameter_mm": "tube.outer_diameter",
     "wall_mm": "tube.wall_thickness",
     "length_mm": "tube.length",
-    "stiffness": "braid.stiffness",
     "density_kg_per_m3": "tube.density",
     "prestretch": "tube.prestretch",
     "temperature_degc": "tube.temperature",
@@ -224,6 +223,7 @@ KEYS = {
     "friction_exponent": "friction.exponent",
     "friction_lever_mm": "friction.lever",
     "friction_presliding_mm": "friction.presliding",
+    "stiffness": "braid.stiffness",
 }
 
 
@@ -2180,7 +2180,7 @@ class Finding(Record):
     pressure_mpa : MPa
         P in MPa.
     contraction
-        ε
+        ε.
     force_n : N
         F in N, two-sided.
     """
@@ -2363,7 +2363,7 @@ class FormulaRange(Record):
     pressure_mpa : MPa
         P in MPa.
     contraction
-        ε
+        ε.
     """
 
     outer_diameter_mm: tuple[float, float]
@@ -3162,7 +3162,7 @@ class LibraryMuscle(Record):
 
 
 class Liquid(Record):
-    """A liquid with bubbles of gas. The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under
+    """A liquid with bubbles of gas. . The gas is ideal, stays at its temperature (slow changes) and does not dissolve; in fact some of it dissolves under
     pressure, and the liquid is stiffer then. At 1 bar 1 % of gas is compressed 54 times as much as the water around it. Source: [merritt1967], effective
     bulk modulus.
 
@@ -6007,19 +6007,19 @@ class UniversalRange(Record):
     Attributes
     ----------
     wall_ratio
-        s/D0
+        s/D0.
     length_ratio
         L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
     angle_deg : deg
-        θ0 in degrees
+        θ0 in degrees.
     pressure_per_modulus
-        P/μ, with μ the shear modulus of the rubber at rest
+        P/μ, with μ the shear modulus of the rubber at rest.
     strand_strain
         Strain of the strands, largest: bounds the pressure to 4 sin²θ0 k/D0 times it.
     contraction_of_ideal
-        ε as a share of the ideal muscle's largest
+        ε as a share of the ideal muscle's largest.
     c01_share
-        C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
+        C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law.
     """
 
     wall_ratio: tuple[float, float]
@@ -6077,32 +6077,72 @@ class Options(TypedDict, total=False):
     Attributes
     ----------
     model
-        Name of the model, or of one of the formulas.
-    formulas
-        Files of fitted formulas, which are models by the names of their files.
-    mesh
-        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-    match
-        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-    terminal
-        Terminal of `fe3d` that is a body; without it a rigid plane.
+        Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
     extrapolate
         Compute outside the model's range too, with a warning.
     two_sided
         Give the negative force, not slack, where the muscle would have to push.
     direction
         Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+    mesh
+        Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+        behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+        aluminium:20mm:3mm.
     """
 
     model: FormulaLike | None
-    formulas: Sequence[FormulaLike] | None
-    mesh: str | None
-    match: Literal["length", "angle"] | None
-    terminal: Mapping[str, Plain] | None
     extrapolate: bool
     two_sided: bool
     direction: Literal["mean", "contraction", "elongation"] | None
+    mesh: str | None
+    match: Literal["length", "angle"] | None
+    terminal: Mapping[str, Plain] | None
+
+
+class Measures(TypedDict, total=False):
+    """What differs from the muscle, as in :class:`Muscle`."""
+
+    outer_diameter_mm: Number | None
+    wall_mm: Number | None
+    length_mm: Number | None
+    density_kg_per_m3: Number | None
+    prestretch: Number | None
+    temperature_degc: Number | None
+    angle_deg: Number | None
+    insertion_mm: Number | None
+    seating_mm: Number | None
+    slip_mm_per_n: Number | None
+    grip_mm: Number | None
+    plug_diameter_mm: Number | None
+    pull_off_n: Number | None
+    rated_pressure_mpa: Number | None
+    end_factor: Number | None
+    cone_factor: Number | None
+    stiffness_factor: Number | None
+    strands: Number | None
+    strand_area_mm2: Number | None
+    strand_modulus_mpa: Number | None
+    strand_strength_n: Number | None
+    strands_per_carrier: Number | None
+    strand_length_mm: Number | None
+    turns: Number | None
+    braid_thickness_mm: Number | None
+    braid_diameter_mm: Number | None
+    crimp: Number | None
+    crimp_stiffness: Number | None
+    friction_coefficient: Number | None
+    friction_exponent: Number | None
+    friction_lever_mm: Number | None
+    friction_presliding_mm: Number | None
+    rubber: RubberLike | None
+    braid: str | None
+    strand_diameter_mm: Number | None
+    stiffness: Number | None
 
 
 class JointTables(TypedDict, total=False):
@@ -6270,7 +6310,7 @@ class State(Record):
     force_n : N
         Pull, N.
     air_mass_g : g
-        Mass of its air, g
+        Mass of its air, g.
     temperature_degc : degC
         Temperature of its air or liquid, °C.
     volume_mm3 : mm3
@@ -6286,7 +6326,7 @@ class State(Record):
     force_1_n : N
         Pull, N.
     air_mass_1_g : g
-        Mass of its air, g
+        Mass of its air, g.
     temperature_1_degc : degC
         Temperature of its air or liquid, °C.
     volume_1_mm3 : mm3
@@ -6302,7 +6342,7 @@ class State(Record):
     force_2_n : N
         Pull, N.
     air_mass_2_g : g
-        Mass of its air, g
+        Mass of its air, g.
     temperature_2_degc : degC
         Temperature of its air or liquid, °C.
     volume_2_mm3 : mm3
@@ -6358,11 +6398,6 @@ class MuscleFields:
         outer_diameter_mm: Number,
         wall_mm: Number,
         length_mm: Number,
-        rubber: RubberLike | None = None,
-        rubber_file: FileLike | None = None,
-        braid: str | None = None,
-        strand_diameter_mm: Number | None = None,
-        stiffness: Number | None = None,
         density_kg_per_m3: Number | None = None,
         prestretch: Number | None = None,
         temperature_degc: Number | None = None,
@@ -6392,6 +6427,10 @@ class MuscleFields:
         friction_exponent: Number | None = None,
         friction_lever_mm: Number | None = None,
         friction_presliding_mm: Number | None = None,
+        rubber: RubberLike | None = None,
+        braid: str | None = None,
+        strand_diameter_mm: Number | None = None,
+        stiffness: Number | None = None,
     ) -> None:
         """Parameters
         ----------
@@ -6401,16 +6440,6 @@ class MuscleFields:
             Wall thickness s of the tube at rest, mm.
         length_mm : mm
             Length L0 between the terminals at rest, mm.
-        rubber
-            A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`. Or a :class:`Rubber`.
-        rubber_file
-            A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
-        braid
-            A sleeve of the library: its angle on this diameter, its strands.
-        strand_diameter_mm : mm
-            Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
-        stiffness : N/mm
-            Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
         density_kg_per_m3 : kg/m3
             Density ρ of the rubber, kg/m3.
         prestretch
@@ -6470,6 +6499,16 @@ class MuscleFields:
             Coefficient of friction times lever of the strands' crossings, μw, mm.
         friction_presliding_mm : mm
             Presliding length xs, over which the friction builds up after a reversal, mm.
+        rubber
+            Rubber (`mckibben parts list rubbers`) [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
+            rubber of a muscle file. Or a :class:`Rubber`.
+        braid
+            Sleeve (`mckibben parts list sleeves`) [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
+            largest diameter.
+        strand_diameter_mm : mm
+            Diameter of one strand of a named sleeve, if its source does not state it.
+        stiffness : N/mm
+            Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.
 
         Raises
         ------
@@ -6481,11 +6520,6 @@ class MuscleFields:
     def replace(
         self,
         *,
-        rubber: RubberLike | None = None,
-        rubber_file: FileLike | None = None,
-        braid: str | None = None,
-        strand_diameter_mm: Number | None = None,
-        stiffness: Number | None = None,
         outer_diameter_mm: Number | None = None,
         wall_mm: Number | None = None,
         length_mm: Number | None = None,
@@ -6518,86 +6552,12 @@ class MuscleFields:
         friction_exponent: Number | None = None,
         friction_lever_mm: Number | None = None,
         friction_presliding_mm: Number | None = None,
+        rubber: RubberLike | None = None,
+        braid: str | None = None,
+        strand_diameter_mm: Number | None = None,
+        stiffness: Number | None = None,
     ) -> Muscle:
-        """The same with other values.
-
-        Parameters
-        ----------
-        rubber
-            A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`. Or a :class:`Rubber`.
-        rubber_file
-            A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
-        braid
-            A sleeve of the library: its angle on this diameter, its strands.
-        strand_diameter_mm : mm
-            Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
-        stiffness : N/mm
-            Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
-        outer_diameter_mm : mm
-            Outer diameter D0 of the tube at rest, mm.
-        wall_mm : mm
-            Wall thickness s of the tube at rest, mm.
-        length_mm : mm
-            Length L0 between the terminals at rest, mm.
-        density_kg_per_m3 : kg/m3
-            Density ρ of the rubber, kg/m3.
-        prestretch
-            Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
-        temperature_degc : degC
-            Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
-        angle_deg : deg
-            Angle θ0 of the strands to the axis at rest, degrees.
-        insertion_mm : mm
-            Length of tube and braid clamped on each plug, mm.
-        seating_mm : mm
-            Seating: total displacement of both ends under load, mm.
-        slip_mm_per_n : mm/N
-            Slip of both ends together per newton of clamp load, mm/N.
-        grip_mm : mm
-            Length at each end, within L0, in which tube and braid are clamped, mm.
-        plug_diameter_mm : mm
-            Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
-            universal.
-        pull_off_n : N
-            Axial load at which a clamp lets go of tube and braid, N.
-        rated_pressure_mpa : MPa
-            Pressure for which plugs and fittings are rated, MPa.
-        end_factor
-            Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
-        cone_factor
-            Cone factor kc, for the model conical-ends.
-        stiffness_factor
-            Factor within which the stiffness of the strands is known.
-        strands
-            Number N of strands, both families together.
-        strand_area_mm2 : mm2
-            Cross-section A of one strand, mm2.
-        strand_modulus_mpa : MPa
-            Young's modulus E of the strands, MPa.
-        strand_strength_n : N
-            Force at which one strand breaks, N.
-        strands_per_carrier
-            Strands that lie side by side on a carrier of the braiding machine.
-        strand_length_mm : mm
-            Length of one strand measured on the muscle, mm, for the model belforte.
-        turns
-            Turns of that strand, for the model belforte.
-        braid_thickness_mm : mm
-            Thickness t of the braid, both layers of strands, mm.
-        braid_diameter_mm : mm
-            Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
-        crimp
-            Strain c1 at which the strands are straight.
-        crimp_stiffness
-            Share κ of their stiffness that the strands have before they are straight.
-        friction_coefficient
-            Coefficient C of the friction C·P^β, P in MPa.
-        friction_exponent
-            Exponent β of the friction C·P^β.
-        friction_lever_mm : mm
-            Coefficient of friction times lever of the strands' crossings, μw, mm.
-        friction_presliding_mm : mm
-            Presliding length xs, over which the friction builds up after a reversal, mm.
+        """The same with other values, named as in :class:`Muscle`.
 
         Raises
         ------
@@ -6607,18 +6567,6 @@ class MuscleFields:
         return self._changed(
             {name: value for name, value in locals().items() if name != "self"}
         )
-
-    @property
-    def strand_diameter_mm(self) -> float | None:
-        """Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it."""
-        found: float | None = self._field("strand_diameter_mm")
-        return found
-
-    @property
-    def stiffness(self) -> float | str | None:
-        """Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`."""
-        found: float | str | None = self._field("stiffness")
-        return found
 
     @property
     def outer_diameter_mm(self) -> float:
@@ -6814,6 +6762,18 @@ class MuscleFields:
         found: float | None = self._field("friction_presliding_mm")
         return found
 
+    @property
+    def strand_diameter_mm(self) -> float | None:
+        """Diameter of one strand of a named sleeve, if its source does not state it."""
+        found: float | None = self._field("strand_diameter_mm")
+        return found
+
+    @property
+    def stiffness(self) -> float | str | None:
+        """Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`."""
+        found: float | str | None = self._field("stiffness")
+        return found
+
 
 class MuscleNumbers:
     """What a muscle answers of numbers and arrays."""
@@ -6840,7 +6800,7 @@ class MuscleNumbers:
         ) -> Solution: ...
 
     @overload
-    def force(
+    def force(  # type: ignore[overload-overlap]
         self,
         pressure_mpa: Number,
         contraction: Number = 0.0,
@@ -6849,7 +6809,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> float: ...  # type: ignore[overload-overlap]
+    ) -> float: ...
     @overload
     def force(
         self,
@@ -6862,7 +6822,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> Array: ...
     @overload
-    def force(
+    def force(  # type: ignore[overload-overlap]
         self,
         pressure_mpa: Number,
         contraction: Number = 0.0,
@@ -6871,7 +6831,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    ) -> tuple[float, Array]: ...
     @overload
     def force(
         self,
@@ -6910,8 +6870,8 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
-            `extrapolate`, `two_sided`, `direction`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
 
         Returns
         -------
@@ -6936,7 +6896,7 @@ class MuscleNumbers:
         )
 
     @overload
-    def pressure(
+    def pressure(  # type: ignore[overload-overlap]
         self,
         force_n: Number,
         contraction: Number = 0.0,
@@ -6945,7 +6905,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> float: ...  # type: ignore[overload-overlap]
+    ) -> float: ...
     @overload
     def pressure(
         self,
@@ -6958,7 +6918,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> Array: ...
     @overload
-    def pressure(
+    def pressure(  # type: ignore[overload-overlap]
         self,
         force_n: Number,
         contraction: Number = 0.0,
@@ -6967,7 +6927,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    ) -> tuple[float, Array]: ...
     @overload
     def pressure(
         self,
@@ -7006,8 +6966,8 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
-            `extrapolate`, `two_sided`, `direction`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
 
         Returns
         -------
@@ -7032,7 +6992,7 @@ class MuscleNumbers:
         )
 
     @overload
-    def contraction(
+    def contraction(  # type: ignore[overload-overlap]
         self,
         force_n: Number,
         pressure_mpa: Number,
@@ -7041,7 +7001,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> float: ...  # type: ignore[overload-overlap]
+    ) -> float: ...
     @overload
     def contraction(
         self,
@@ -7054,7 +7014,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> Array: ...
     @overload
-    def contraction(
+    def contraction(  # type: ignore[overload-overlap]
         self,
         force_n: Number,
         pressure_mpa: Number,
@@ -7063,7 +7023,7 @@ class MuscleNumbers:
         errors: Errors = "raise",
         progress: Progress = None,
         **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...  # type: ignore[overload-overlap]
+    ) -> tuple[float, Array]: ...
     @overload
     def contraction(
         self,
@@ -7102,8 +7062,8 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
-            `extrapolate`, `two_sided`, `direction`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
 
         Returns
         -------
@@ -7149,8 +7109,8 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `formulas`, `mesh`, `match`, `terminal`,
-            `extrapolate`, `two_sided`, `direction`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
 
         Returns
         -------
@@ -7179,20 +7139,19 @@ class MuscleCommands:
         self,
         test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
         *,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
-        extrapolate: bool = False,
-        two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
         pressures_mpa: Numbers | None = None,
         contractions: Numbers | None = None,
         forces_n: Numbers | None = None,
         load: str | None = None,
         load_tables: TableLike | Sequence[TableLike] | None = None,
         both: bool = False,
+        model: FormulaLike | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> Curve:
         """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
@@ -7201,37 +7160,37 @@ class MuscleCommands:
         ----------
         test
             Which test.
+        pressures_mpa : MPa
+            Gauge pressures [isobaric 0.05..0.25:0.05, else 0..0.25:0.01].
+        contractions
+            Contraction ratios ΔL/L0 [from 0 to the free contraction at the highest pressure]. Or to the end of the model's range: isobaric by 0.01, isometric
+            by 0.05.
+        forces_n : N
+            Pulls of an isotonic test [20,80,150].
+        load
+            Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
+            pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
+        load_tables
+            The tables that it names.
+        both
+            Both branches of the friction hysteresis.
         model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
             Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
-        pressures_mpa : MPa
-            Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
-        contractions
-            Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the model's range): isobaric by 0.01,
-            isometric by 0.05.
-        forces_n : N
-            Pulls F in N of an isotonic test; default 20, 80 and 150.
-        load
-            A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
-            angle from the horizontal), `table:NAME`; several joined by `+`.
-        load_tables
-            The tables that it names.
-        both
-            Give each curve on both branches of the friction hysteresis.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7245,24 +7204,24 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(Curve, "curve", locals())
+        return answered(Curve, "curve", modelled(locals()))
 
     def simulate(
         self,
         test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
         *,
-        model: FormulaLike | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         pressures_mpa: Numbers | None = None,
         contractions: Numbers | None = None,
         of_largest: bool = False,
         forces_n: Numbers | None = None,
+        model: FormulaLike | None = None,
         two_sided: bool = False,
         deck: bool = False,
         vtu: bool = False,
         eighth: bool = False,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> SimulateAnswer:
         """A finite-element test.
@@ -7271,23 +7230,16 @@ class MuscleCommands:
         ----------
         test
             Which test.
-        model
-            `fe` or `fe3d`; default `fe`.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
         pressures_mpa : MPa
-            Gauge pressures P in MPa; default 0.05 to 0.25 by 0.05.
+            Gauge pressures [0.05..0.25:0.05].
         contractions
-            Contraction ratios ε; default: isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest pressure.
+            Contraction ratios ΔL/L0 [isometric 0,0.1,0.2; isobaric by 0.02 to the free contraction at the highest pressure].
         of_largest
-            Contractions are shares of the free contraction at the highest pressure.
+            Give contractions as shares of the free contraction at the highest pressure.
         forces_n : N
-            Pulls F in N of an isotonic test; default 20, 80 and 150.
+            Pulls of an isotonic test [20,80,150].
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         deck
@@ -7296,6 +7248,15 @@ class MuscleCommands:
             Add the deformed muscle of every point to the answer, as files that ParaView opens.
         eighth
             In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7309,7 +7270,7 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(SimulateAnswer, "simulate", locals(), "MPa")
+        return answered(SimulateAnswer, "simulate", modelled(locals()), "MPa")
 
     def shape(
         self,
@@ -7326,18 +7287,20 @@ class MuscleCommands:
         Parameters
         ----------
         pressure_mpa : MPa
-            Gauge pressure P in MPa.
+            Gauge pressure P.
         contraction
             Contraction ratio ε = ΔL/L0; default 0.
         mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         force_n : N
-            Pull F in N in place of the contraction.
+            Pull F in place of the contraction.
 
         Returns
         -------
@@ -7355,60 +7318,59 @@ class MuscleCommands:
         self,
         volume_mm3: Number,
         *,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
-        extrapolate: bool = False,
-        two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
-        dead_volume_mm3: Number | None = None,
-        liquid: str | None = None,
-        liquid_bulk_modulus_mpa: Number | None = None,
-        gas_share: Number | None = None,
         load: str | None = None,
         load_tables: TableLike | Sequence[TableLike] | None = None,
         contraction: Number | None = None,
+        liquid: str | None = None,
+        gas_share: Number | None = None,
+        dead_volume_mm3: Number | None = None,
+        liquid_bulk_modulus_mpa: Number | None = None,
+        model: FormulaLike | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
     ) -> FillAnswer:
         """Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its length at rest without pressure, filled without air.
 
         Parameters
         ----------
         volume_mm3 : mm3
-            Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe), mm³.
+            Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe).
+        load
+            Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
+            pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
+        load_tables
+            The tables that it names.
+        contraction
+            Contraction at which it is held; with a load: its stop.
+        liquid
+            Liquid: water, oil (SAE 10W) or glycol (ethylene glycol) [water for `fill`, air for `design`].
+        gas_share
+            Gas in the liquid by volume at atmospheric pressure [0].
+        dead_volume_mm3 : mm3
+            Volume of line, fittings and what stays in the syringe [0].
+        liquid_bulk_modulus_mpa : MPa
+            Bulk modulus of the liquid without gas, in place of that of the table.
         model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
             Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
-        dead_volume_mm3 : mm3
-            Volume of line, fittings and what stays in the syringe, mm³; default 0.
-        liquid
-            Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
-        liquid_bulk_modulus_mpa : MPa
-            Bulk modulus of the liquid without gas in MPa, in place of that of the table.
-        gas_share
-            Gas in the liquid by volume at atmospheric pressure; default 0.
-        load
-            A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
-            angle from the horizontal), `table:NAME`; several joined by `+`.
-        load_tables
-            The tables that it names.
-        contraction
-            Contraction ratio ε = ΔL/L0 at which the muscle is held: with a load, where its way ends.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
 
         Returns
         -------
@@ -7420,50 +7382,49 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(FillAnswer, "fill", locals())
+        return answered(FillAnswer, "fill", modelled(locals()))
 
     def check(
         self,
         *,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
-        extrapolate: bool = False,
-        two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
         pressure_mpa: Number | None = None,
         only_data: bool = False,
         muscle_file: bool = False,
+        model: FormulaLike | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
     ) -> CheckAnswer:
         """A muscle to be checked.
 
         Parameters
         ----------
+        pressure_mpa : MPa
+            Working pressure [2.5bar, or the allowed pressure where that is lower].
+        only_data
+            Only its data and what follows from them: no model is evaluated.
+        muscle_file
+            Add the equivalent muscle file to the answer.
         model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
             Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
-        pressure_mpa : MPa
-            Working pressure, MPa; 0.25 MPa, or the allowed pressure where that is lower.
-        only_data
-            Only its data and what follows from them: no model is evaluated.
-        muscle_file
-            Add the equivalent muscle file to the answer.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
 
         Returns
         -------
@@ -7475,26 +7436,24 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(CheckAnswer, "check", locals())
+        return answered(CheckAnswer, "check", modelled(locals()))
 
     def compare(
         self,
         *,
         models: FormulaLike | Sequence[FormulaLike] | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         data: TableLike | Sequence[TableLike] | None = None,
         columns: Mapping[str, str] | None = None,
         set: Sequence[str] | None = None,
-        branch: Literal["mean", "contraction", "elongation"] | None = None,
         fit: Sequence[Literal["modulus", "end-factor", "stiffness"]] | None = None,
         pressures_mpa: Numbers | None = None,
         contractions: Numbers | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
+        branch: Literal["mean", "contraction", "elongation"] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
         progress: Progress = None,
     ) -> CompareAnswer:
         """Models compared with measured points, or with the first model.
@@ -7502,38 +7461,37 @@ class MuscleCommands:
         Parameters
         ----------
         models
-            Names of models, or of the formulas; fe, paper, thick-wall and ideal where none is named.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
+            Models, by name or the file of a formula [fe,paper,thick-wall,ideal].
+        data
+            Measured points: a table of pressures, contractions (or shortenings, lengths, extensions) and forces, with units; may be repeated. Of tests of a
+            rubber: stretches, strains or extensions and stresses or forces.
+        columns
+            Quantity and unit of columns: QUANTITY="HEADING:UNIT",… Of columns that the program does not recognise (#2 is the second column), such as
+            pressure="P1:kPa",contraction="x:mm".
+        set
+            Constants of a whole table: QUANTITY=VALUE,…, such as pressure=3bar,branch=contraction. Once for all tables, or once for each; {pressure}bar takes
+            the number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+        fit
+            Constants to fit to the points, for each model.
+        pressures_mpa : MPa
+            Pressures, where there are no measured points [0.05..0.25:0.05].
+        contractions
+            Contraction ratios ΔL/L0, likewise [0..0.2:0.01].
         mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
-        data
-            Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
-            and stresses or forces. With their units, and more.
-        columns
-            Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
-        set
-            Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
-            number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         branch
             Which branch of measured hysteresis; models of a muscle that states its friction answer on the same one.
-        fit
-            Constants to fit to the points, for each model that knows them.
-        pressures_mpa : MPa
-            Pressures P in MPa where there are no measured points; default 0.05 to 0.25 by 0.05.
-        contractions
-            Contraction ratios ε, likewise; 0 to 0.2 by 0.01.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
-        direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7553,13 +7511,12 @@ class MuscleCommands:
         self,
         *,
         model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> StudyAnswer:
         """The thickness study with a rubber, a braid and a model.
@@ -7567,22 +7524,22 @@ class MuscleCommands:
         Parameters
         ----------
         model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
             Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7596,7 +7553,7 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(StudyAnswer, "study", locals(), "MPa")
+        return answered(StudyAnswer, "study", modelled(locals()), "MPa")
 
     def build(
         self,
@@ -7621,20 +7578,19 @@ class MuscleCommands:
         Parameters
         ----------
         pressure_mpa : MPa
-            Working pressure, MPa; default 0.25, or the allowed pressure where that is lower.
+            Working pressure [2.5bar, or the allowed pressure where that is lower].
         overpressure
             Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
         fitting
-            Fitting of the air: the thread `m5`, `g1/8` or `g1/4`, into which a push-in fitting is screwed, or `barb:4` for a hose with a bore of 4 mm;
-            default m5 up to a tube of 15 mm, then g1/8.
+            Fitting of the air: m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from 15 mm]. Push-in fittings have these threads.
         bolt_mm : mm
-            Bolt of the eye, mm; default by the load of the end.
+            Bolt of the eye [by the load of the end].
         sleeve_diameter_mm : mm
-            Diameter of the sleeve as it comes off the roll, mm; default that as which it is sold, where it is known.
+            Diameter of the sleeve as it comes off the roll [nominal diameter].
         report
             Add the report to the files.
         contraction
-            Contraction ratio ε of the state in the report; default half the free contraction.
+            Contraction of the state in the report [half the free contraction].
         units
             Units of the report: `bar`, or `psi,lbf,in`.
         name
@@ -7666,17 +7622,16 @@ class MuscleCommands:
         self,
         target: str | None = None,
         *,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         pressure_mpa: Number | None = None,
         overpressure: bool = False,
         contraction_low: Number | None = None,
         contraction_high: Number | None = None,
         cord_mm: Number | None = None,
         name: str | None = None,
+        model: FormulaLike | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> Export:
         """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
@@ -7684,31 +7639,30 @@ class MuscleCommands:
         Parameters
         ----------
         target
-            The target, such as `c`; `export-list` lists and describes them.
-        model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Target; `--list` describes them.
         pressure_mpa : MPa
-            Supply pressure, the upper end of the box, MPa; default 0.25, or the allowed pressure where that is lower.
+            Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is lower].
         overpressure
             Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
         contraction_low
-            Lower end of the box in the contraction; default -0.05, a muscle that is stretched by 5 %, or nearer to 0 where the model ends or the form misses
-            it.
+            Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]. Or nearer to 0 where the model ends or the form misses it.
         contraction_high
-            Upper end of the box in the contraction; default the free contraction at the supply pressure.
+            Upper end of the range of contractions [free contraction at the supply pressure].
         cord_mm : mm
-            Length of a rope or rod between the muscle and what it pulls, mm: lengths of the files are those of both.
+            Length of a rope or rod between the muscle and what it pulls [0]. Lengths of the files are those of both.
         name
-            Name of the muscle in the files; default the name of the muscle file.
+            Name of the muscle in the files [that of the muscle file].
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7722,7 +7676,7 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(Export, "export", locals())
+        return answered(Export, "export", modelled(locals()))
 
 
 class JointCommands:
@@ -7731,52 +7685,51 @@ class JointCommands:
     def solve(
         self,
         *,
-        model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         pressures_mpa: Sequence[Numbers] | None = None,
         angles_deg: Numbers | None = None,
         torque_nm: Number | None = None,
         stiffness_nm_per_rad: Number | None = None,
         max_pressure_mpa: Number | None = None,
         map: int | None = None,
+        model: FormulaLike | None = None,
         extrapolate: bool = False,
         without_start_pressures: bool = False,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> JointSolution:
         """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
 
         Parameters
         ----------
-        model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
         pressures_mpa : MPa
-            Pressures in MPa, one of each muscle; several lists are a family.
+            Pressures of the muscles, such as 2bar,1bar; may be repeated for a family.
         angles_deg : deg
-            Angles from the neutral one in degrees.
+            Angles from the neutral one.
         torque_nm : N m
-            Torque in N m: without pressures the required torque (default 0); with pressures alone an external torque that turns to +.
+            Torque: without pressures the required torque [0]; with pressures alone an external torque that turns to +.
         stiffness_nm_per_rad : N m/rad
-            Required stiffness, N m/rad; default: the lowest pressures.
+            Required stiffness [the lowest pressures].
         max_pressure_mpa : MPa
-            Supply pressure in MPa, for computed pressures and for the map; default 0.6.
+            Supply pressure, for computed pressures and for the map [6bar].
         map
             Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         without_start_pressures
             Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7790,20 +7743,19 @@ class JointCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(JointSolution, "joint", locals(), "MPa")
+        return answered(JointSolution, "joint", modelled(locals()), "MPa")
 
     def export(
         self,
         target: str | None = None,
         *,
         model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
-        mesh: str | None = None,
-        match: Literal["length", "angle"] | None = None,
-        terminal: Mapping[str, Plain] | None = None,
         pressure_mpa: Number | None = None,
         overpressure: bool = False,
         name: str | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: Mapping[str, Plain] | None = None,
         progress: Progress = None,
     ) -> JointExport:
         """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
@@ -7813,22 +7765,22 @@ class JointCommands:
         target
             The target: `c`, `python`, `mjcf` or `fmu`.
         model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         pressure_mpa : MPa
-            Supply pressure of each muscle, MPa; default 0.25, or the lowest allowed pressure where that is lower.
+            Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower].
         overpressure
             Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
         name
-            Name of the joint in the files; default the name of the joint file.
+            Name of the joint in the files [that of the joint file].
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7842,7 +7794,7 @@ class JointCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(JointExport, "export-joint", locals())
+        return answered(JointExport, "export-joint", modelled(locals()))
 
 
 class DriveCommands:
@@ -7851,45 +7803,41 @@ class DriveCommands:
     def motion(
         self,
         *,
-        step: Mapping[str, Plain] | None = None,
+        sweep: Mapping[str, Plain] | None = None,
+        rise_time_s: Number | None = None,
         model: FormulaLike | None = None,
-        formulas: Sequence[FormulaLike] | None = None,
+        log: TableLike | None = None,
+        free: Sequence[str] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        sweep: Mapping[str, Plain] | None = None,
-        log: TableLike | None = None,
-        free: Sequence[str] | None = None,
-        rise_time_s: Number | None = None,
         progress: Progress = None,
     ) -> Motion:
         """A drive: its file, and the files that it names.
 
         Parameters
         ----------
-        step
-            Instead of a drive file: a muscle with a load, filled through a valve.
-        model
-            Name of the model, or of one of the formulas.
-        formulas
-            Files of fitted formulas, which are models by the names of their files.
-        mesh
-            Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-            bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-        match
-            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-        terminal
-            Terminal of `fe3d` that is a body; without it a rigid plane.
         sweep
-            A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+            Run once for each value of a key of the drive file.
+        rise_time_s : s
+            Required rise time (10 to 90 %) with the smallest valve.
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         log
             A recorded motion of the drive: times, with pressures, contractions or shortenings, or angles. Constants are identified from the first half of its
             time.
         free
             What `log` is to determine, keys of the drive file: NAME or NAME=START. Default: those of `valve.sonic_conductance`, `air.dead_volume`,
             `load.damping` and `friction.coefficient` that the files state.
-        rise_time_s : s
-            Find the smallest valve with this rise time (10–90 %), s.
+        mesh
+            Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+            behind.
+        match
+            Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+        terminal
+            Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+            aluminium:20mm:3mm.
         progress
             True for a line on standard error, or a function that is called with (done, total).
 
@@ -7903,7 +7851,7 @@ class DriveCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered(Motion, "motion", locals(), "MPa")
+        return answered(Motion, "motion", modelled(locals()), "MPa")
 
 
 class CampaignCommands:
@@ -7922,9 +7870,9 @@ class CampaignCommands:
         Parameters
         ----------
         shard
-            Compute only share i of n of the plan, as i/n, as parts in a folder.
+            Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them.
         threads
-            Number of threads; default: one per core. The table does not depend on it.
+            Number of threads [one per core]; the table does not depend on it.
         overwrite
             Overwrite a file at `output` that is not of this plan.
         progress
@@ -7982,49 +7930,49 @@ def design(
     load_tables: TableLike | Sequence[TableLike] | None = None,
     torques: Sequence[Mapping[str, Plain]] | None = None,
     largest_angle_deg: Number | None = None,
-    radius_mm: Choice | None = None,
-    max_pressure_mpa: Number | None = None,
-    dead_volume_mm3: Number | None = None,
-    liquid: str | None = None,
-    liquid_bulk_modulus_mpa: Number | None = None,
-    gas_share: Number | None = None,
     stroke_mm: Number | None = None,
-    max_bulged_diameter_mm: Number | None = None,
-    max_liquid_volume_mm3: Number | None = None,
+    max_pressure_mpa: Number | None = None,
+    liquid: str | None = None,
+    gas_share: Number | None = None,
+    dead_volume_mm3: Number | None = None,
+    liquid_bulk_modulus_mpa: Number | None = None,
+    guaranteed: Number | None = None,
     count: int | None = None,
+    objective: Literal[
+        "diameter", "pressure", "air", "margin", "bulged-diameter", "length"
+    ]
+    | None = None,
+    max_bulged_diameter_mm: Number | None = None,
     max_envelope_mm: Number | None = None,
     pitch_mm: Number | None = None,
+    max_liquid_volume_mm3: Number | None = None,
     min_burst_margin: Number | None = None,
     min_tube_margin: Number | None = None,
     max_stretch: Number | None = None,
     max_strand_strain: Number | None = None,
     guided: bool = False,
-    guaranteed: Number | None = None,
-    objective: Literal[
-        "diameter", "pressure", "air", "margin", "bulged-diameter", "length"
-    ]
-    | None = None,
     muscle: MuscleLike | None = None,
-    continuous: bool = False,
+    with_: Sequence[str] | None = None,
     tubes: Sequence[str] | None = None,
     parts: FileLike | None = None,
+    continuous: bool = False,
     outer_diameter_mm: Choice | None = None,
     wall_mm: Choice | None = None,
+    length_mm: Choice | None = None,
     angle_deg: Choice | None = None,
-    strand_length_per_turn_mm: Numbers | None = None,
+    rubbers: Sequence[str] | None = None,
     braids: Sequence[str] | None = None,
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
-    rubbers: Sequence[str] | None = None,
     stiffness: Number | None = None,
-    length_mm: Choice | None = None,
+    strand_length_per_turn_mm: Numbers | None = None,
+    radius_mm: Choice | None = None,
     model: FormulaLike | None = None,
-    formulas: Sequence[FormulaLike] | None = None,
+    extrapolate: bool = False,
+    top: int | None = None,
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    extrapolate: bool = False,
-    top: int | None = None,
     progress: Progress = None,
 ) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
@@ -8032,105 +7980,109 @@ def design(
     Parameters
     ----------
     force_n : N
-        Required pull, N.
+        Required pull; below zero: the push of a muscle that extends.
     contraction
-        Contraction ratio at which the pull is required.
+        Contraction ratio ΔL/L0 with that pull; below zero: an extension.
     points
-        Several operating points, in place of the two fields above.
+        Several operating points: 700N@15%,1200N@5%.
     load
-        A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the pulley's radius, the
-        angle from the horizontal), `table:NAME`; several joined by `+`.
+        Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
+        pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
     load_tables
         The tables that it names.
     torques
-        Required torques of a joint with two equal opposed muscles on a pulley, instead of operating points.
+        Required torques of a joint: 8Nm@45deg,3Nm@60deg. At angles to either side. Two equal opposed muscles on a pulley, one of them without pressure.
     largest_angle_deg : deg
-        Largest angle of the joint to either side of the neutral angle, degrees; default: the largest of `torques`.
-    radius_mm : mm
-        Radii of the pulley, mm; default: searched.
-    max_pressure_mpa : MPa
-        Pressure that the supply can give, MPa; default 0.6. Each muscle is used up to this pressure or its own allowed one, whichever is lower.
-    dead_volume_mm3 : mm3
-        Volume of line, fittings and what stays in the syringe, mm³; default 0.
-    liquid
-        Liquid: water, oil (SAE 10W) or glycol (ethylene glycol); default: water for `fill`, air for `design`.
-    liquid_bulk_modulus_mpa : MPa
-        Bulk modulus of the liquid without gas in MPa, in place of that of the table.
-    gas_share
-        Gas in the liquid by volume at atmospheric pressure; default 0.
+        Largest angle of the joint to either side of the neutral angle [the largest of `torques`].
     stroke_mm : mm
-        Stroke in mm: with contractions it sets the length, with a length the contraction.
-    max_bulged_diameter_mm : mm
-        Largest outer diameter at the operating points, mm; of a bundle that of each of its muscles.
-    max_liquid_volume_mm3 : mm3
-        Largest liquid volume that is pushed in up to the operating points, mm³: what the syringe or pump gives; of a bundle to all its muscles together.
-        It needs `liquid`.
-    count
-        Equal muscles side by side that share what is required, 1 to 1000; default 1.
-    max_envelope_mm : mm
-        Largest diameter of the circle around all muscles at the operating points, mm.
-    pitch_mm : mm
-        Distance between the axes of neighbours of a bundle, mm; default: that of the largest envelope, or the bulged diameter.
-    min_burst_margin
-        Safety factor of strands and clamps: the pressure at which they fail over the allowed pressure; default 4; 0 for none.
-    min_tube_margin
-        Safety factor of the tube, which leaks where it fails; default: half of that of strands and clamps.
-    max_stretch
-        Largest stretch of the rubber at the operating points (2 means twice its length); default: the largest stretch of the data behind the rubber's
-        law.
-    max_strand_strain
-        Largest strain of the strands, not shortened and at the operating points; it bounds the pressure of the muscle; default 0.06, the validated range.
-    guided
-        The muscle is guided on its way, so that it cannot buckle under its push.
+        Stroke. With a contraction it sets the length, with a length the contraction.
+    max_pressure_mpa : MPa
+        Pressure that the supply can give [6bar]. Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the answer says
+        which pressure to set.
+    liquid
+        Liquid: water, oil (SAE 10W) or glycol (ethylene glycol) [water for `fill`, air for `design`].
+    gas_share
+        Gas in the liquid by volume at atmospheric pressure [0].
+    dead_volume_mm3 : mm3
+        Volume of line, fittings and what stays in the syringe [0].
+    liquid_bulk_modulus_mpa : MPa
+        Bulk modulus of the liquid without gas, in place of that of the table.
     guaranteed
-        Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks for it of the lower end of the ±.
+        The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed 99%, widens the
+        ± accordingly.
+    count
+        Equal muscles side by side that share the requirement, 1 to 1000 [1, or as few as do]. The candidates are one of them; the bundle of the best one
+        is shown below.
     objective
         Quantity to rank by.
+    max_bulged_diameter_mm : mm
+        Largest outer diameter at the operating points; of a bundle that of each of its muscles.
+    max_envelope_mm : mm
+        Largest diameter of the circle around all muscles at the operating points.
+    pitch_mm : mm
+        Distance between the axes of neighbours of a bundle [that of the largest envelope, or the bulged diameter].
+    max_liquid_volume_mm3 : mm3
+        Largest liquid volume up to the operating points: what the syringe or pump gives. Of a bundle to all its muscles together. It needs `liquid`.
+    min_burst_margin
+        Safety factor of strands and clamps: failure pressure over allowed pressure [4]. 0 for none. The strength of the strands must be known.
+    min_tube_margin
+        Safety factor of the tube, which leaks where it fails [half of that of the strands].
+    max_stretch
+        Largest stretch of the rubber at the operating points (2 means twice its length) [the largest stretch of the data behind the rubber's law].
+    max_strand_strain
+        Largest strain of the strands at the operating points; it bounds the pressure [6%, the validated range].
+    guided
+        The muscle is guided on its way, so that it cannot buckle under its push.
     muscle
-        Muscle file (TOML) for all values that are not searched; the other fields override it. With it diameters and walls are free.
-    continuous
-        Search free diameters and walls with the rubber and the braid of the paper, or those that are given, instead of tubes and sleeves as sold. So does
-        any of `muscle`, `outer_diameter_mm`, `wall_mm`, `angle_deg`, `strand_length_per_turn_mm` and `stiffness`.
+        Muscle file, for what is not searched; flags override it. `paper` is the muscle of the paper, lib:NAME one of the library. With it diameters and
+        walls are free.
+    with_
+        Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated.
     tubes
-        Tubes as sold or cast, by name, or by bore and outer diameter in mm, such as `8x12`, of each of `rubbers`; default: all that are sold, and those
-        that can be cast of `dragon-skin-30` or of `rubbers`.
+        Tubes as sold or cast (`mckibben parts list tubes`), or BORExOUTER, such as 8x12mm [all].
     parts
-        Tubes and sleeves of your own (TOML, as the catalogues), in place of those of the catalogue.
+        Tubes and sleeves of your own. A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter, largest_diameter in mm) in
+        place of those of the catalogue.
+    continuous
+        Free sizes instead of parts as sold. Diameters and walls are free, with the paper's rubber and braid, or those that are given. So they are with
+        diameters, walls, angles, a stiffness or a muscle file.
     outer_diameter_mm : mm
-        Outer diameters D0 at rest, mm.
+        Outer diameters: a value, list or range [parts]. At rest; also a stepped range, 20..40:5.
     wall_mm : mm
-        Walls s at rest, mm.
-    angle_deg : deg
-        Braid angles θ0 at rest, degrees.
-    strand_length_per_turn_mm : mm
-        Sleeves on sale, by strand length per turn, mm; the tube diameter then sets the angle.
-    braids
-        Named sleeves; the diameter then sets the angle and, where the strands are known, the stiffness.
-    strand_diameter_mm : mm
-        Diameter of a strand of the named sleeves, mm, where they do not state it.
-    strand_modulus_mpa : MPa
-        Young's modulus of their strands, MPa, likewise.
-    rubbers
-        Rubbers of the library.
-    stiffness : N/mm
-        Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+        Wall thicknesses at rest [parts].
     length_mm : mm
-        Lengths L0 between the terminals at rest, mm.
+        Lengths between the terminals at rest [285mm].
+    angle_deg : deg
+        Braid angles to the axis at rest [those of the sleeves].
+    rubbers
+        Rubbers, by name [those of the tubes].
+    braids
+        Sleeves, by name (`mckibben parts list sleeves`) [all]. The diameter of the tube then sets angle and stiffness.
+    strand_diameter_mm : mm
+        Diameter of a strand of the named sleeves, where they do not state it.
+    strand_modulus_mpa : MPa
+        Young's modulus of their strands, likewise.
+    stiffness : N/mm
+        Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.
+    strand_length_per_turn_mm : mm
+        Sleeves on sale, by strand length per turn; the tube diameter then sets the angle.
+    radius_mm : mm
+        Radii of the pulley [searched].
     model
-        Name of the model, or of one of the formulas.
-    formulas
-        Files of fitted formulas, which are models by the names of their files.
-    mesh
-        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-    match
-        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-    terminal
-        Terminal of `fe3d` that is a body; without it a rigid plane.
+        Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
     extrapolate
         Compute outside the model's range too, with a warning.
     top
-        How many candidates and rejected muscles to report; default 5.
+        Number of candidates to show [5].
+    mesh
+        Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+        behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+        aluminium:20mm:3mm.
     progress
         True for a line on standard error, or a function that is called with (done, total).
 
@@ -8144,191 +8096,82 @@ def design(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered(Design, "design", locals(), "MPa")
+    return answered(Design, "design", modelled(locals()), "MPa")
 
 
 def identify(
     muscle: MuscleLike,
     data: TableLike | Sequence[TableLike],
     *,
-    rubber: RubberLike | None = None,
-    rubber_file: FileLike | None = None,
-    braid: str | None = None,
-    strand_diameter_mm: Number | None = None,
-    stiffness: Number | None = None,
-    outer_diameter_mm: Number | None = None,
-    wall_mm: Number | None = None,
-    length_mm: Number | None = None,
-    density_kg_per_m3: Number | None = None,
-    prestretch: Number | None = None,
-    temperature_degc: Number | None = None,
-    angle_deg: Number | None = None,
-    insertion_mm: Number | None = None,
-    seating_mm: Number | None = None,
-    slip_mm_per_n: Number | None = None,
-    grip_mm: Number | None = None,
-    plug_diameter_mm: Number | None = None,
-    pull_off_n: Number | None = None,
-    rated_pressure_mpa: Number | None = None,
-    end_factor: Number | None = None,
-    cone_factor: Number | None = None,
-    stiffness_factor: Number | None = None,
-    strands: Number | None = None,
-    strand_area_mm2: Number | None = None,
-    strand_modulus_mpa: Number | None = None,
-    strand_strength_n: Number | None = None,
-    strands_per_carrier: Number | None = None,
-    strand_length_mm: Number | None = None,
-    turns: Number | None = None,
-    braid_thickness_mm: Number | None = None,
-    braid_diameter_mm: Number | None = None,
-    crimp: Number | None = None,
-    crimp_stiffness: Number | None = None,
-    friction_coefficient: Number | None = None,
-    friction_exponent: Number | None = None,
-    friction_lever_mm: Number | None = None,
-    friction_presliding_mm: Number | None = None,
-    model: FormulaLike | None = None,
-    formulas: Sequence[FormulaLike] | None = None,
-    mesh: str | None = None,
-    match: Literal["length", "angle"] | None = None,
-    terminal: Mapping[str, Plain] | None = None,
     columns: Mapping[str, str] | None = None,
     set: Sequence[str] | None = None,
     log: TableLike | None = None,
     log_offset_s: Number | None = None,
-    weights: Numbers | None = None,
-    branches: Literal["both", "mean", "history"] | None = None,
-    two_sided: bool = False,
     free: Sequence[str] | None = None,
     fix: Sequence[str] | None = None,
     bounds: Sequence[str] | None = None,
-    loss: Literal["squares", "huber", "largest"] | None = None,
     laws: bool = False,
+    model: FormulaLike | None = None,
+    weights: Numbers | None = None,
+    branches: Literal["both", "mean", "history"] | None = None,
+    two_sided: bool = False,
+    loss: Literal["squares", "huber", "largest"] | None = None,
+    mesh: str | None = None,
+    match: Literal["length", "angle"] | None = None,
+    terminal: Mapping[str, Plain] | None = None,
     progress: Progress = None,
+    **measures: Unpack[Measures],
 ) -> Identification:
     """Points, and the parameters of a muscle to identify from them.
 
     Parameters
     ----------
     muscle
-        Muscle file (TOML), or a muscle of the library by its name without a text (`lib:dmsp-20-300`); the other fields override what it says.
+        The muscle, with a value for everything that is not free.
     data
-        Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
-        and stresses or forces. With their units, and more.
-    rubber
-        A rubber: NAME or NAME:LAW of the library, a hardness such as `shore:30A`, or a stress at 100 % such as `s100:0.6MPa`.
-    rubber_file
-        A muscle file (TOML) whose rubber is taken, such as `rubber` writes.
-    braid
-        A sleeve of the library: its angle on this diameter, its strands.
-    strand_diameter_mm : mm
-        Diameter of one strand, mm: in place of its cross-section, or of a named sleeve whose source does not state it.
-    stiffness : N/mm
-        Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
-    outer_diameter_mm : mm
-        Outer diameter D0 of the tube at rest, mm.
-    wall_mm : mm
-        Wall thickness s of the tube at rest, mm.
-    length_mm : mm
-        Length L0 between the terminals at rest, mm.
-    density_kg_per_m3 : kg/m3
-        Density ρ of the rubber, kg/m3.
-    prestretch
-        Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
-    temperature_degc : degC
-        Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
-    angle_deg : deg
-        Angle θ0 of the strands to the axis at rest, degrees.
-    insertion_mm : mm
-        Length of tube and braid clamped on each plug, mm.
-    seating_mm : mm
-        Seating: total displacement of both ends under load, mm.
-    slip_mm_per_n : mm/N
-        Slip of both ends together per newton of clamp load, mm/N.
-    grip_mm : mm
-        Length at each end, within L0, in which tube and braid are clamped, mm.
-    plug_diameter_mm : mm
-        Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
-        universal.
-    pull_off_n : N
-        Axial load at which a clamp lets go of tube and braid, N.
-    rated_pressure_mpa : MPa
-        Pressure for which plugs and fittings are rated, MPa.
-    end_factor
-        Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
-    cone_factor
-        Cone factor kc, for the model conical-ends.
-    stiffness_factor
-        Factor within which the stiffness of the strands is known.
-    strands
-        Number N of strands, both families together.
-    strand_area_mm2 : mm2
-        Cross-section A of one strand, mm2.
-    strand_modulus_mpa : MPa
-        Young's modulus E of the strands, MPa.
-    strand_strength_n : N
-        Force at which one strand breaks, N.
-    strands_per_carrier
-        Strands that lie side by side on a carrier of the braiding machine.
-    strand_length_mm : mm
-        Length of one strand measured on the muscle, mm, for the model belforte.
-    turns
-        Turns of that strand, for the model belforte.
-    braid_thickness_mm : mm
-        Thickness t of the braid, both layers of strands, mm.
-    braid_diameter_mm : mm
-        Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
-    crimp
-        Strain c1 at which the strands are straight.
-    crimp_stiffness
-        Share κ of their stiffness that the strands have before they are straight.
-    friction_coefficient
-        Coefficient C of the friction C·P^β, P in MPa.
-    friction_exponent
-        Exponent β of the friction C·P^β.
-    friction_lever_mm : mm
-        Coefficient of friction times lever of the strands' crossings, μw, mm.
-    friction_presliding_mm : mm
-        Presliding length xs, over which the friction builds up after a reversal, mm.
-    model
-        Name of the model, or of one of the formulas.
-    formulas
-        Files of fitted formulas, which are models by the names of their files.
-    mesh
-        Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind (2x8:2); of `fe3d`:
-        bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
-    match
-        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
-    terminal
-        Terminal of `fe3d` that is a body; without it a rigid plane.
+        Measured points: a table of pressures, contractions (or shortenings, lengths, extensions) and forces, with units; may be repeated. Of tests of a
+        rubber: stretches, strains or extensions and stresses or forces.
     columns
-        Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+        Quantity and unit of columns: QUANTITY="HEADING:UNIT",… Of columns that the program does not recognise (#2 is the second column), such as
+        pressure="P1:kPa",contraction="x:mm".
     set
-        Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
-        number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+        Constants of a whole table: QUANTITY=VALUE,…, such as pressure=3bar,branch=contraction. Once for all tables, or once for each; {pressure}bar takes
+        the number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
     log
-        Pressures over time of another instrument, where `data` have times, contractions and pulls: joined by time.
+        Pressures over time of another instrument, where the data have times, contractions and pulls: joined by time.
     log_offset_s : s
-        What the times of `log` lack to those of `data`, s; default: found where the pull follows the pressure.
-    weights
-        Weight of each of `data`; default 1.
-    branches
-        Treatment of the branches of the hysteresis.
-    two_sided
-        Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+        Seconds to add to the times of the log [found where the pull follows the pressure].
     free
-        Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH. Default: the modulus, and stiffness and friction if the data determine them.
+        Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and friction if the data determine them].
     fix
         Fix a parameter: NAME=VALUE.
     bounds
         Bounds of free parameters: NAME=LOW:HIGH.
-    loss
-        Loss function of the residuals.
     laws
         Fit every rubber law, with all its constants free, together with the other free parameters.
+    model
+        Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    weights
+        Weight of each data set [1].
+    branches
+        Treatment of the branches of the hysteresis.
+    two_sided
+        Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
+    loss
+        Loss function of the residuals.
+    mesh
+        Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
+        behind.
+    match
+        Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
+    terminal
+        Terminal of `fe3d` that is a body [none, a rigid plane]. `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
+        aluminium:20mm:3mm.
     progress
         True for a line on standard error, or a function that is called with (done, total).
+    measures
+        What differs from the muscle, as in :class:`Muscle`.
 
     Returns
     -------
@@ -8340,7 +8183,18 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered(Identification, "identify", locals(), "MPa")
+    return answered(
+        Identification,
+        "identify",
+        modelled(
+            {
+                **locals(),
+                "muscle": {"file": muscle, **known(measures, Measures)},
+                "measures": None,
+            }
+        ),
+        "MPa",
+    )
 
 
 def fit_rubber(
@@ -8349,19 +8203,19 @@ def fit_rubber(
     columns: Mapping[str, str] | None = None,
     set: Sequence[str] | None = None,
     laws: Sequence[str] | None = None,
+    up_to_stretch: Number | None = None,
+    relaxation: int | None = None,
+    softening: bool = False,
+    muscle: MuscleLike | None = None,
+    name: str | None = None,
     terms: int | None = None,
     fit_modes: Sequence[Literal["uniaxial", "planar", "equibiaxial", "general"]]
     | None = None,
-    up_to_stretch: Number | None = None,
     relative: bool = False,
     balance: bool = False,
     weights: Mapping[str, Number] | None = None,
     stable: bool = False,
     hoop_stretch: Number | None = None,
-    relaxation: int | None = None,
-    softening: bool = False,
-    name: str | None = None,
-    muscle: MuscleLike | None = None,
     progress: Progress = None,
 ) -> RubberFit:
     """Tension tests, and the laws to fit.
@@ -8369,40 +8223,41 @@ def fit_rubber(
     Parameters
     ----------
     data
-        Tables of measured points: pressures, contractions (or shortenings, or lengths) and pulls; of tests of a rubber: stretches, strains or extensions
-        and stresses or forces. With their units, and more.
+        Measured points: a table of pressures, contractions (or shortenings, lengths, extensions) and forces, with units; may be repeated. Of tests of a
+        rubber: stretches, strains or extensions and stresses or forces.
     columns
-        Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+        Quantity and unit of columns: QUANTITY="HEADING:UNIT",… Of columns that the program does not recognise (#2 is the second column), such as
+        pressure="P1:kPa",contraction="x:mm".
     set
-        Constants of a whole table, such as pressure=3bar; a quantity that is given once for each of `data` has one value in each. {pressure}bar takes the
-        number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
+        Constants of a whole table: QUANTITY=VALUE,…, such as pressure=3bar,branch=contraction. Once for all tables, or once for each; {pressure}bar takes
+        the number from the name of the file; branch=velocity cuts rows in time order into branches by the sign of their velocity.
     laws
-        Laws by name, or `all`; all that the points determine if none is named.
-    terms
-        Terms of `ogden`; default 1, 2 and 3.
-    fit_modes
-        Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
+        Laws by name, or `all` [all that the points determine].
     up_to_stretch
-        Leave out points beyond this stretch.
+        Leave out points beyond this stretch (3) or strain (200%).
+    relaxation
+        Branches of a Prony series that is fitted as well, from a column of times. One specimen, uniaxial, from rest on. Of the one law of `laws`, else of
+        the recommended one.
+    softening
+        Fit softening by Ogden and Roxburgh as well, from a column of times that begins with the first loading.
+    muscle
+        Muscle that receives the rubber [the prototype].
+    name
+        Name of the rubber in the muscle file [that of the first table].
+    terms
+        Terms of `ogden` [1, 2 and 3].
+    fit_modes
+        Modes to fit [all]. The others are held out, and the answer gives the errors of each law there.
     relative
         Minimise relative differences: small stretches count as much as large ones.
     balance
         Give every mode the same weight, whatever its number of points.
     weights
-        Weights of the modes.
+        Weights of the modes: uniaxial=1,equibiaxial=2.
     stable
         Fit only laws that stay stable in a muscle.
     hoop_stretch
-        Hoop stretch of the muscle up to which a law must be stable; default 3.
-    relaxation
-        Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on. Of the one law of `laws`,
-        else of the recommended one.
-    softening
-        Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
-    name
-        Name of the rubber in the muscle file; default that of the first table.
-    muscle
-        Muscle that receives the rubber; default: the prototype.
+        Hoop stretch of the muscle up to which a law must be stable [3].
     progress
         True for a line on standard error, or a function that is called with (done, total).
 
@@ -8425,12 +8280,12 @@ def fit(
     campaign: FileLike | None = None,
     method: Literal["paper", "global", "universal", "universal-small"] | None = None,
     hold_out_mm: Numbers | None = None,
-    thin_rule: Literal["leave-out", "line", "whole"] | None = None,
-    slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
     name: str | None = None,
     rubber: RubberLike | None = None,
     stiffness: Number | None = None,
     muscle: MuscleLike | None = None,
+    thin_rule: Literal["leave-out", "line", "whole"] | None = None,
+    slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
     tables: bool = False,
     figures: bool = False,
     progress: Progress = None,
@@ -8446,19 +8301,19 @@ def fit(
     method
         Fitting method.
     hold_out_mm : mm
-        Diameters D0 in mm to leave out of the fit, to test it.
+        Diameters D0 to leave out of the fit, to test it.
+    name
+        Name of the formula in answers [that of the method].
+    rubber
+        Rubber of the muscles, if the table does not state it [paper].
+    stiffness : N/mm
+        Braid of the muscles, if the table does not state it [paper].
+    muscle
+        Muscle file with the rubber and the braid.
     thin_rule
         Treatment of thick walls of thin muscles at low pressure, in the paper's method.
     slack_rule
         Treatment of points where the muscle would have to push, in the paper's method.
-    name
-        Name of the formula in answers; default: that of the method.
-    rubber
-        Rubber of the muscles, if the table does not state it; default `paper`.
-    stiffness : N/mm
-        Braid of the muscles, if the table does not state it; default `paper`.
-    muscle
-        Muscle file with the rubber and the braid.
     tables
         Add the intermediate tables of the paper's method to the answer.
     figures
@@ -8491,7 +8346,7 @@ def parts(
     kind
         Only one kind.
     parts
-        Tubes and sleeves of your own (TOML, as the catalogues), in place of the catalogues'.
+        Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`.
 
     Returns
     -------
@@ -8512,7 +8367,7 @@ def part(name: str) -> PartShowAnswer:
     Parameters
     ----------
     name
-        Its name.
+        Name; of a rubber also NAME:LAW.
 
     Returns
     -------
@@ -8549,7 +8404,7 @@ def validate(*, all: bool = False, progress: Progress = None) -> ValidateAnswer:
     Parameters
     ----------
     all
-        The finest meshes as well; some seconds more.
+        Also compute the finest meshes (some seconds more).
     progress
         True for a line on standard error, or a function that is called with (done, total).
 
@@ -8569,7 +8424,7 @@ def validate(*, all: bool = False, progress: Progress = None) -> ValidateAnswer:
 def measured(
     *,
     cases: FileLike | Sequence[FileLike] | None = None,
-    model: FormulaLike | None = None,
+    model: str | None = None,
     progress: Progress = None,
 ) -> MeasuredAnswer:
     """Measured muscles and rubbers, each with its known data and its fits.

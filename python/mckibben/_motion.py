@@ -10,7 +10,18 @@ from . import _api, _native
 from ._api import State
 from ._errors import InputError
 from ._muscle import Muscle
-from ._request import Fixed, fields, heard, is_nan, known, number, plain, put, table
+from ._request import (
+    Fixed,
+    fields,
+    heard,
+    is_nan,
+    known,
+    modelled,
+    number,
+    plain,
+    put,
+    table,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -333,7 +344,7 @@ def _moved(of: Muscle | Joint, name: str) -> dict[str, Any]:
 
 def muscle_of(held: Mapping[str, str]) -> Muscle:
     """The muscle of a file, or of the library."""
-    return object.__new__(Muscle)._of(_native.Muscle({"muscle": held}))
+    return object.__new__(Muscle)._of(_native.Muscle({"muscle": {"file": held}}))
 
 
 class Simulation:
@@ -349,7 +360,7 @@ class Simulation:
     record
         Whether all steps are recorded for :meth:`to_columns` and :attr:`events`; without, memory and a copy stay small however long it runs.
     options
-        ``model``, ``formulas``, ``mesh``, ``match``, ``terminal`` as in :meth:`Drive.motion`: ``universal`` is quick.
+        ``model``, ``mesh``, ``match``, ``terminal`` as in :meth:`Drive.motion`: ``universal`` is quick.
 
     Raises
     ------
@@ -377,7 +388,7 @@ class Simulation:
     ) -> None:
         held = drive if isinstance(drive, Drive) else Drive.load(drive)
         self._hold(
-            fields({**held._files("motion"), **known(options, _api.Options)}),
+            fields({**held._files("motion"), **modelled(known(options, _api.Options))}),
             float(dt_s),
             record,
         )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
 from ._errors import InputError, MuscleWarning, warned
-from ._request import Saved, array, fields, heard, is_nan, known, put
+from ._request import Saved, array, fields, heard, is_nan, known, modelled, put
 
 if TYPE_CHECKING:
     import numpy as np
@@ -39,7 +39,7 @@ class Bound:
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.muscle, self.native = (
             muscle,
-            muscle._held.model(fields(known(given, _api.Options))),
+            muscle._held.model(fields(modelled(known(given, _api.Options)))),
         )
         allowed = self.native.allowed_mpa()
         # Up to this pressure in MPa a single number needs no look.
@@ -93,7 +93,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     --------
     >>> import mckibben as mk
     >>> mk.Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285)
-    Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, stiffness='paper', angle_deg=28.0, rubber='paper')
+    Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, angle_deg=28.0, stiffness='paper', rubber='paper')
     """
 
     __slots__ = ("_held", "_models", "_own")
@@ -106,31 +106,13 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return self._hold(_held=native, _models={}, _own=None)
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
-        rubber: Any = given.get("rubber")
-        own: str | None = getattr(rubber, "_text", None)
-        if own is None and not isinstance(rubber, (str, type(None))):
-            raise TypeError(f"rubber: a Rubber or a name, not {type(rubber).__name__}")
-        if own is not None and given.get("rubber_file") is not None:
-            raise InputError(
-                "`rubber_file` is given, and so is a whole `rubber`",
-                kind="usage",
-                field="rubber_file",
-                hint="give one of them",
-            )
-        return self._of(
-            _native.Muscle(
-                fields(
-                    {**given, "rubber": rubber if own is None else None, "muscle": base}
-                ),
-                own,
-            )
-        )
+        return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
 
     def _files(self, command: str) -> dict[str, Any]:
-        return {"muscle": self}
+        return {"muscle": {"file": {"name": "muscle", "text": self.to_toml()}}}
 
     def _field(self, name: str) -> Any:
         if self._own is None:
@@ -146,7 +128,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     def from_toml(cls, text: str) -> Muscle:
         """The muscle of a muscle file's text."""
         return object.__new__(cls)._of(
-            _native.Muscle({"muscle": {"name": "muscle", "text": text}})
+            _native.Muscle({"muscle": {"file": {"name": "muscle", "text": text}}})
         )
 
     def to_toml(self) -> str:
@@ -299,13 +281,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
         return str(
-            _native.ask(
-                "check",
-                {
-                    "muscle": {"name": "muscle", "text": self.to_toml()},
-                    "only_data": True,
-                },
-            )["braid"]
+            _native.ask("check", {**self._files("check"), "only_data": True})["braid"]
         )
 
     def report(
@@ -323,7 +299,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """
         request = fields(
             {
-                "muscle": self,
+                **self._files("build"),
                 "report": True,
                 "pressure_mpa": pressure_mpa,
                 "contraction": contraction,
@@ -346,11 +322,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """
         point = _native.ask(
             "force",
-            {
-                "muscle": {"name": "muscle", "text": self.to_toml()},
-                "pressure_mpa": 0.0,
-                "model": model or "fe",
-            },
+            {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"},
         )
         notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
         for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):

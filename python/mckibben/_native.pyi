@@ -67,9 +67,9 @@ class Muscle:
     """
     A muscle.
     """
-    def __new__(cls, /, request: "dict[str, typing.Any]", rubber: "str | None" = None) -> Muscle:
+    def __new__(cls, /, request: "dict[str, typing.Any]") -> Muscle:
         """
-        The muscle that a muscle file and fields describe; with a rubber, the table `tube.material` of one.
+        The muscle of a request.
         """
     def changed(self, /, values: "dict[str, float]") -> Muscle:
         """
@@ -82,6 +82,11 @@ class Muscle:
     def model(self, /, request: "dict[str, typing.Any]") -> Model:
         """
         The model that a request names, of this muscle.
+        """
+    @staticmethod
+    def of_rubber(text: str) -> Muscle:
+        """
+        The paper's muscle with the rubber of a text: its table `tube.material`.
         """
     def parameters(self, /) -> list[tuple[str, float]]:
         """
@@ -168,7 +173,8 @@ def check_joint(text: str) -> None:
 
 def given(command: str, request: "object") -> "dict[str, typing.Any]":
     """
-    A request of a command with numbers for its texts and with the files that it names; the caller is warned of numbers that were likely meant in another unit.
+    A request of a command with the files that it names; the caller is warned of numbers that were
+    likely meant in another unit.
     """
 
 def quantities(name: str, text: str) -> list[float]:

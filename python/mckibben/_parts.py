@@ -77,7 +77,9 @@ class Rubber(Saved):
         }
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
-        self._hold(_held=_native.Muscle({}, text), _text=text, law=law, constants=given)
+        self._hold(
+            _held=_native.Muscle.of_rubber(text), _text=text, law=law, constants=given
+        )
 
     @classmethod
     def from_toml(cls, text: str) -> Rubber:

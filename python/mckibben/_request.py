@@ -50,12 +50,13 @@ if TYPE_CHECKING:
     TableLike = Union[str, os.PathLike[str], Mapping[str, Any], Any]
     FormulaLike = Union[FileLike, Formula]
     MuscleLike = Union[FileLike, Muscle]
-    RubberLike = Union[str, Rubber]
+    RubberLike = Union[FileLike, Rubber]
     # True for a line on standard error, or a function that is called with (done, total).
     Progress = Union[bool, Callable[[int, int], object], None]
 
-# Fields that are tables, and those that a design searches through.
+# Fields that are tables, those of a model by their arguments, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
+MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
 
@@ -241,15 +242,7 @@ def answered(
     progress = heard(given.pop("progress", None), command)
     me = given.pop("self", None)
     own = me._files(command) if me else {}
-    request = _native.given(
-        command,
-        fields(
-            {
-                **own,
-                **{name: value for name, value in given.items() if value is not None},
-            }
-        ),
-    )
+    request = _native.given(command, fields({**own, **given}))
     return kind._read(
         _native.ask(
             command,
@@ -266,30 +259,7 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     for name, value in (
         (name.rstrip("_"), value) for name, value in given.items() if value is not None
     ):
-        if name in ("model", "models"):
-            models = [value] if name == "model" or isinstance(value, str) else value
-            words = [
-                getattr(model, "name")
-                if isinstance(model, Saved)
-                else plain(name, model)
-                for model in models
-            ]
-            files = [
-                plain(name, model)
-                for model in models
-                if isinstance(model, Saved)
-                or str(model).strip().lower().endswith(".json")
-            ]
-            out |= {
-                name: words[0] if name == "model" else words,
-                **({"formulas": [*out.get("formulas", []), *files]} if files else {}),
-            }
-        elif name == "formulas":
-            out[name] = [
-                *out.get(name, []),
-                *plain(name, value if isinstance(value, (list, tuple)) else [value]),
-            ]
-        elif name in TABLES and not isinstance(value, (bool, int)):
+        if name in TABLES and not isinstance(value, (bool, int)):
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
             held = [
@@ -304,6 +274,13 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
         else:
             out[name] = plain(name, value)
     return out
+
+
+def modelled(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Arguments, those of the model as the one object that a request has."""
+    out = dict(given)
+    model = {field: out.pop(name, None) for name, field in MODEL.items()}
+    return {**out, "model": model}
 
 
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:

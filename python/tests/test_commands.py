@@ -23,6 +23,7 @@ import mckibben as mk
 from mckibben import _errors, answers
 
 THIN = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+THIN_OF = {"muscle": {"file": {"name": "m", "text": THIN.to_toml()}}}
 PLAN = {
     "name": "small.toml",
     "text": """
@@ -145,11 +146,7 @@ def test_a_table_of_an_answer_goes_to_data_frames(
 
 
 def test_an_answer_has_the_words_of_json(results: dict[str, Any]) -> None:
-    text = {
-        "muscle": {"name": "m", "text": THIN.to_toml()},
-        "test": "isobaric",
-        "model": "universal",
-    }
+    text = {**THIN_OF, "test": "isobaric", "model": "universal"}
     assert (
         results["curve"].to_dict() == json.loads(json.dumps(mk.ask("curve", text)))
         and results["curve"].muscle.wall_mm == 1
@@ -585,17 +582,61 @@ def test_the_package_lists_its_names() -> None:
         )
 
 
-def test_formulas_of_a_model_and_of_an_argument_are_both_asked(root: Path) -> None:
-    """In either order of the arguments, one alone or a list."""
-    from mckibben._request import fields
-
+def test_formulas_are_models_by_themselves_or_by_their_files(
+    root: Path, tmp_path: Path
+) -> None:
+    """One alone or a list; an object, its file, or its content, with the same numbers."""
     one = mk.fit(root / "data/campaign/paper.csv").formula
     two = mk.Formula(one.to_json(), "two")
-    for given in (
-        {"model": one, "formulas": [two]},
-        {"formulas": two, "model": one},
-        {"formulas": None, "model": one},
+    two.save(tmp_path / "two.json")
+    content = {"name": "two", "text": one.to_json()}
+    forms: list[Any] = [two, str(tmp_path / "two.json"), content]
+    pulls = {THIN.force(0.2, 0.1, model=form) for form in [one, *forms]}
+    assert pulls == {mk.ask("force", THIN_OF | {"model": forms[1]})["force_n"]}
+    for form in forms:
+        alone, both = THIN.compare(models=form), THIN.compare(models=["ideal", form])
+        assert len(alone["model"]) == 1 and len(both["model"]) == 2
+        assert both["model"][1] == alone["model"][0]
+
+
+def test_a_request_names_files_by_their_paths(root: Path, tmp_path: Path) -> None:
+    """A path, and its name and text; of a muscle, its rubber, a model, a table."""
+    THIN.save(tmp_path / "m.toml")
+    (tmp_path / "r.toml").write_text(mk.Rubber("gent", mu=0.2, jm=30).to_toml())
+    point = {"pressure_mpa": "2 bar", "contraction": "28.5 mm", "model": "ideal"}
+    whole = mk.ask("force", {**THIN_OF, **point})
+    for muscle in (str(tmp_path / "m.toml"), {"file": str(tmp_path / "m.toml")}):
+        assert mk.ask("force", {**point, "muscle": muscle}) == whole
+    own = THIN.replace(rubber=tmp_path / "r.toml")
+    assert own == THIN.replace(rubber=mk.Rubber("gent", mu=0.2, jm=30))
+    assert (
+        mk.ask(
+            "check",
+            {
+                "muscle": {
+                    "file": str(tmp_path / "m.toml"),
+                    "rubber": str(tmp_path / "r.toml"),
+                }
+            },
+        )["law"]
+        == "gent"
+    )
+    bench = [root / "examples/bench.toml", root / "examples/bench.csv"]
+    thicker = mk.identify(*bench, model="thick-wall", wall_mm="2 mm")
+    base = mk.load(bench[0])
+    assert (
+        thicker.parameters
+        == mk.identify(base.replace(wall_mm=2), bench[1], model="thick-wall").parameters
+        == mk.identify(base, bench[1], model="thick-wall", wall_mm=2).parameters
+        != mk.identify(*bench, model="thick-wall").parameters
+    )
+    with pytest.raises(TypeError):
+        mk.identify(*bench, wal_mm=2)  # type: ignore[call-arg]
+    for call, field in (
+        (lambda: mk.identify("no.toml", bench[1]), "muscle"),
+        (lambda: THIN.force(0.2, model="no.json"), "model"),
+        (lambda: THIN.replace(rubber="no.toml"), "rubber"),
     ):
-        assert {file["name"] for file in fields(given)["formulas"]} == {one.name} | (
-            {"two"} if given["formulas"] else set()
-        )
+        with pytest.raises(FileNotFoundError) as caught:
+            call()
+        assert getattr(caught.value, "field") == field

@@ -153,19 +153,18 @@ def text_of(rng: random.Random) -> str:
 
 def overrides(rng: random.Random) -> tuple[dict[str, Any], list[str]]:
     """Fields in place of what the file says, and the flags for them."""
+    seating, slip, grip = rng.uniform(0, 2), rng.uniform(0, 0.004), rng.uniform(0, 8)
     all_of = [
-        ("wall_mm", "--wall", rng.uniform(0.8, 2.0)),
-        ("length_mm", "--length", rng.uniform(150, 400)),
-        ("stiffness", "--stiffness", rng.uniform(300, 900)),
-        ("seating_mm", "--seating", rng.uniform(0, 2)),
-        ("slip_mm_per_n", "--slip", rng.uniform(0, 0.004)),
-        ("grip_mm", "--grip", rng.uniform(0, 8)),
-        ("rubber", "--rubber", "paper"),
+        ("wall_mm", wall := rng.uniform(0.8, 2.0), f"--wall={wall!r}"),
+        ("length_mm", length := rng.uniform(150, 400), f"--length={length!r}"),
+        ("stiffness", k := rng.uniform(300, 900), f"--stiffness={k!r}"),
+        ("seating_mm", seating, f"--with=terminals.seating={seating!r} mm"),
+        ("slip_mm_per_n", slip, f"--with=terminals.slip={slip!r} mm/N"),
+        ("grip_mm", grip, f"--with=terminals.grip={grip!r} mm"),
+        ("rubber", "paper", "--rubber=paper"),
     ]
     chosen = [item for item in all_of if rng.random() < 0.15]
-    return {name: value for name, _, value in chosen}, [
-        word for _, flag, value in chosen for word in (flag, str(value))
-    ]
+    return {name: value for name, value, _ in chosen}, [flag for _, _, flag in chosen]
 
 
 def questions(
@@ -193,7 +192,11 @@ def questions(
         return {
             **mk.ask(
                 command,
-                {"muscle": {"name": "muscle", "text": text}, "model": model, **given},
+                {
+                    "muscle": {"file": {"name": "muscle", "text": text}},
+                    "model": model,
+                    **given,
+                },
             ),
             "toml": text,
         }

@@ -1,6 +1,8 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
 //! from a plan, on disk.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
@@ -109,7 +111,7 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 #[command(next_help_heading = "Question")]
 pub struct CampaignStatusRequest {
     /// The folder of parts
-    #[arg(value_name = "DIR")]
+    #[arg(id = "folder", value_name = "DIR")]
     pub output: PathBuf,
 }
 

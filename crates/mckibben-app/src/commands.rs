@@ -74,8 +74,15 @@ impl CommandEntry {
     /// default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        let schema = self.request.get_or_init(|| self.schema()["request"].take());
+        let schema = self.request_schema();
         check_fields(request, schema, schema)
+    }
+
+    /// The JSON Schema of its request, made once.
+    #[cfg(feature = "schema")]
+    pub fn request_schema(&self) -> &Value {
+        self.request
+            .get_or_init(|| self.schema()["request"].take())
     }
 }
 

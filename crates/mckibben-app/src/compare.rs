@@ -1,5 +1,7 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{AskFields, Contractions, NameOrFile};
 use crate::{
@@ -109,6 +111,12 @@ pub struct CompareAnswer {
     /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
+    /// Which branch of measured hysteresis was requested.
+    #[serde(skip)]
+    pub branch: Direction,
+    /// Whether constants were to be fitted.
+    #[serde(skip)]
+    pub is_fitted: bool,
 }
 
 /// A model and its errors, model − reference.
@@ -297,6 +305,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
         warnings: Warning::gravest(&warned),
         figure,
+        branch: request.branch,
+        is_fitted: !request.fit.is_empty(),
     })
 }
 

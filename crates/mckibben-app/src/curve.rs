@@ -1,5 +1,7 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
+mod page;
+
 use crate::Contractions;
 use crate::flags::{self, Args};
 use crate::{
@@ -526,9 +528,13 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     })
 }
 
-/// The points of all curves, row by row.
 fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(panels.iter().flat_map(|panel| {
+    serializer.collect_seq(study_rows(panels))
+}
+
+/// The points of all curves, row by row.
+fn study_rows(panels: &[StudyPanel]) -> impl Iterator<Item = StudyRow> {
+    panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {
                 point: point.into(),
@@ -538,5 +544,5 @@ fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S
                 wall_mm: curve.wall_mm,
             })
         })
-    }))
+    })
 }

@@ -150,7 +150,7 @@ pub struct UnderstoodTable {
 impl UnderstoodTable {
     /// One line for people: `bench.csv: 45 points; P1 → pressure (kPa), …`.
     pub fn line(&self) -> String {
-        format!("{}: {}", self.data, self.table.line())
+        format!("{}: {}", self.data, self.table.line()).replace('\n', "\\n")
     }
 }
 

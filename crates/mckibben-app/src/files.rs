@@ -19,7 +19,6 @@ impl TextFile {
         match field {
             "muscle" | "muscles" => Self::muscle(path),
             "data" | "table" | "tables" | "load_tables" | "log" => Self::table(path),
-            "formulas" => Self::formula(path),
             _ => Self::at(path),
         }
     }

@@ -1,5 +1,7 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
+mod page;
+
 use crate::NameOrFile;
 use crate::flags::{self, Args};
 use crate::{

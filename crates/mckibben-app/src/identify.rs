@@ -1,5 +1,7 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
+pub(crate) mod page;
+
 use crate::flags::{self, Args};
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
@@ -82,7 +84,7 @@ pub struct IdentifyRequest {
     #[arg(long, value_name = "LIST", help_heading = "Advanced")]
     pub weights: Option<List<Ratio>>,
     /// Treatment of the branches of the hysteresis
-    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "mean", help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "both", help_heading = "Advanced")]
     pub branches: Branches,
     /// Use points with a force of zero or below as measurements; by default the muscle counts as
     /// slack there

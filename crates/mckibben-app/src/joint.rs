@@ -1,6 +1,8 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
 //! against each other.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
@@ -16,7 +18,7 @@ use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, siz
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, fmt, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -503,6 +505,12 @@ pub enum RestWord {
     Limit,
     /// No torque acts, and it rests at any angle near this one.
     Loose,
+}
+
+impl fmt::Display for RestWord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// A joint's answer.

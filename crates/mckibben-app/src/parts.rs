@@ -1,6 +1,8 @@
 //! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can
 //! buy or cast, measured muscles, force models.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
@@ -59,6 +61,9 @@ pub struct PartsListAnswer {
     pub muscles: Vec<LibraryMuscle>,
     /// Force models.
     pub models: Vec<ModelEntry>,
+    /// The kind, where only one was requested.
+    #[serde(skip)]
+    pub kind: Option<PartKind>,
 }
 
 /// What has a name.
@@ -195,6 +200,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
         } else {
             vec![]
         },
+        kind: request.kind,
     })
 }
 

@@ -1,5 +1,7 @@
 //! `rubber`: laws from tension tests.
 
+mod page;
+
 use crate::flags::{self, Args};
 use crate::{
     Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
@@ -125,7 +127,7 @@ pub struct RubberFitAnswer {
 
 /// A constant with the law that it belongs to: a row of a table.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct ConstantRow {
+struct ConstantRow {
     law: String,
     constrained: bool,
     recommended: bool,
@@ -150,7 +152,7 @@ impl RubberFitAnswer {
     }
 
     /// The constants of all laws, one row each.
-    pub fn constants(&self) -> Vec<ConstantRow> {
+    fn constants(&self) -> Vec<ConstantRow> {
         let rows = |law: &FittedLaw| {
             let recommended = self.is_recommended(law);
             let row = |p: &Parameter| ConstantRow {

@@ -2,11 +2,11 @@
 
 use crate::{error::Wrong, model::Model, request, run, value};
 use mckibben::muscle::Muscle as Held;
+use mckibben::muscle::file::{FileError, parse_muscle, to_toml};
 use mckibben::muscle::measures::{STIFFNESS, fields};
-use mckibben::{muscle::file::to_toml, rubber::RubberLaw};
+use mckibben::rubber::RubberLaw;
 use mckibben_app::{
-    AskFields, BoundModel, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile,
-    muscle_of, understood, with_parameters,
+    BoundModel, MuscleFields, Problem, ProblemKind, QuestionFields, understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
 use pyo3::exceptions::PyValueError;
@@ -32,34 +32,9 @@ impl From<Held> for Muscle {
     }
 }
 
-/// The muscle of fields, with the rubber of a table `tube.material`.
-fn described(request: &Value, rubber: Option<&str>) -> Result<Held> {
-    let fields: MuscleFields = understood(request)?;
-    let base = match &fields.named.muscle {
-        Some(file) => muscle_of(file)?,
-        None => Held::prototype(),
-    };
-    let Some(text) = rubber else {
-        return fields.over(&base);
-    };
-    let mut made = base.parts().clone();
-    let own = TextFile {
-        name: String::new(),
-        text: text.to_owned(),
-    };
-    let wrong = |e: Problem| {
-        let message = e
-            .message
-            .trim_start_matches([':', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
-        Problem::new(ProblemKind::Rubber, message.trim_start(), e.hint.clone()).in_field("rubber")
-    };
-    made.tube.rubber = muscle_of(&own).map_err(wrong)?.parts().tube.rubber.clone();
-    fields.over(&Held::from_parts(made)?.with_bench_of(&base))
-}
-
-/// With the field to blame: the first one of the request that the message names by itself or by its
+/// With the field to blame: the first one of the muscle that the message names by itself or by its
 /// key in a muscle file.
-fn blamed(problem: Problem, request: &Value) -> Problem {
+fn blamed(problem: Problem, muscle: &Value) -> Problem {
     let named = match problem.kind {
         ProblemKind::Rubber => Some("rubber"),
         ProblemKind::Braid => Some("braid"),
@@ -71,7 +46,7 @@ fn blamed(problem: Problem, request: &Value) -> Problem {
                     .find(key)
                     .or_else(|| problem.message.find(&format!("`{field}`")));
                 place
-                    .filter(|_| request.get(field).is_some())
+                    .filter(|_| muscle.get(field).is_some())
                     .map(|place| (place, field))
             };
             keys.chain([("stiffness", STIFFNESS.key)])
@@ -88,17 +63,33 @@ fn blamed(problem: Problem, request: &Value) -> Problem {
 
 #[pymethods]
 impl Muscle {
-    /// The muscle that a muscle file and fields describe; with a rubber, the table `tube.material`
-    /// of one.
+    /// The muscle of a request.
     #[new]
-    #[pyo3(signature = (request: "dict[str, typing.Any]", rubber: "str | None" = None))]
-    fn new(py: Python<'_>, request: &Bound<'_, PyAny>, rubber: Option<String>) -> PyResult<Self> {
+    #[pyo3(signature = (request: "dict[str, typing.Any]"))]
+    fn new(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Self> {
         let request = request::given(py, "check", request)?;
         Ok(run::quick(py, |_| {
-            described(&request, rubber.as_deref())
-                .map(Self::from)
-                .map_err(|problem| Wrong::from(blamed(problem, &request)))
+            let question: QuestionFields = understood(&request)?;
+            let made = question.muscle.resolve();
+            Ok(made
+                .map_err(|problem| blamed(problem, &request["muscle"]))?
+                .into())
         })?)
+    }
+
+    /// The paper's muscle with the rubber of a text: its table `tube.material`.
+    #[staticmethod]
+    fn of_rubber(text: &str) -> PyResult<Self> {
+        let wrong = |error: FileError| {
+            let error = FileError {
+                place: None,
+                ..error
+            };
+            Problem::new(ProblemKind::Rubber, error.to_string(), "").in_field("rubber")
+        };
+        Ok(parse_muscle(text)
+            .map(Self::from)
+            .map_err(|error| Wrong::from(wrong(error)))?)
     }
 
     /// The fields by which a muscle is given, of this one; those that it does not have are left
@@ -162,10 +153,9 @@ impl Muscle {
     fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
         let request = request::given(py, "force", request)?;
         Ok(run::quick(py, |_| {
-            let (model, asking): (ModelFields, AskFields) =
-                (understood(&request)?, understood(&request)?);
+            let question: QuestionFields = understood(&request)?;
             Ok(Model {
-                bound: BoundModel::new(&self.held, &model, asking)?,
+                bound: BoundModel::new(&self.held, &question.model, question.asking)?,
             })
         })?)
     }

@@ -1,19 +1,15 @@
-//! Texts with a unit in a request, as the numbers that its schema wants; and numbers that were
-//! likely meant in another unit.
+//! Requests as users write them: paths in the place of files, texts that must state their unit, and
+//! numbers that were likely meant in another unit.
 
 use crate::{error::Wrong, value};
 use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
-use mckibben_app::{Choice, CommandEntry, Problem, ProblemKind, TextFile, find, measured_folder};
+use mckibben_app::{Problem, ProblemKind, TextFile, find, measured_folder};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// Parts of an interval without a step.
 const DIVISIONS: usize = 20;
-/// Schemas of requests, once they were made.
-static SCHEMAS: Mutex<BTreeMap<&str, Arc<Value>>> = Mutex::new(BTreeMap::new());
 /// Bare numbers of fields beyond which they were likely meant in another unit.
 const LIKELY: [(&str, f64, f64); 7] = [
     ("outer_diameter_mm", 1.0, 1000.0),
@@ -25,8 +21,8 @@ const LIKELY: [(&str, f64, f64); 7] = [
     ("max_pressure_mpa", 0.0, 1.0),
 ];
 
-/// A request of a command with numbers for its texts and with the files that it names; the caller
-/// is warned of numbers that were likely meant in another unit.
+/// A request of a command with the files that it names; the caller is warned of numbers that were
+/// likely meant in another unit.
 #[pyfunction]
 #[pyo3(name = "given", signature = (command, request: "object") -> "dict[str, typing.Any]")]
 pub fn stated_request<'py>(
@@ -40,40 +36,16 @@ pub fn stated_request<'py>(
 /// The same as the crates have it.
 pub fn given(py: Python<'_>, command: &str, object: &Bound<'_, PyAny>) -> PyResult<Value> {
     let mut request = value::request(object)?;
-    let said = find(command)
-        .and_then(|entry| read(entry, &mut request))
+    let root = find(command).map_err(Wrong::from)?.request_schema();
+    let mut reading = Reading { root, said: vec![] };
+    reading
+        .fields("", root, &mut request)
         .map_err(Wrong::from)?;
-    value::warn(py, &said)?;
+    value::warn(py, &reading.said)?;
     Ok(request)
 }
 
-/// Numbers for texts, in place. What is said of numbers that were likely meant in another unit.
-fn read(entry: &'static CommandEntry, request: &mut Value) -> Result<Vec<String>, Problem> {
-    let known = || SCHEMAS.lock().unwrap_or_else(PoisonError::into_inner);
-    let schema = known().get(entry.name).cloned();
-    let schema = schema.unwrap_or_else(|| {
-        let made = Arc::new(entry.schema()["request"].take());
-        known().entry(entry.name).or_insert(made).clone()
-    });
-    let mut reading = Reading {
-        root: &schema,
-        said: vec![],
-    };
-    let Some(fields) = request.as_object_mut() else {
-        return Ok(vec![]);
-    };
-    for (name, value) in fields {
-        reading
-            .value(name, &schema["properties"][name], value)
-            .map_err(|problem| match problem.field {
-                None => problem.in_field(name.clone()),
-                Some(_) => problem,
-            })?;
-    }
-    Ok(reading.said)
-}
-
-/// A text such as `2.5 bar` in the unit inside. A number that has a unit must say it.
+/// A text such as `2.5 bar` in the unit inside. A number that has a unit must state it.
 pub fn quantity(text: &str, kind: Dimension) -> Result<f64, Problem> {
     stated(text, kind)?;
     parse_quantity(text, kind).map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
@@ -81,12 +53,10 @@ pub fn quantity(text: &str, kind: Dimension) -> Result<f64, Problem> {
 
 /// A text such as `0..2.5:0.5 bar` as numbers.
 pub fn quantities(text: &str, kind: Dimension) -> Result<Vec<f64>, Problem> {
-    Ok(several(text, kind)?.sampled(DIVISIONS))
-}
-
-fn several(text: &str, kind: Dimension) -> Result<mckibben::units::Values, Problem> {
     stated(text, kind)?;
-    parse_values(text, kind).map_err(|e| Problem::new(ProblemKind::Range, e.to_string(), ""))
+    let values = parse_values(text, kind)
+        .map_err(|e| Problem::new(ProblemKind::Range, e.to_string(), ""))?;
+    Ok(values.sampled(DIVISIONS))
 }
 
 fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
@@ -129,7 +99,7 @@ pub fn unlikely(name: &str, number: f64) -> Option<String> {
     ))
 }
 
-/// A request that is read by its schema.
+/// A request that is read along its schema.
 struct Reading<'a> {
     root: &'a Value,
     said: Vec<String>,
@@ -137,111 +107,84 @@ struct Reading<'a> {
 
 impl<'a> Reading<'a> {
     /// A schema without its reference, and the name of that.
-    fn resolved(&self, node: &'a Value) -> (&'a Value, &'a str) {
-        let options = node["anyOf"].as_array().into_iter().flatten();
-        let reference = std::iter::once(node)
+    fn resolved(&self, schema: &'a Value) -> (&'a Value, &'a str) {
+        let options = schema["anyOf"].as_array().into_iter().flatten();
+        let reference = std::iter::once(schema)
             .chain(options)
-            .find_map(|part| part["$ref"].as_str());
-        let name = reference
-            .and_then(|path| path.rsplit('/').next())
-            .unwrap_or_default();
-        if name.is_empty() {
-            (node, name)
-        } else {
-            (&self.root["$defs"][name], name)
-        }
+            .find_map(|part| part["$ref"].as_str())
+            .and_then(|path| path.rsplit('/').next());
+        reference.map_or((schema, ""), |name| (&self.root["$defs"][name], name))
     }
 
-    fn value(&mut self, name: &str, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
-        let kind: Option<Dimension> = serde_json::from_value(node["x-quantity"].clone()).ok();
-        let (target, of) = self.resolved(node);
-        let is_list = node["type"] == "array" || node["type"][0] == "array";
-        let file = if is_list {
-            self.resolved(&node["items"]).1
-        } else {
-            of
-        };
-        if ["TextFile", "MeasuredFolder"].contains(&file) {
-            if is_list && !value.is_array() {
-                *value = json!([value.take()]);
-            }
-            let files = if let Value::Array(list) = value {
-                list
-            } else {
-                std::slice::from_mut(value)
-            };
-            return files.iter_mut().try_for_each(|value| {
-                match value.as_str().map(Path::new) {
-                    Some(path) if file == "TextFile" => {
-                        *value = json!(TextFile::of_field(name, path)?)
-                    }
-                    Some(path) => *value = json!(measured_folder(path)?),
-                    None => {}
-                }
-                Ok(())
-            });
-        }
-        match (value, kind) {
-            (value @ Value::String(_), Some(kind)) => {
-                let text = value.as_str().unwrap_or_default();
-                *value = match of {
-                    "Choice" => json!(Choice::from(several(text, kind)?)),
-                    "Stiffness" if ["paper", "inextensible"].contains(&text.trim()) => {
-                        json!(text.trim())
-                    }
-                    _ if is_list => json!(quantities(text, kind)?),
-                    _ => json!(quantity(text, kind)?),
-                };
-            }
-            (value @ Value::Number(_), _) => {
-                self.said
-                    .extend(value.as_f64().and_then(|number| unlikely(name, number)));
-                if is_list {
-                    *value = json!([value.take()]);
-                }
-            }
-            (value @ (Value::Array(_) | Value::Object(_)), Some(kind)) => {
-                self.item(name, kind, value)?
-            }
-            (Value::Array(list), None) => {
-                let items = self.resolved(&target["items"]).0;
-                list.iter_mut()
-                    .try_for_each(|item| self.fields(items, item))?;
-            }
-            (value @ Value::Object(_), None) => self.fields(target, value)?,
-            _ => {}
-        }
-        Ok(())
-    }
-
-    fn fields(&mut self, node: &'a Value, value: &mut Value) -> Result<(), Problem> {
-        value
-            .as_object_mut()
-            .into_iter()
-            .flatten()
-            .try_for_each(|(name, value)| {
-                self.value(name, &node["properties"][name], value)
-                    .map_err(|problem| problem.in_field(name))
-            })
-    }
-
-    fn item(&mut self, name: &str, kind: Dimension, value: &mut Value) -> Result<(), Problem> {
+    fn value(&mut self, name: &str, schema: &'a Value, value: &mut Value) -> Result<(), Problem> {
+        let (fields, kind) = self.resolved(schema);
+        let items = &schema["items"];
         match value {
-            Value::String(text) => *value = json!(quantity(text, kind)?),
-            Value::Number(number) => {
-                self.said
-                    .extend(number.as_f64().and_then(|number| unlikely(name, number)));
-            }
             Value::Array(list) => list
                 .iter_mut()
-                .try_for_each(|item| self.item(name, kind, item))?,
-            Value::Object(map) => map
-                .values_mut()
-                .try_for_each(|end| self.item(name, kind, end))?,
-            _ => {}
+                .try_for_each(|item| self.value(name, items, item)),
+            Value::Null | Value::Bool(_) => Ok(()),
+            // Lists of quantities take one by themselves.
+            one if items.is_object() && schema["x-quantity"].is_null() => {
+                *one = json!([one.take()]);
+                self.value(name, schema, one)
+            }
+            Value::Object(_) => self.fields(name, fields, value),
+            Value::Number(number) => {
+                let said = number.as_f64().and_then(|number| unlikely(name, number));
+                self.said.extend(said);
+                Ok(())
+            }
+            Value::String(text) => {
+                if let Some(read) = read(name, kind, text)? {
+                    *value = read;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn fields(&mut self, of: &str, schema: &'a Value, request: &mut Value) -> Result<(), Problem> {
+        let fields = request.as_object_mut().into_iter().flatten();
+        for (field, value) in fields {
+            // The ends of an interval are quantities of its field; a muscle goes by its file, a model
+            // by its name.
+            let name = match &**field {
+                "low" | "high" | "file" | "name" if !of.is_empty() => of,
+                field => field,
+            };
+            self.value(name, &schema["properties"][field], value)
+                .map_err(|problem| match problem.field {
+                    None => problem.in_field(name),
+                    Some(_) => problem,
+                })?;
         }
         Ok(())
     }
+}
+
+/// What a text stands for: the file of a path, or a number; none where it stays.
+fn read(name: &str, kind: &str, text: &str) -> Result<Option<Value>, Problem> {
+    let path = Path::new(text.trim());
+    let is = |end: &str| {
+        path.extension()
+            .is_some_and(|of| of.eq_ignore_ascii_case(end))
+    };
+    Ok(match kind {
+        "TextFile" => Some(json!(TextFile::of_field(name, path)?)),
+        "MuscleFields" => Some(json!({ "file": TextFile::muscle(path)? })),
+        "MeasuredFolder" => Some(json!(measured_folder(path)?)),
+        "ModelFields" if is("json") => Some(json!({ "name": TextFile::formula(path)? })),
+        "NameOrFile" if is("json") => Some(json!(TextFile::formula(path)?)),
+        "NameOrFile" if is("toml") => Some(json!(TextFile::at(path)?)),
+        _ => {
+            let Some(kind) = NamedUnit::of_field(name).and_then(|of| of.dimension) else {
+                return Ok(None);
+            };
+            stated(text, kind)?;
+            parse_quantity(text, kind).ok().map(Value::from)
+        }
+    })
 }
 
 /// The kind of quantity that a name carries, where a text may stand in its place.

@@ -12,7 +12,9 @@ use crate::{
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
-use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
+use mckibben::units::typed::{
+    Angle, Choice, Force, Length, List, Pressure, Quantity, Ratio, Volume,
+};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
 use mckibben::{units::Values, warning::strand_strength_n};
@@ -226,12 +228,11 @@ pub struct DesignRequest {
     #[arg(
         long,
         value_name = "LIST",
-        value_delimiter = ',',
         conflicts_with = "angle_deg",
         hide_short_help = true,
         help_heading = "Muscle"
     )]
-    pub strand_length_per_turn_mm: Vec<Length>,
+    pub strand_length_per_turn_mm: Option<List<Length>>,
     /// Radii of the pulley [searched]
     #[arg(
         long = "radius",
@@ -280,7 +281,8 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         let (base, wanted, radius_mm) = self.demand()?;
-        let wanted = self.share(&wanted)?;
+        let count = self.count()?;
+        let wanted = wanted.times(1.0 / f64::from(count));
         let extends = wanted.extends();
         let max_pressure_mpa = finite(
             "max_pressure_mpa",
@@ -314,19 +316,14 @@ impl DesignRequest {
             }
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
-        let braid = match (
-            &self.strand_length_per_turn_mm[..],
-            &sleeves[..],
-            &self.angle_deg,
-        ) {
+        let turns = self.strand_length_per_turn_mm.as_deref();
+        let braid = match (turns.unwrap_or_default(), &sleeves[..], &self.angle_deg) {
             ([], [], None) if extends && !base.is_extensile() => {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
             ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             ([], [], Some(angles)) => BraidChoice::Angle(values(angles, "angle_deg")?),
-            (turns, [], None) => {
-                BraidChoice::StrandLengthPerTurn(turns.iter().map(|turn| turn.0).collect())
-            }
+            (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
             ([], _, None) => BraidChoice::Sleeves(sleeves),
             _ => {
                 let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the \
@@ -350,7 +347,7 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
-            count: self.count()?,
+            count,
             direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
@@ -369,7 +366,8 @@ impl DesignRequest {
                 .map(|name| rubber(name))
                 .collect::<Result<_, _>>()?,
             limits: Limits {
-                bulged_diameter_mm: self.bulged_diameter_mm()?,
+                bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+                envelope_mm: self.max_envelope_mm.map(f64::from),
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 tube_margin: self.min_tube_margin,
                 stretch: self.max_stretch,
@@ -379,7 +377,9 @@ impl DesignRequest {
                     self.max_strand_strain
                         .map_or(VALIDATED_STRAND_STRAIN, f64::from),
                 ),
-                liquid_volume_mm3: self.liquid_volume_mm3()?,
+                liquid_volume_mm3: self
+                    .max_liquid_volume_mm3
+                    .map(|mm3| mm3.0 / f64::from(count)),
             },
             guaranteed: self.guaranteed()?,
             objective: self.objective,
@@ -431,7 +431,7 @@ impl DesignRequest {
             ("`angle_deg`", self.angle_deg.is_some()),
             (
                 "`strand_length_per_turn_mm`",
-                !self.strand_length_per_turn_mm.is_empty(),
+                self.strand_length_per_turn_mm.is_some(),
             ),
             ("`stiffness`", self.stiffness.is_some()),
             // A formula for one braid and rubber has no answer for others.

@@ -2,6 +2,7 @@
 
 mod answer;
 mod files;
+mod page;
 
 pub use answer::*;
 
