@@ -699,7 +699,7 @@ inBrowser(({ name, url, open, blank }) => {
         "curve",
         {
           test: "isometric",
-          mesh: "4x60",
+          model: { mesh: "4x60" },
           contractions: Array.from({ length: 40 }, (_, i) => i / 200),
           pressures_mpa: Array.from({ length: 40 }, (_, i) => 0.01 * i),
         },

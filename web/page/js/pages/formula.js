@@ -118,7 +118,7 @@ export const mount = (main) => {
       return {
         table: made.table,
         method: read.method,
-        hold_out_mm: read.hold_out_mm ?? [],
+        hold_out_mm: read.hold_out_mm,
         figures: true,
       };
     },
