@@ -176,9 +176,11 @@ PARTS = {
     "editors": (
         "schemas of files in a TOML language server",
         [
-            r"crates/mckibben-app/src/file_schema/.*",
-            r"crates/mckibben/data/keys.txt",
+            r"crates/mckibben-app/src/file_schema\.rs",
             r"crates/mckibben/src/muscle/(file|measures)/.*",
+            r"crates/mckibben/src/joint/file\.rs",
+            r"crates/mckibben-motion/src/file/.*",
+            r"crates/mckibben-campaign/src/campaign/plan/.*",
             r"checks/editors.*",
             r"(examples|plans)/.*\.toml",
         ],

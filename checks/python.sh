@@ -21,6 +21,8 @@ smoke) tests=tests/test_same.py ;;
     ;;
 esac
 
+"$target/venv/bin/ruff" format --check --quiet .
+
 # Modules come from a copy: the sources are left as they are.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

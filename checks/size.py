@@ -25,9 +25,6 @@ LONGEST_TEXT = 300
 # Data that a reader must understand as he understands code.
 LOGIC = [
     "crates/mckibben-cli/src/commands.txt",
-    "crates/mckibben/data/keys.txt",
-    "crates/mckibben/data/measures.json",
-    "crates/mckibben-io/data/units.txt",
 ]
 RUST_TEXT = r"b?r(#*)\".*?\"\1|b?\"(?:\\.|[^\"\\])*\""
 RUST = re.compile(

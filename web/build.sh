@@ -67,7 +67,7 @@ if command -v npx >/dev/null; then
         xargs -0 npx --yes esbuild@0.28.2 --minify --format=esm --log-level=error \
             --allow-overwrite --outbase="$made/js" --outdir="$made/js"
     # The report takes the modules of the view as text, line by line.
-    for module in $(sed -n 's/^const MODULES = \[\(.*\)\];$/\1/p' web/page/js/report.js | tr -d '",'); do
+    for module in $(sed -n '/^const MODULES/,/^]/s/.*"\(.*\)".*/\1/p' web/page/js/report.js); do
         cp "web/page/js/$module" "$made/js"
     done
 else

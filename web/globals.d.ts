@@ -52,11 +52,7 @@ declare global {
     high?: number;
     around?: boolean;
   }
-  /** The muscle in a request: fields of measures, rubber, sleeve, file. */
-  type MuscleFields = Omit<
-    All["check"]["request"],
-    "pressure_mpa" | "model" | "muscle_file" | "only_data"
-  >;
+  type MuscleFields = import("./types/commands").MuscleFields;
   /**
    * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or `F`: where it is asked.
    */

@@ -471,7 +471,7 @@ inBrowser(({ name, open, blank, url }) => {
         length_mm: 285,
         rubbers: ["dragon-skin-30"],
         braids: ["flexo-overexpanded-0.75in"],
-        model: "universal",
+        model: { name: "universal" },
         extrapolate: true,
         top: 1000,
       };

@@ -308,15 +308,13 @@ inBrowser(({ name, url, open, blank }) => {
         const data = new DataTransfer();
         data.items.add(new File([text], "tension.csv"));
         for (const kind of ["dragover", "drop"])
-          document
-            .querySelector("#bar")
-            ?.dispatchEvent(
-              new DragEvent(kind, {
-                dataTransfer: data,
-                bubbles: true,
-                cancelable: true,
-              }),
-            );
+          document.querySelector("#bar")?.dispatchEvent(
+            new DragEvent(kind, {
+              dataTransfer: data,
+              bubbles: true,
+              cancelable: true,
+            }),
+          );
       },
       readFileSync(`${root}data/treloar/tension.csv`, "utf8"),
     );

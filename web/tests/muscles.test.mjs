@@ -177,7 +177,7 @@ for (const [name, { start, point: within, motion }] of engines({
       const [checked, said] = [
         await ask("check", ...source),
         await maybe(
-          engine.ask("check", { ...page.fields(state), only_data: true }),
+          engine.ask("check", { muscle: page.fields(state), only_data: true }),
         ),
       ];
       if (!checked || !said) {
@@ -207,22 +207,19 @@ for (const [name, { start, point: within, motion }] of engines({
         warnings: _,
         findings: __,
         ...numbers
-      } = await engine.ask("check", { ...page.fields(again), only_data: true });
+      } = await engine.ask("check", {
+        muscle: page.fields(again),
+        only_data: true,
+      });
       same(numbers, shown, Math.max(within, 1e-15), `the saved muscle ${seed}`);
 
       // Muscle: the pull, of the state, of what was saved, and what the shape carries.
       const [pull, bySaved, force, ofSaved, shape] = await Promise.all([
         ask("force", ...source, ...at),
         ask("force", saved, ...at),
-        maybe(
-          engine.ask("force", { ...page.fields(state), ...page.point(state) }),
-        ),
-        maybe(
-          engine.ask("force", { ...page.fields(again), ...page.point(again) }),
-        ),
-        maybe(
-          engine.ask("shape", { ...page.fields(state), ...page.point(state) }),
-        ),
+        maybe(engine.ask("force", page.question(state))),
+        maybe(engine.ask("force", page.question(again))),
+        maybe(engine.ask("shape", page.question(state))),
       ]);
       same(force, pull, within, `Muscle ${seed}`);
       same(
@@ -268,7 +265,7 @@ for (const [name, { start, point: within, motion }] of engines({
         maybe(
           engine.ask("joint", {
             ...joint,
-            model,
+            model: { name: model },
             extrapolate: true,
             pressures_mpa: [
               await Promise.all(
@@ -375,15 +372,7 @@ for (const [name, { start, point: within, motion }] of engines({
           "--extrapolate",
         ),
         ...[plain, changed].map((side) =>
-          maybe(
-            engine.ask("force", {
-              ...side.muscle,
-              model: side.model,
-              pressure_mpa: side.pressure_mpa,
-              contraction: side.contraction,
-              extrapolate: true,
-            }),
-          ),
+          maybe(engine.ask("force", { ...side, extrapolate: true })),
         ),
       ]);
       same(ofA, a, within, `Compare ${seed}, A`);

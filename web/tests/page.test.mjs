@@ -592,13 +592,11 @@ inBrowser(({ name, url, open, blank }) => {
   test("tables of data, good and broken; constants identified", async () => {
     const { page, errors, context } = await open("#data");
     await page.waitForSelector("form");
-    await page
-      .locator("input[type=file]")
-      .setInputFiles({
-        name: "broken.csv",
-        mimeType: "text/csv",
-        buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n"),
-      });
+    await page.locator("input[type=file]").setInputFiles({
+      name: "broken.csv",
+      mimeType: "text/csv",
+      buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n"),
+    });
     await page.waitForSelector(".problem");
     await soon(async () =>
       assert.match(await page.locator(".problem").innerText(), /line 2|row/i),
@@ -619,13 +617,11 @@ inBrowser(({ name, url, open, blank }) => {
       readFileSync(/** @type {string} */ (await download.path())).toString(),
       /# Identified from/,
     );
-    await page
-      .locator("input[type=file]")
-      .setInputFiles({
-        name: "unnamed.csv",
-        mimeType: "text/csv",
-        buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n"),
-      });
+    await page.locator("input[type=file]").setInputFiles({
+      name: "unnamed.csv",
+      mimeType: "text/csv",
+      buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n"),
+    });
     await page.waitForSelector(".problem");
     await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
     await page
@@ -693,13 +689,11 @@ inBrowser(({ name, url, open, blank }) => {
       .filter({ hasText: "Another muscle 2" })
       .click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
-    await page
-      .getByLabel("Open muscle 2 (TOML)")
-      .setInputFiles({
-        name: "thin.toml",
-        mimeType: "application/toml",
-        buffer: Buffer.from(thin),
-      });
+    await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({
+      name: "thin.toml",
+      mimeType: "application/toml",
+      buffer: Buffer.from(thin),
+    });
     await page.getByText("Muscle 2 is that of its file.").waitFor();
     await soon(async () => assert.match(page.url(), /file2=/));
     await page

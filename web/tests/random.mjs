@@ -60,7 +60,7 @@ export const SLEEVES = [
   ["kevlar-sock", 80, 86, ["sd", "sE"]],
 ];
 
-/** What the words of the address are called on the command line, and in which units people type them: unit, mm (MPa, N, …) of one. @type {Record<string, [string, [string, number][]]>} */
+/** What the words of the address are called on the command line, a flag or a key of `--with`, and in which units people type them: unit, mm (MPa, N, …) of one. @type {Record<string, [string, [string, number][]]>} */
 const FLAGS = {
   D: [
     "-D",
@@ -114,33 +114,33 @@ const FLAGS = {
       ["", 1],
     ],
   ],
-  prestretch: ["--prestretch", [["", 1]]],
+  prestretch: ["tube.prestretch", [["", 1]]],
   density_kg_per_m3: [
-    "--density",
+    "tube.density",
     [
       ["kg/m3", 1],
       ["g/cm3", 1000],
     ],
   ],
-  end_factor: ["--end-factor", [["", 1]]],
-  cone_factor: ["--cone-factor", [["", 1]]],
+  end_factor: ["terminals.end_factor", [["", 1]]],
+  cone_factor: ["terminals.cone_factor", [["", 1]]],
   strand_length_mm: [
-    "--strand-length",
+    "braid.strand_length",
     [
       ["mm", 1],
       ["in", 25.4],
     ],
   ],
-  turns: ["--turns", [["", 1]]],
-  seating: ["--seating", [["mm", 1]]],
+  turns: ["braid.turns", [["", 1]]],
+  seating: ["terminals.seating", [["mm", 1]]],
   slip: [
-    "--slip",
+    "terminals.slip",
     [
       ["mm/N", 1],
       ["mm/kN", 1e-3],
     ],
   ],
-  grip: ["--grip", [["mm", 1]]],
+  grip: ["terminals.grip", [["mm", 1]]],
   rubber: ["--rubber", []],
   braid: ["--braid", []],
 };
@@ -319,10 +319,10 @@ export function muscle(seed) {
     filed || Object.keys(beneath).length
       ? written(merge(filed ? base : {}, beneath))
       : "";
-  const flags = Object.entries(flagged).flatMap(([key, text]) => [
-    FLAGS[key][0],
-    text,
-  ]);
+  const flags = Object.entries(flagged).flatMap(([key, text]) => {
+    const [name] = FLAGS[key];
+    return name.startsWith("-") ? [name, text] : ["--with", `${name}=${text}`];
+  });
   return {
     file: filed ? written(base) : "",
     over,
@@ -366,7 +366,7 @@ function millimetres(text) {
     unit = text.replace(/[-\d.e ]/g, "");
   return (
     parseFloat(text) *
-    /** @type {Record<string, number>} */ (({ in: inch, cm, m })[unit] ?? 1)
+    /** @type {Record<string, number>} */ ({ in: inch, cm, m }[unit] ?? 1)
   );
 }
 

@@ -57,15 +57,13 @@ const drop = (page, dropped) =>
     for (const [name, text] of Object.entries(all))
       data.items.add(new File([text], name));
     for (const kind of ["dragover", "drop"])
-      document
-        .querySelector("main")
-        ?.dispatchEvent(
-          new DragEvent(kind, {
-            dataTransfer: data,
-            bubbles: true,
-            cancelable: true,
-          }),
-        );
+      document.querySelector("main")?.dispatchEvent(
+        new DragEvent(kind, {
+          dataTransfer: data,
+          bubbles: true,
+          cancelable: true,
+        }),
+      );
   }, dropped);
 /** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
 async function downloaded(page, button) {
@@ -1179,15 +1177,13 @@ inBrowser(({ name, url, open, blank }) => {
       (_, i) =>
         `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`,
     );
-    await page
-      .locator(".controls input[type=file]")
-      .setInputFiles({
-        name: "long.csv",
-        mimeType: "text/csv",
-        buffer: Buffer.from(
-          `pressure_bar,contraction,force_n\n${rows.join("\n")}\n`,
-        ),
-      });
+    await page.locator(".controls input[type=file]").setInputFiles({
+      name: "long.csv",
+      mimeType: "text/csv",
+      buffer: Buffer.from(
+        `pressure_bar,contraction,force_n\n${rows.join("\n")}\n`,
+      ),
+    });
     await page
       .getByText(
         "The table has 30,000 rows, more than 20,000: every second one is used, 15,000 points.",

@@ -2,11 +2,13 @@
 //! sheet.
 
 use crate::Contraction;
-use crate::flags::Args;
+use crate::flags::{self, Args};
+use crate::print::{Csv, Page, Rows, Show, Table};
+use crate::units::{JOULES, PERCENT};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, report::report,
-    said_of, usual_mpa,
+    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, number,
+    report::report, said_of, usual_mpa,
 };
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -28,7 +30,7 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
     /// pressure
@@ -41,16 +43,16 @@ pub struct BuildRequest {
     #[arg(long)]
     pub fitting: Option<String>,
     /// Bolt of the eye [by the load of the end]
-    #[arg(long = "bolt", value_name = "DIAMETER", value_parser = crate::flags::bolt)]
+    #[arg(long, value_name = "DIAMETER", value_parser = flags::bolt)]
     pub bolt_mm: Option<Length>,
     /// Diameter of the sleeve as it comes off the roll [nominal diameter]
-    #[arg(long = "sleeve-diameter", value_name = "DIAMETER")]
+    #[arg(long, value_name = "DIAMETER")]
     pub sleeve_diameter_mm: Option<Length>,
     /// Add the report to the files.
     #[arg(skip)]
     pub report: bool,
     /// Contraction of the state in the report [half the free contraction]
-    #[arg(short = 'e', long, allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Contraction>,
     /// Units of the report: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
@@ -109,6 +111,52 @@ pub struct BuildAnswer {
     /// The report, where one is wanted.
     #[serde(skip)]
     pub document: Option<Document>,
+}
+
+impl Show for BuildAnswer {
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let (length, cut, safety) = (u.length.digits(4), &self.cut, &self.safety);
+        let (sleeve, limits) = (&cut.sleeve, &self.limits);
+        let mut page = Page::default();
+        page.line(self.muscle.line(u));
+        page.rows(
+            Rows::default()
+                .quantity("working pressure", &u.pressure, safety.pressure_mpa)
+                .quantity("blocked force", &u.force.digits(4), self.blocked_force_n)
+                .quantity("free contraction", &PERCENT, self.free_contraction)
+                .quantity("tube to cut", &length, cut.tube_mm)
+                .quantity("sleeve on the tube", &length, sleeve.mounted_mm)
+                .quantity("sleeve to cut", &length, sleeve.relaxed_mm)
+                .quantity("at its diameter of", &length, sleeve.relaxed_diameter_mm)
+                .quantity("plugs", &length, self.plug_diameter_mm)
+                .quantity("bolt", &length, self.bolt_mm)
+                .quantity("burst pressure", &u.pressure, limits.burst_pressure_mpa)
+                .quantity("allowed pressure", &u.pressure, limits.allowed_pressure_mpa)
+                .quantity(
+                    "proof test, with water",
+                    &u.pressure,
+                    safety.proof_pressure_mpa,
+                )
+                .quantity("energy of the air", &JOULES.digits(2), safety.air_energy_j),
+        );
+        page.gap();
+        page.table(
+            Table::of(&self.parts)
+                .text("part", |part| &part.part)
+                .text("amount", |part| &part.amount)
+                .text("sold as", |part| part.sold_as.as_ref())
+                .text("mass [g]", |part| Some(number(part.mass_g?, 3))),
+        );
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self)
+    }
 }
 
 /// The file of the report.

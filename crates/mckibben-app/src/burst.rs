@@ -149,7 +149,13 @@ impl PressureLimits {
         self.rows_with("", u)
     }
 
-    /// The same with a note behind the burst pressure.
+    /// The same as lines.
+    pub(crate) fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
+        let rows = self.rows(u).into_iter();
+        rows.map(|(name, value)| format!("{name} {value}"))
+    }
+
+    /// The rows with a note behind the burst pressure.
     pub(crate) fn rows_with(&self, note: &str, u: &Units) -> Rows {
         let burst = self.burst_pressure_mpa.map(|p| {
             let by = self.burst_by.map(|by| format!("; there {by}"));

@@ -1,7 +1,9 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
 //! from a plan, on disk.
 
-use crate::flags::Args;
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{Problem, ProblemKind, Result, TextFile};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{
@@ -17,7 +19,7 @@ use std::path::{Path, PathBuf};
 #[command(next_help_heading = "Question")]
 pub struct CampaignRequest {
     /// Plan file (TOML)
-    #[arg(value_name = "PLAN.toml", value_parser = crate::flags::file, required = true)]
+    #[arg(value_name = "PLAN.toml", value_parser = flags::file, required = true)]
     pub plan: Option<TextFile>,
     /// Output table: one file, FILE.parquet, or a folder of parts, DIR/
     ///
@@ -28,7 +30,7 @@ pub struct CampaignRequest {
     #[arg(long, value_name = "i/n")]
     pub shard: Option<String>,
     /// Number of threads [one per core]; the table does not depend on it
-    #[arg(long, value_name = "N", value_parser = crate::flags::between::<1, 1024>)]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1024>)]
     pub threads: Option<usize>,
     /// Overwrite a file at `output` that is not of this plan.
     #[arg(skip)]
@@ -109,7 +111,7 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 #[command(next_help_heading = "Question")]
 pub struct CampaignStatusRequest {
     /// The folder of parts
-    #[arg(value_name = "DIR")]
+    #[arg(id = "folder", value_name = "DIR")]
     pub output: PathBuf,
 }
 

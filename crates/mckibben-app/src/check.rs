@@ -27,7 +27,7 @@ use std::collections::BTreeMap;
 #[command(next_help_heading = "Question")]
 pub struct CheckRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Only its data and what follows from them: no model is evaluated.
     #[arg(skip)]

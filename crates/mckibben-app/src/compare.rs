@@ -1,6 +1,8 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
-use crate::flags::Args;
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{AskFields, Contractions, NameOrFile};
 use crate::{
     DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
@@ -28,31 +30,20 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct CompareRequest {
     /// Models, by name or the file of a formula [fe,paper,thick-wall,ideal]
-    #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::model(), hide_possible_values = true)]
+    #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = flags::model(), hide_possible_values = true)]
     pub models: Vec<NameOrFile>,
     /// Measured points.
     #[serde(flatten)]
     #[command(flatten)]
     pub tables: DataFields,
     /// Constants to fit to the points, for each model
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::word::<FitConstant>(), requires = "data")]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>(), requires = "data")]
     pub fit: Vec<FitConstant>,
     /// Pressures, where there are no measured points [0.05..0.25:0.05]
-    #[arg(
-        short,
-        long = "pressure",
-        value_name = "RANGE",
-        conflicts_with = "data"
-    )]
+    #[arg(short, long, conflicts_with = "data")]
     pub pressures_mpa: Option<List<Pressure>>,
     /// Contraction ratios ΔL/L0, likewise [0..0.2:0.01]
-    #[arg(
-        short = 'e',
-        long = "contraction",
-        value_name = "RANGE",
-        conflicts_with = "data",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'e', long, conflicts_with = "data")]
     pub contractions: Option<Contractions>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
@@ -64,13 +55,13 @@ pub struct CompareRequest {
     pub mesh: MeshFields,
     /// Which branch of measured hysteresis; models of a muscle that states its friction answer on
     /// the same one
-    #[arg(long, value_parser = crate::flags::word::<Direction>(), default_value = "mean", hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<Direction>(), default_value = "mean", help_heading = "Advanced")]
     pub branch: Direction,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
@@ -120,6 +111,12 @@ pub struct CompareAnswer {
     /// The figure, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
+    /// Which branch of measured hysteresis was requested.
+    #[serde(skip)]
+    pub branch: Direction,
+    /// Whether constants were to be fitted.
+    #[serde(skip)]
+    pub is_fitted: bool,
 }
 
 /// A model and its errors, model − reference.
@@ -308,6 +305,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
         warnings: Warning::gravest(&warned),
         figure,
+        branch: request.branch,
+        is_fitted: !request.fit.is_empty(),
     })
 }
 

@@ -1,7 +1,9 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
+mod page;
+
 use crate::Contractions;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
     QuestionFields, Result, Units, check_both, figure, finite, load::loaded, pull, put_first,
@@ -34,28 +36,18 @@ use serde::{Deserialize, Serialize, Serializer};
 #[command(next_help_heading = "Question")]
 pub struct CurveRequest {
     /// Which test
-    #[arg(value_parser = crate::flags::word::<Test>())]
+    #[arg(value_parser = flags::word::<Test>())]
     pub test: Test,
     /// Gauge pressures [isobaric 0.05..0.25:0.05, else 0..0.25:0.01]
-    #[arg(short, long = "pressure", value_name = "RANGE")]
+    #[arg(short, long)]
     pub pressures_mpa: Option<List<Pressure>>,
     /// Contraction ratios ΔL/L0 [from 0 to the free contraction at the highest pressure]
     ///
     /// Or to the end of the model's range: isobaric by 0.01, isometric by 0.05.
-    #[arg(
-        short = 'e',
-        long = "contraction",
-        value_name = "RANGE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'e', long)]
     pub contractions: Option<Contractions>,
     /// Pulls of an isotonic test [20,80,150]
-    #[arg(
-        short = 'F',
-        long = "force",
-        value_name = "RANGE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'F', long)]
     pub forces_n: Option<List<Force>>,
     /// A load in an isobaric test: its equilibria at each pressure, and its line in the figure.
     #[serde(flatten)]
@@ -536,9 +528,13 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     })
 }
 
-/// The points of all curves, row by row.
 fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(panels.iter().flat_map(|panel| {
+    serializer.collect_seq(study_rows(panels))
+}
+
+/// The points of all curves, row by row.
+fn study_rows(panels: &[StudyPanel]) -> impl Iterator<Item = StudyRow> {
+    panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {
                 point: point.into(),
@@ -548,5 +544,5 @@ fn study_points<S: Serializer>(panels: &[StudyPanel], serializer: S) -> Result<S
                 wall_mm: curve.wall_mm,
             })
         })
-    }))
+    })
 }

@@ -1,7 +1,9 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::Contraction;
-use crate::flags::Args;
+use crate::flags::{self, Args};
+use crate::print::{Csv, Page, Rows, Show, Table};
+use crate::units::{NEWTON_METRES, PERCENT, Scale, Units};
 use crate::{
     BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
     QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
@@ -21,11 +23,11 @@ use std::path::Path;
 #[command(next_help_heading = "Question")]
 pub struct ExportRequest {
     /// Target; `--list` describes them
-    #[arg(long = "as", value_name = "TARGET", value_parser = crate::flags::targets())]
+    #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
     /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
     /// lower]
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure
@@ -42,12 +44,7 @@ pub struct ExportRequest {
     /// Length of a rope or rod between the muscle and what it pulls [0]
     ///
     /// Lengths of the files are those of both.
-    #[arg(
-        long = "cord",
-        value_name = "LENGTH",
-        default_value = "0mm",
-        hide_default_value = true
-    )]
+    #[arg(long, default_value = "0mm", hide_default_value = true)]
     pub cord_mm: Length,
     /// Name of the muscle in the files [that of the muscle file]
     #[arg(long)]
@@ -82,6 +79,52 @@ pub struct ExportAnswer {
     pub warnings: Vec<String>,
 }
 
+impl Show for ExportAnswer {
+    fn page(&self, u: &Units) -> Page {
+        let (exported, errors) = (&self.exported, &self.exported.errors);
+        let (share, error) = (&PERCENT, &PERCENT.digits(2));
+        let pull = (exported.blocked_force_n, exported.uncertainty_n);
+        let rows = Rows::default()
+            .text("model", &exported.model)
+            .quantity(
+                "supply pressure",
+                &u.pressure,
+                exported.bounds.supply_pressure_mpa,
+            )
+            .quantity("contraction from", share, exported.bounds.contraction_low)
+            .quantity("to", share, exported.bounds.contraction_high)
+            .quantity("blocked force", &u.force, pull)
+            .quantity("error of the pull, rms", error, errors.force_rms)
+            .quantity("at 95 % of points", error, errors.force_95_ratio)
+            .quantity("largest", error, errors.force_worst_ratio)
+            .quantity("error of the volume, rms", error, errors.volume_rms)
+            .quantity("largest", error, errors.volume_worst_ratio)
+            .text("needs", &self.needs)
+            .text("loses", &self.loses);
+        let mut page = Page::default();
+        page.line(self.muscle.line(u));
+        written(&mut page, rows, &self.files, &self.warnings);
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self).with_warnings(&self.warnings)
+    }
+}
+
+/// The files of a target, and what is said of them.
+fn written(page: &mut Page, rows: Rows, files: &[BuiltFile], warnings: &[String]) {
+    page.rows(rows);
+    page.gap();
+    page.table(
+        Table::of(files)
+            .text("file", |file| &file.name)
+            .text("what it is", |file| &file.about),
+    );
+    page.gap();
+    page.lines(warnings.iter().map(|warning| format!("note: {warning}")));
+}
+
 /// The targets of `export`.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
@@ -92,6 +135,24 @@ pub struct ExportListRequest {}
 pub struct ExportListAnswer {
     /// One for each host.
     pub targets: Vec<Target>,
+}
+
+impl Show for ExportListAnswer {
+    fn page(&self, _: &Units) -> Page {
+        let mut page = Page::default();
+        page.table(
+            Table::of(&self.targets)
+                .text("target", |target| target.name)
+                .text("what it is", |target| target.about)
+                .text("needs", |target| target.needs)
+                .text("loses", |target| target.loses),
+        );
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(&self.targets)
+    }
 }
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
@@ -190,7 +251,7 @@ pub struct ExportJointRequest {
     #[arg(long = "as")]
     pub target: Option<String>,
     /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
-    #[arg(long = "pressure")]
+    #[arg(long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure.
@@ -216,6 +277,30 @@ pub struct ExportJointAnswer {
 }
 
 /// A joint as files.
+impl Show for ExportJointAnswer {
+    fn page(&self, _: &Units) -> Page {
+        let (exported, mut page) = (&self.exported, Page::default());
+        let rows = Rows::default()
+            .text("target", &self.target)
+            .quantity(
+                "error of the torque, at most",
+                &NEWTON_METRES,
+                exported.torque_error_nm,
+            )
+            .quantity(
+                "of the stiffness",
+                &Scale::fixed("N m/rad"),
+                exported.stiffness_error_nm_per_rad,
+            );
+        written(&mut page, rows, &self.files, &self.warnings);
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::flat(self).with_warnings(&self.warnings)
+    }
+}
+
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = target_of(request.target.as_deref())?;
     let joint = request.joint.resolve()?;

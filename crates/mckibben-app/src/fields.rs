@@ -1,7 +1,7 @@
 //! Fields that requests share.
 
 use crate::Problem;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 pub use crate::muscle_fields::{Measures, MuscleFields};
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
@@ -74,7 +74,7 @@ pub struct DataFields {
     /// forces, with units; may be repeated
     ///
     /// Of tests of a rubber: stretches, strains or extensions and stresses or forces.
-    #[arg(long, value_name = "FILE.csv", value_parser = crate::flags::table)]
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table)]
     pub data: Vec<TextFile>,
     /// Quantity and unit of columns: QUANTITY="HEADING:UNIT",…
     ///
@@ -150,7 +150,7 @@ pub struct UnderstoodTable {
 impl UnderstoodTable {
     /// One line for people: `bench.csv: 45 points; P1 → pressure (kPa), …`.
     pub fn line(&self) -> String {
-        format!("{}: {}", self.data, self.table.line())
+        format!("{}: {}", self.data, self.table.line()).replace('\n', "\\n")
     }
 }
 
@@ -162,7 +162,7 @@ pub struct ModelFields {
     /// Force model [fe]
     ///
     /// A name (`mckibben parts list models`), or the JSON file of a fitted formula.
-    #[arg(id = "model", long = "model", value_name = "NAME", value_parser = crate::flags::model(), hide_possible_values = true)]
+    #[arg(id = "model", long = "model", value_name = "NAME", value_parser = flags::model(), hide_possible_values = true)]
     pub name: Option<NameOrFile>,
     /// The mesh of finite elements.
     #[serde(flatten)]
@@ -224,13 +224,13 @@ pub struct MeshFields {
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly
     #[serde(rename = "match")]
-    #[arg(long = "match", value_name = "WHAT", value_parser = crate::flags::word::<Match>(), default_value = "length", hide_short_help = true)]
+    #[arg(long = "match", value_name = "WHAT", value_parser = flags::word::<Match>(), default_value = "length", hide_short_help = true)]
     pub keep: Match,
     /// Terminal of `fe3d` that is a body [none, a rigid plane]
     ///
     /// `rigid` or `aluminium` (a plug), with its insertion and the radius of its nose behind:
     /// aluminium:20mm:3mm.
-    #[arg(long, value_name = "WORD:MM:MM", value_parser = crate::flags::terminal, hide_short_help = true)]
+    #[arg(long, value_name = "WORD:MM:MM", value_parser = flags::terminal, hide_short_help = true)]
     pub terminal: Option<Plug>,
 }
 
@@ -248,6 +248,6 @@ pub struct AskFields {
     /// Branch of the friction hysteresis: contraction to lift, elongation to lower
     ///
     /// The friction is that of the muscle, or else estimated.
-    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = crate::flags::word::<Direction>(), default_value = "mean", hide_short_help = true)]
+    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), default_value = "mean", hide_short_help = true)]
     pub direction: Direction,
 }

@@ -1,6 +1,6 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::print::{Csv, Page, Rows, Show, sentences};
 use crate::units::{JOULES, MEGAPASCALS, PERCENT};
 use crate::{
@@ -21,14 +21,14 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct FillRequest {
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe)
-    #[arg(long = "volume", value_name = "VOLUME", value_parser = crate::flags::volume)]
+    #[arg(long, value_parser = flags::volume)]
     pub volume_mm3: Option<Volume>,
     /// What the muscle works against; without it the muscle is free.
     #[serde(flatten)]
     #[command(flatten)]
     pub load: LoadFields,
     /// Contraction at which it is held; with a load: its stop
-    #[arg(short = 'e', long, allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Contraction>,
     /// The liquid.
     #[serde(flatten)]
@@ -174,7 +174,7 @@ pub struct LiquidFields {
     #[arg(long = "gas", value_name = "SHARE")]
     pub gas_share: Option<Ratio>,
     /// Volume of line, fittings and what stays in the syringe [0]
-    #[arg(long = "dead-volume", value_name = "VOLUME", value_parser = crate::flags::volume)]
+    #[arg(long, value_parser = flags::volume)]
     pub dead_volume_mm3: Option<Volume>,
     /// Bulk modulus of the liquid without gas, in place of that of the table
     #[arg(long = "bulk-modulus", value_name = "MODULUS", hide_short_help = true)]

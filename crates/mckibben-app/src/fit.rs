@@ -1,7 +1,9 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
+mod page;
+
 use crate::NameOrFile;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     Model, MuscleFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
 };
@@ -35,28 +37,28 @@ pub struct FitRequest {
     #[arg(skip)]
     pub campaign: Option<PathBuf>,
     /// Fitting method
-    #[arg(long, value_parser = crate::flags::word::<FitMethod>(), default_value = "paper")]
+    #[arg(long, value_parser = flags::word::<FitMethod>(), default_value = "paper")]
     pub method: FitMethod,
     /// Diameters D0 to leave out of the fit, to test it
-    #[arg(long = "hold-out", value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE")]
     pub hold_out_mm: Option<List<Length>>,
     /// Name of the formula in answers [that of the method]
     #[arg(long)]
     pub name: Option<String>,
     /// Rubber of the muscles, if the table does not state it [paper]
-    #[arg(long, value_name = "NAME", value_parser = crate::flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
+    #[arg(long, value_name = "NAME", value_parser = flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
     pub rubber: Option<String>,
     /// Braid of the muscles, if the table does not state it [paper]
-    #[arg(long, value_name = "STIFFNESS", value_parser = crate::flags::stiffness, help_heading = "Muscle")]
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
     pub stiffness: Option<Stiffness>,
     /// Muscle file with the rubber and the braid
-    #[arg(long, value_name = "FILE", value_parser = crate::flags::muscle_file, help_heading = "Muscle")]
+    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
     /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
-    #[arg(long, value_parser = crate::flags::word::<ThinRule>(), default_value = "leave-out", hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<ThinRule>(), default_value = "leave-out", help_heading = "Advanced")]
     pub thin_rule: ThinRule,
     /// Treatment of points where the muscle would have to push, in the paper's method
-    #[arg(long, value_parser = crate::flags::word::<SlackRule>(), default_value = "two-sided", hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_parser = flags::word::<SlackRule>(), default_value = "two-sided", help_heading = "Advanced")]
     pub slack_rule: SlackRule,
     /// Add the intermediate tables of the paper's method to the answer.
     #[arg(skip)]

@@ -1,6 +1,8 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
-use crate::flags::Args;
+pub(crate) mod page;
+
+use crate::flags::{self, Args};
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
     TextFile, UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
@@ -36,16 +38,10 @@ pub struct IdentifyRequest {
     pub tables: DataFields,
     /// Pressures over time of another instrument, where the data have times, contractions and
     /// pulls: joined by time
-    #[arg(long, value_name = "FILE.csv", value_parser = crate::flags::table, requires = "data", hide_short_help = true)]
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table, requires = "data", hide_short_help = true)]
     pub log: Option<TextFile>,
     /// Seconds to add to the times of the log [found where the pull follows the pressure]
-    #[arg(
-        long = "log-offset",
-        value_name = "TIME",
-        requires = "log",
-        allow_hyphen_values = true,
-        hide_short_help = true
-    )]
+    #[arg(long, requires = "log", hide_short_help = true)]
     pub log_offset_s: Option<Time>,
     /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and
     /// friction if the data determine them]
@@ -85,22 +81,17 @@ pub struct IdentifyRequest {
     #[command(flatten)]
     pub model: ModelFields,
     /// Weight of each data set [1]
-    #[arg(
-        long,
-        value_name = "LIST",
-        help_heading = "Advanced",
-        hide_short_help = true
-    )]
+    #[arg(long, value_name = "LIST", help_heading = "Advanced")]
     pub weights: Option<List<Ratio>>,
     /// Treatment of the branches of the hysteresis
-    #[arg(long, value_parser = crate::flags::word::<Branches>(), default_value = "mean", help_heading = "Advanced", hide_short_help = true)]
+    #[arg(long, value_parser = flags::word::<Branches>(), default_value = "both", help_heading = "Advanced")]
     pub branches: Branches,
     /// Use points with a force of zero or below as measurements; by default the muscle counts as
     /// slack there
-    #[arg(long, help_heading = "Advanced", hide_short_help = true)]
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
     /// Loss function of the residuals
-    #[arg(long, value_parser = crate::flags::word::<Loss>(), default_value = "squares", help_heading = "Advanced", hide_short_help = true)]
+    #[arg(long, value_parser = flags::word::<Loss>(), default_value = "squares", help_heading = "Advanced")]
     pub loss: Loss,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]

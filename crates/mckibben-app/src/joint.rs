@@ -1,7 +1,9 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
 //! against each other.
 
-use crate::flags::Args;
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of,
@@ -16,7 +18,7 @@ use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, siz
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, fmt, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -71,30 +73,30 @@ pub struct JointRequest {
     #[arg(skip)]
     pub joint: JointFields,
     /// Pressures of the muscles, such as 2bar,1bar; may be repeated for a family
-    #[arg(short, long = "pressure", value_name = "PRESSURES")]
+    #[arg(short, long, value_name = "PRESSURES")]
     pub pressures_mpa: Vec<List<Pressure>>,
     /// Angles from the neutral one
-    #[arg(long = "angle", value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     pub angles_deg: Option<List<Angle>>,
     /// Torque: without pressures the required torque [0]; with pressures alone an external torque
     /// that turns to +
-    #[arg(long = "torque", value_name = "TORQUE", allow_hyphen_values = true)]
+    #[arg(long)]
     pub torque_nm: Option<Torque>,
     /// Required stiffness [the lowest pressures]
-    #[arg(long = "stiffness", value_name = "STIFFNESS")]
+    #[arg(long)]
     pub stiffness_nm_per_rad: Option<AngularStiffness>,
     /// Supply pressure, for computed pressures and for the map [6bar]
-    #[arg(long = "max-pressure", value_name = "PRESSURE")]
+    #[arg(long)]
     pub max_pressure_mpa: Option<Pressure>,
     /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle
-    #[arg(long, value_name = "N", value_parser = crate::flags::between::<2, 65535>)]
+    #[arg(long, value_name = "N", value_parser = flags::between::<2, 65535>)]
     pub map: Option<usize>,
     /// The model.
     #[serde(deserialize_with = "ModelFields::or_name")]
     #[command(flatten)]
     pub model: ModelFields,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Leave out P′ of the muscles, the pressures below which they are slack, which takes most of
     /// the time.
@@ -503,6 +505,12 @@ pub enum RestWord {
     Limit,
     /// No torque acts, and it rests at any angle near this one.
     Loose,
+}
+
+impl fmt::Display for RestWord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// A joint's answer.

@@ -24,6 +24,8 @@
 //! Units: mm, MPa (= N/mm²), N.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
+// What only flags use.
+#![cfg_attr(not(feature = "clap"), allow(unused_imports))]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod braid;

@@ -1,6 +1,8 @@
 //! `validate --measured`: the validation report of every measured case: the errors of each fit at
 //! fitted points and at predicted points.
 
+mod page;
+
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};

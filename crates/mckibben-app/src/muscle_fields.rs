@@ -2,7 +2,7 @@
 //! [`mckibben::muscle::measures`].
 
 use crate::fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or};
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{Problem, ProblemKind};
 use mckibben::muscle::measures::{
     ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields,
@@ -28,11 +28,11 @@ pub struct MuscleFields {
     /// `lib:NAME` is a muscle of the library (`mckibben parts list muscles`), `paper` that of the
     /// paper.
     #[serde(deserialize_with = "name_or_file")]
-    #[arg(value_name = "MUSCLE.toml", value_parser = crate::flags::muscle_file)]
+    #[arg(value_name = "MUSCLE.toml", value_parser = flags::muscle_file)]
     pub file: Option<TextFile>,
     /// Muscle file, same as [MUSCLE.toml]
     #[serde(skip)]
-    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = crate::flags::muscle_file, conflicts_with = "file", hide_short_help = true)]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "file", hide_short_help = true)]
     pub also_file: Option<TextFile>,
     /// Measures in place of what the file says.
     #[serde(flatten)]
@@ -45,26 +45,22 @@ pub struct MuscleFields {
     ///
     /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 %
     /// (s100:0.6MPa), or the rubber of a muscle file.
-    #[arg(long, value_name = "NAME", value_parser = crate::flags::rubber(), hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = flags::rubber(), hide_possible_values = true)]
     pub rubber: Option<NameOrFile>,
     /// Sleeve (`mckibben parts list sleeves`) [none]
     ///
     /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
     /// and largest diameter.
-    #[arg(long, value_name = "NAME", value_parser = crate::flags::sleeves(), hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = flags::sleeves(), hide_possible_values = true)]
     pub braid: Option<String>,
     /// Diameter of one strand of a named sleeve, if its source does not state it
-    #[arg(
-        long = "strand-diameter",
-        value_name = "DIAMETER",
-        hide_short_help = true
-    )]
+    #[arg(long, value_name = "DIAMETER", hide_short_help = true)]
     pub strand_diameter_mm: Option<Length>,
     /// Stiffness of one strand family, in N/mm [paper]
     ///
     /// Or `inextensible`, or `paper`.
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]
-    #[arg(long, value_name = "STIFFNESS", value_parser = crate::flags::stiffness)]
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness)]
     pub stiffness: Option<Stiffness>,
     /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
     ///

@@ -1,7 +1,9 @@
 //! `parts list` and `parts show`: everything with a name: tubes, sleeves and rubbers that one can
 //! buy or cast, measured muscles, force models.
 
-use crate::flags::Args;
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
     RubberDetails, RubberSummary, TextFile, library_details, library_muscles, rubber_details,
@@ -39,10 +41,10 @@ pub enum PartKind {
 #[command(next_help_heading = "Question")]
 pub struct PartsListRequest {
     /// Only one kind
-    #[arg(value_parser = crate::flags::word::<PartKind>())]
+    #[arg(value_parser = flags::word::<PartKind>())]
     pub kind: Option<PartKind>,
     /// Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`
-    #[arg(long, value_name = "FILE.toml", value_parser = crate::flags::file)]
+    #[arg(long, value_name = "FILE.toml", value_parser = flags::file)]
     pub parts: Option<TextFile>,
 }
 
@@ -59,6 +61,9 @@ pub struct PartsListAnswer {
     pub muscles: Vec<LibraryMuscle>,
     /// Force models.
     pub models: Vec<ModelEntry>,
+    /// The kind, where only one was requested.
+    #[serde(skip)]
+    pub kind: Option<PartKind>,
 }
 
 /// What has a name.
@@ -67,7 +72,7 @@ pub struct PartsListAnswer {
 #[command(next_help_heading = "Question")]
 pub struct PartShowRequest {
     /// Name; of a rubber also NAME:LAW
-    #[arg(value_parser = crate::flags::parts(), hide_possible_values = true)]
+    #[arg(value_parser = flags::parts(), hide_possible_values = true)]
     pub name: String,
 }
 
@@ -195,6 +200,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
         } else {
             vec![]
         },
+        kind: request.kind,
     })
 }
 

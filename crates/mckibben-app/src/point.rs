@@ -25,10 +25,10 @@ use serde::{Deserialize, Serialize};
 #[command(next_help_heading = "Question")]
 pub struct ForceRequest {
     /// Gauge pressure
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Contraction ratio ΔL/L0 [0]
-    #[arg(short = 'e', long, allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Contraction>,
     /// Both branches of the friction hysteresis
     #[arg(long)]
@@ -45,15 +45,10 @@ pub struct ForceRequest {
 #[command(next_help_heading = "Question")]
 pub struct PressureRequest {
     /// Pull
-    #[arg(
-        short = 'F',
-        long = "force",
-        value_name = "FORCE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// Contraction ratio ΔL/L0 [0]
-    #[arg(short = 'e', long, allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Contraction>,
     /// Both branches of the friction hysteresis
     #[arg(long)]
@@ -70,15 +65,10 @@ pub struct PressureRequest {
 #[command(next_help_heading = "Question")]
 pub struct ContractionRequest {
     /// Gauge pressure
-    #[arg(short, long = "pressure", value_name = "PRESSURE")]
+    #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Pull [0]
-    #[arg(
-        short = 'F',
-        long = "force",
-        value_name = "FORCE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// A load in place of the pull: the contraction at which muscle and load are in balance.
     #[serde(flatten)]

@@ -221,7 +221,7 @@ impl From<&'static Measure> for MeasureEntry {
             label: m.label,
             symbol: Some(m.symbol).filter(|s| !s.is_empty()),
             // A strain may be a percentage.
-            quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.kind.is_none()),
+            quantity: Some(m.dimension).filter(|_| !m.is_plain() || m.is_share),
             unit: Some(m.unit()).filter(|unit| !unit.is_empty()),
             above: end("above"),
             minimum: end("minimum"),

@@ -1,6 +1,8 @@
 //! `rubber`: laws from tension tests.
 
-use crate::flags::Args;
+mod page;
+
+use crate::flags::{self, Args};
 use crate::{
     Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
     muscle_of, readable,
@@ -32,53 +34,48 @@ pub struct RubberFitRequest {
     #[command(flatten)]
     pub tables: DataFields,
     /// Laws by name, or `all` [all that the points determine]
-    #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::laws())]
+    #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = flags::laws())]
     pub laws: Vec<String>,
     /// Leave out points beyond this stretch (3) or strain (200%)
-    #[arg(long = "up-to", value_name = "STRETCH", value_parser = crate::flags::stretch)]
+    #[arg(long = "up-to", value_name = "STRETCH", value_parser = flags::stretch)]
     pub up_to_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, from a column of times
     ///
     /// One specimen, uniaxial, from rest on. Of the one law of `laws`, else of the recommended one.
-    #[arg(long, value_name = "N", value_parser = crate::flags::between::<1, 8>)]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 8>)]
     pub relaxation: Option<usize>,
     /// Fit softening by Ogden and Roxburgh as well, from a column of times that begins with the
     /// first loading
     #[arg(long)]
     pub softening: bool,
     /// Muscle that receives the rubber [the prototype]
-    #[arg(long, value_name = "FILE", value_parser = crate::flags::muscle_file, help_heading = "Muscle")]
+    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
     /// Name of the rubber in the muscle file [that of the first table]
     #[arg(long, help_heading = "Muscle")]
     pub name: Option<String>,
     /// Terms of `ogden` [1, 2 and 3]
-    #[arg(long, value_name = "N", value_parser = crate::flags::between::<1, 3>, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 3>, help_heading = "Advanced")]
     pub terms: Option<usize>,
     /// Modes to fit [all]
     ///
     /// The others are held out, and the answer gives the errors of each law there.
-    #[arg(long = "fit-mode", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::word::<Mode>(), hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long = "fit-mode", value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<Mode>(), help_heading = "Advanced")]
     pub fit_modes: Vec<Mode>,
     /// Minimise relative differences: small stretches count as much as large ones
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub relative: bool,
     /// Give every mode the same weight, whatever its number of points
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub balance: bool,
     /// Weights of the modes: uniaxial=1,equibiaxial=2
-    #[arg(long, value_name = "LIST", value_parser = weights, default_value = "", hide_default_value = true, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, value_name = "LIST", value_parser = weights, default_value = "", hide_default_value = true, help_heading = "Advanced")]
     pub weights: BTreeMap<Mode, f64>,
     /// Fit only laws that stay stable in a muscle
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub stable: bool,
     /// Hoop stretch of the muscle up to which a law must be stable [3]
-    #[arg(
-        long,
-        value_name = "STRETCH",
-        hide_short_help = true,
-        help_heading = "Advanced"
-    )]
+    #[arg(long, value_name = "STRETCH", help_heading = "Advanced")]
     pub hoop_stretch: Option<f64>,
     /// Add a figure to the answer.
     #[arg(skip)]
@@ -130,7 +127,7 @@ pub struct RubberFitAnswer {
 
 /// A constant with the law that it belongs to: a row of a table.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct ConstantRow {
+struct ConstantRow {
     law: String,
     constrained: bool,
     recommended: bool,
@@ -155,7 +152,7 @@ impl RubberFitAnswer {
     }
 
     /// The constants of all laws, one row each.
-    pub fn constants(&self) -> Vec<ConstantRow> {
+    fn constants(&self) -> Vec<ConstantRow> {
         let rows = |law: &FittedLaw| {
             let recommended = self.is_recommended(law);
             let row = |p: &Parameter| ConstantRow {

@@ -1,5 +1,7 @@
 //! `validate`: verification against exact values, validation against measured muscles.
 
+mod page;
+
 use crate::flags::Args;
 use crate::{Model, Result};
 use mckibben::{joint, muscle::Muscle, progress::Progress, verification::VerificationRow};
@@ -24,6 +26,9 @@ pub struct ValidateRequest {
 pub struct ValidateAnswer {
     /// The cases.
     pub cases: Vec<VerificationRow>,
+    /// Whether the page has their sources, which need room.
+    #[serde(skip)]
+    pub has_sources: bool,
 }
 
 impl ValidateAnswer {
@@ -46,5 +51,8 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
         &|muscle: &Muscle| Model::FE.build(muscle),
         progress,
     )?);
-    Ok(ValidateAnswer { cases: rows })
+    Ok(ValidateAnswer {
+        cases: rows,
+        has_sources: false,
+    })
 }

@@ -3,6 +3,7 @@
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
 use mckibben::units::trimmed;
+use std::path::Path;
 
 /// A number with so many significant digits, without an exponent where it is short without.
 pub fn number(v: f64, digits: usize) -> String {
@@ -94,6 +95,16 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
             .map_or_else(|| "–".into(), |v| fixed(v, decimals))
     };
     column.iter().map(one).collect()
+}
+
+/// Texts with commas between.
+pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
+    texts.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// The name of a file, on one line.
+pub fn place(path: &Path) -> String {
+    path.display().to_string().replace('\n', "\\n")
 }
 
 /// A ratio as a percentage; rounding errors about zero are zero.

@@ -5,7 +5,8 @@ use crate::commands::{
     motion, parts, point, rubber, schema, serve, simulate, validate,
 };
 use crate::{Format, Problem};
-use clap::{ArgAction, CommandFactory, Parser, Subcommand};
+use clap::{Arg, ArgAction, CommandFactory, Parser, Subcommand};
+use mckibben::units::NamedUnit;
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the \
     computation did not converge; 130 ended by a signal.";
@@ -158,18 +159,50 @@ pub fn command() -> clap::Command {
     with_short_help("mckibben", root)
 }
 
-/// Gives the commands below one their short help.
+/// A quantity's flag is its field without the unit, and of a list in the singular: `pressures_mpa` is
+/// `--pressure`. What is advanced is in the long help alone.
+fn with_usual_name(arg: Arg) -> Arg {
+    let is_advanced = arg.get_help_heading() == Some("Advanced") && arg.get_id() != "model";
+    let arg = if is_advanced {
+        arg.hide_short_help(true)
+    } else {
+        arg
+    };
+    let id = arg.get_id().to_string();
+    let of_field = arg.get_long() == Some(&*id.replace('_', "-"));
+    let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
+        return arg;
+    };
+    let end = dimension
+        .end_of_name()
+        .map_or(String::new(), |end| format!("_{end}"));
+    let name = id.strip_suffix(&end).unwrap_or(&id).replace('_', "-");
+    let one = name.strip_suffix('s').filter(|one| !one.ends_with('s'));
+    let arg = arg.allow_hyphen_values(true);
+    let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
+    let value = one.map_or_else(|| noun.to_uppercase(), |_| "RANGE".to_owned());
+    let is_usual = |names: &[clap::builder::Str]| names == [&*id.to_uppercase()];
+    let arg = match arg.get_value_names().is_some_and(is_usual) {
+        true => arg.value_name(value),
+        false => arg,
+    };
+    match of_field {
+        true => arg.long(one.unwrap_or(&name).to_owned()),
+        false => arg,
+    }
+}
+
+/// Gives the commands below one their names and their short help.
 fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
     for name in names(&command) {
         let path = format!("{path} {name}");
         command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
     }
+    command = command.mut_args(with_usual_name);
     let Some(examples) = command.get_after_long_help().map(ToString::to_string) else {
         return command;
     };
-    let hides = command
-        .get_arguments()
-        .any(clap::Arg::is_hide_short_help_set);
+    let hides = command.get_arguments().any(Arg::is_hide_short_help_set);
     command.after_help(match hides {
         true => {
             let first = first_example(&examples);

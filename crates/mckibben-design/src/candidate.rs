@@ -1,6 +1,6 @@
 //! One muscle held against a specification.
 
-use crate::limit::{Probe, Score};
+use crate::limits::check::{Probe, Score};
 use crate::trial::Trial;
 use crate::{Below, Limit, OperatingPoint};
 use mckibben::analysis::{Burst, Evaluation, burst};

@@ -1,6 +1,6 @@
 //! Two equal muscles and the pulley between them.
 
-use crate::limit::probe;
+use crate::limits::check::probe;
 use crate::line::{Merit, Sample, along, best_of, least, refine};
 use crate::run::searched;
 use crate::search::{COARSE_STEPS, Pick, Search, nice_steps};

@@ -4,7 +4,7 @@
 //! their intersection may be much narrower than the step from sample to sample. Between
 //! neighbouring roots nothing changes: one muscle in the middle tells.
 
-use super::limit::{Check, Probe, Score};
+use super::limits::check::{Check, Probe, Score};
 use mckibben::analysis::{Abscissa, find_root, golden};
 use std::cmp::Ordering;
 
@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 1e-7;
 /// A limit that all samples miss by more than this is not looked for between them.
 const NEARLY: f64 = 0.3;
 /// Steps towards a local minimum, or the best score.
-pub(super) const STEPS: usize = 12;
+pub const STEPS: usize = 12;
 /// Steps towards the least violation, which as a rule lies where one limit begins to be missed:
 /// there the others are known as well as that place.
 const STEPS_TO_LEAST: usize = 30;
@@ -23,20 +23,20 @@ const STEPS_TO_LEAST: usize = 30;
 const HALVINGS: usize = 14;
 
 /// Of a muscle that was not ranked.
-pub(super) const NO_SCORE: Score = [f64::INFINITY; 2];
+pub const NO_SCORE: Score = [f64::INFINITY; 2];
 
 /// A muscle of the line.
 #[derive(Debug, Clone)]
-pub(super) struct Sample {
-    pub(super) x: f64,
+pub struct Sample {
+    pub x: f64,
     /// By which share each limit is missed; empty where the muscle or the model gives no answer.
-    pub(super) excess: Vec<f64>,
-    pub(super) score: Score,
+    pub excess: Vec<f64>,
+    pub score: Score,
 }
 
 impl Sample {
     /// Of a muscle that was held against a specification; `None`: without an answer.
-    pub(super) fn new(x: f64, probe: Option<Probe>) -> Self {
+    pub fn new(x: f64, probe: Option<Probe>) -> Self {
         let held = |probe: Probe| {
             (
                 probe.checks.iter().map(Check::excess).collect(),
@@ -52,7 +52,7 @@ impl Sample {
     }
 
     /// The sum of the shares by which limits are missed: it is least where as few as possible are.
-    pub(super) fn violation(&self) -> f64 {
+    pub fn violation(&self) -> f64 {
         if self.answered() {
             self.excess.iter().map(|e| e.max(0.0)).sum()
         } else {
@@ -60,7 +60,7 @@ impl Sample {
         }
     }
 
-    pub(super) fn fits(&self) -> bool {
+    pub fn fits(&self) -> bool {
         self.violation() <= 0.0
     }
 }
@@ -68,13 +68,13 @@ impl Sample {
 /// How good a muscle is: the shares by which it misses its limits, then its score. The smaller the
 /// better.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub(super) struct Merit(f64, Score);
+pub struct Merit(f64, Score);
 
 impl Merit {
-    pub(super) const NONE: Merit = Merit(f64::INFINITY, NO_SCORE);
+    pub const NONE: Merit = Merit(f64::INFINITY, NO_SCORE);
 
     /// Of a muscle that misses by `violation`, or fits.
-    pub(super) fn new(violation: f64, score: Score) -> Self {
+    pub fn new(violation: f64, score: Score) -> Self {
         if violation > 0.0 {
             Self(violation, NO_SCORE)
         } else {
@@ -82,22 +82,22 @@ impl Merit {
         }
     }
 
-    pub(super) fn fits(self) -> bool {
+    pub fn fits(self) -> bool {
         self.0 <= 0.0
     }
 }
 
 /// What a line gave.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Found {
+pub struct Found {
     /// The intervals on which every limit holds, as far as they were looked for.
-    pub(super) fitting: Vec<(f64, f64)>,
+    pub fitting: Vec<(f64, f64)>,
     /// The best muscle among them, or the one that misses by least.
-    pub(super) best: Option<Sample>,
+    pub best: Option<Sample>,
 }
 
 /// Looks along `low..=high` in samples. With `first` it ends with the first interval that fits.
-pub(super) fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) -> Sample) -> Found {
+pub fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) -> Sample) -> Found {
     let mut found = Found::default();
     let mut samples: Vec<Sample> = vec![];
     for x in places(low, high) {
@@ -254,7 +254,7 @@ fn least_violation(samples: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Op
 }
 
 /// The best muscle of an interval that fits, by its score, after so many golden sections.
-pub(super) fn best_of(
+pub fn best_of(
     low: f64,
     high: f64,
     steps: usize,
@@ -271,13 +271,13 @@ pub(super) fn best_of(
 }
 
 /// The place in a list of the sample with the least merit, the first of those that are equal.
-pub(super) fn least<S, M: PartialOrd>(samples: &[S], merit: impl Fn(&S) -> M) -> Option<usize> {
+pub fn least<S, M: PartialOrd>(samples: &[S], merit: impl Fn(&S) -> M) -> Option<usize> {
     let order = |a: &usize, b: &usize| merit(&samples[*a]).partial_cmp(&merit(&samples[*b]));
     (0..samples.len()).min_by(|a, b| order(a, b).unwrap_or(Ordering::Equal))
 }
 
 /// Golden section about one of the samples, between its neighbours.
-pub(super) fn refine<S: Abscissa + Clone, M: PartialOrd>(
+pub fn refine<S: Abscissa + Clone, M: PartialOrd>(
     samples: &[S],
     i: usize,
     steps: usize,

@@ -1,9 +1,8 @@
 //! Why a muscle does not fit.
 
-use crate::Check;
+use crate::{Check, Show};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
-use mckibben::units::Dimension;
 use serde::Serialize;
 
 /// The bound that a muscle breaks.
@@ -18,7 +17,7 @@ pub enum Reason {
 impl Reason {
     /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30
     /// mm").
-    pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
+    pub fn describe(&self, show: Show<'_>) -> String {
         match self {
             Self::Limit(check) => check.describe(show),
             Self::Model(error) => error.to_string(),

@@ -1,145 +1,31 @@
 //! Where nothing fits: what to change, of each kind the smallest change that makes a muscle fit.
 
-use crate::limit::{Probe, probe_with};
+use crate::limits::AT_POINTS;
+use crate::limits::check::{Probe, probe_with};
+use crate::limits::pressure::PressureLimit;
+use crate::relaxation::{Change, EASED, three_digits};
 use crate::search::{Pick, Search};
-use crate::trial::{Below, Trial};
-use crate::{Build, Check, Limit, OperatingPoint, Spec, fits};
+use crate::trial::Trial;
+use crate::{Build, Check, Limit, Relaxation, Spec, fits};
 use mckibben::analysis::{Evaluation, Options, bisect, find_root};
 use mckibben::model::ModelError;
 use mckibben::muscle::Muscle;
 use mckibben::threads;
-use mckibben::units::{Values, rounded};
-use serde::Serialize;
 use std::collections::HashSet;
-
-/// A change of the specification with which a muscle fits.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-#[serde(tag = "relax", rename_all = "snake_case")]
-pub enum Relaxation {
-    /// Supply this pressure.
-    MaxPressure {
-        /// MPa.
-        pressure_mpa: f64,
-        /// Outside of the model's range.
-        extrapolated: bool,
-    },
-    /// Accept these pulls.
-    Force {
-        /// The share of what is wanted: of the pulls, of the load, or of the torques.
-        share: f64,
-        /// The operating points as they could be.
-        points: Vec<OperatingPoint>,
-    },
-    /// Accept these contractions.
-    Contraction {
-        /// The share of what is wanted: of the contractions, or of the stroke.
-        share: f64,
-        /// The operating points as they could be.
-        points: Vec<OperatingPoint>,
-    },
-    /// Take a wider tube with the same wall.
-    OuterDiameter {
-        /// mm.
-        outer_diameter_mm: f64,
-    },
-    /// Allow this diameter when bulged.
-    MaxBulgedDiameter { bulged_diameter_mm: f64 },
-    /// Allow this stretch of the rubber.
-    MaxStretch { max_stretch: f64 },
-    /// Allow this strain of the strands.
-    MaxStrandStrain {
-        /// Largest strain at the maximum pressure.
-        strand_strain: f64,
-    },
-    /// Accept this burst margin.
-    MinBurstMargin {
-        /// Burst pressure over maximum pressure.
-        burst_margin: f64,
-    },
-    /// Guide the muscle on its way, so that it cannot buckle.
-    Guided {},
-    /// Provide this liquid volume.
-    MaxLiquidVolume {
-        /// mm³.
-        liquid_volume_mm3: f64,
-    },
-    /// Take another sleeve.
-    Sleeve {
-        /// Its name.
-        sleeve: String,
-        /// The tube that goes with it.
-        tube: Option<String>,
-    },
-    /// Cast a tube of another rubber.
-    Rubber {
-        /// Its name.
-        rubber: String,
-        /// The tube, by name.
-        tube: String,
-    },
-    /// Take strands that are stiffer.
-    Stiffness {
-        /// Stiffness k of one strand family, N/mm.
-        family_stiffness_n_per_mm: f64,
-    },
-    /// All of these together.
-    Together {
-        /// Each of them.
-        changes: Vec<Relaxation>,
-    },
-}
-
-impl Relaxation {
-    /// Changes a specification.
-    pub fn apply(&self, spec: &mut Spec) {
-        let limits = &mut spec.limits;
-        match self {
-            Self::MaxPressure { pressure_mpa, .. } => {
-                (spec.max_pressure_mpa, spec.extrapolate) = (*pressure_mpa, true);
-            }
-            Self::Force { share, .. } => spec.wanted = spec.wanted.times(*share),
-            Self::Contraction { share, .. } => spec.wanted = spec.wanted.shorter(*share),
-            Self::OuterDiameter { outer_diameter_mm } => {
-                spec.outer_diameter_mm = Values::List(vec![*outer_diameter_mm]);
-            }
-            Self::MaxBulgedDiameter { bulged_diameter_mm } => {
-                limits.bulged_diameter_mm = Some(*bulged_diameter_mm)
-            }
-            Self::MaxStretch { max_stretch } => limits.stretch = Some(*max_stretch),
-            Self::MaxStrandStrain { strand_strain } => limits.strand_strain = Some(*strand_strain),
-            Self::MinBurstMargin { burst_margin } => limits.burst_margin = Some(*burst_margin),
-            Self::Guided {} => limits.buckling = false,
-            Self::MaxLiquidVolume { liquid_volume_mm3 } => {
-                limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
-            }
-            Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
-            // Other parts, with which a muscle was found.
-            Self::Sleeve { .. } | Self::Rubber { .. } | Self::Stiffness { .. } => {}
-        }
-    }
-}
 
 /// A kind of change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
+pub enum Kind {
     Pull,
     Contraction,
-    Supply,
-    Safety,
-    StrandStrain,
+    Pressure(PressureLimit),
     Limit(Limit),
 }
-
-/// A change, and how much it asks: the logarithm of its number over that of the specification.
-pub(super) type Change = (f64, Relaxation);
 
 /// Changes of one kind that are proven, at most, and by how much more than the best one they may
 /// ask for.
 const MOST: usize = 12;
 const WINDOW: f64 = 0.06;
-/// A change is larger by this share than it has to be, so that it holds with three digits and the
-/// last bit of an inverse.
-const EASED: f64 = 1e-5;
 /// Where several limits are missed, the share of the way is known to this; it is looked for on so
 /// many of the closest muscles.
 const ROUGH: f64 = 1e-3;
@@ -150,15 +36,15 @@ const WAYS: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.25];
 const UNSURE: f64 = 100.0;
 
 /// The muscles of a search that do not fit, by the model that decides.
-pub(super) struct Misses<'a> {
-    pub(super) search: &'a Search<'a>,
-    pub(super) build: &'a Build<'a>,
-    pub(super) picks: &'a [Pick],
-    pub(super) spec: Spec,
+pub struct Misses<'a> {
+    pub search: &'a Search<'a>,
+    pub build: &'a Build<'a>,
+    pub picks: &'a [Pick],
+    pub spec: Spec,
 }
 
 impl<'a> Misses<'a> {
-    pub(super) fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
+    pub fn new(search: &'a Search<'a>, build: &'a Build<'a>, picks: &'a [Pick]) -> Self {
         Self {
             search,
             build,
@@ -169,7 +55,7 @@ impl<'a> Misses<'a> {
 
     /// The smallest change of each kind with which one of the muscles fits, those that ask for
     /// least first; where there is none, two or more together of the closest ones.
-    pub(super) fn relaxations(&self) -> Vec<Relaxation> {
+    pub fn relaxations(&self) -> Vec<Relaxation> {
         let mut out = self.least(|_| true);
         if let Some(first) = self
             .picks
@@ -234,7 +120,7 @@ impl<'a> Misses<'a> {
 
     /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of
     /// those that ask for least.
-    pub(super) fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
+    pub fn least(&self, wants: impl Fn(Kind) -> bool + Sync) -> Vec<Change> {
         let rough = |(place, pick): &(usize, Pick)| -> Option<Vec<(f64, Kind, Pick)>> {
             let muscle = self.search.muscle(*pick).ok()?;
             let (build, unsure) = self.search.ranks(&muscle);
@@ -316,15 +202,6 @@ impl<'a> Misses<'a> {
     }
 }
 
-/// A number with three digits, not below or not above it.
-fn three_digits(value: f64, up: bool) -> f64 {
-    if up {
-        rounded(value * (1.0 + EASED), 3, f64::ceil)
-    } else {
-        rounded(value * (1.0 - EASED), 3, f64::floor)
-    }
-}
-
 /// A muscle that does not fit.
 struct Miss<'a> {
     spec: &'a Spec,
@@ -354,29 +231,18 @@ impl Miss<'_> {
             .map(|c| c.limit)
             .collect();
         let alone = fits || missed.iter().all(|limit| *limit == missed[0]);
-        let by_pressure = match trial.below {
-            None => Some(Kind::Supply),
-            Some(Below::Failure(..)) => Some(Kind::Safety),
-            Some(Below::Strained) => Some(Kind::StrandStrain),
-            Some(Below::Rated | Below::Unanswered(_)) => None,
-        };
         let weak = alone && missed.contains(&Limit::Force);
         let mut kinds: Vec<Kind> = (near || weak)
             .then_some(Kind::Contraction)
             .into_iter()
             .collect();
         if weak {
-            kinds.extend([Kind::Pull].into_iter().chain(by_pressure));
+            kinds.push(Kind::Pull);
+            kinds.extend(PressureLimit::of(trial).map(Kind::Pressure));
         }
-        let own = [
-            Limit::BulgedDiameter,
-            Limit::MaxStretch,
-            Limit::Buckling,
-            Limit::LiquidVolume,
-        ];
+        let own = AT_POINTS.iter().map(|entry| entry.limit);
         kinds.extend(
-            own.into_iter()
-                .filter(|limit| alone && missed.contains(limit))
+            own.filter(|limit| alone && missed.contains(limit))
                 .map(Kind::Limit),
         );
         kinds
@@ -384,11 +250,7 @@ impl Miss<'_> {
 
     /// The change of a kind.
     fn change(&self, kind: Kind, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
-        let (wanted, limits, supply_mpa) = (
-            &self.spec.wanted,
-            &self.spec.limits,
-            self.spec.max_pressure_mpa,
-        );
+        let wanted = &self.spec.wanted;
         let points = self.spec.points(self.muscle);
         let (ask, change) = match kind {
             Kind::Pull => {
@@ -437,54 +299,11 @@ impl Miss<'_> {
                 let points = wanted.shorter(share).points(length_mm).into_owned();
                 (-share.ln(), Relaxation::Contraction { share, points })
             }
-            Kind::Supply => {
-                let pressure_mpa = three_digits(self.needed_mpa(trial)?, true);
-                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
-                (
-                    (pressure_mpa / supply_mpa).ln(),
-                    Relaxation::MaxPressure {
-                        pressure_mpa,
-                        extrapolated,
-                    },
-                )
-            }
-            Kind::Safety => {
-                let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
-                let failures = trial.burst.modes();
-                let margins = failures
-                    .iter()
-                    .filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
-                let burst_margin = three_digits(margins.reduce(f64::min)?, false);
-                (
-                    (limits.burst_margin? / burst_margin).ln(),
-                    Relaxation::MinBurstMargin { burst_margin },
-                )
-            }
-            Kind::StrandStrain => {
-                let needed_mpa = self.needed_mpa(trial).filter(|p| *p <= supply_mpa)?;
-                let places = std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
-                let strains = places.filter_map(|e| trial.strand_strain(needed_mpa, e).ok()?);
-                let strand_strain = three_digits(strains.reduce(f64::max)?, true);
-                (
-                    (strand_strain / limits.strand_strain?).ln(),
-                    Relaxation::MaxStrandStrain { strand_strain },
-                )
-            }
+            Kind::Pressure(limit) => limit.allow(self.needed_mpa(trial)?, trial)?,
             Kind::Limit(limit) => {
                 let missed = probe.checks.iter().filter(|c| c.limit == limit);
                 let worst = missed.max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
-                let value = three_digits(worst.value, true);
-                let change = match limit {
-                    Limit::BulgedDiameter => Relaxation::MaxBulgedDiameter {
-                        bulged_diameter_mm: value,
-                    },
-                    Limit::MaxStretch => Relaxation::MaxStretch { max_stretch: value },
-                    Limit::LiquidVolume => Relaxation::MaxLiquidVolume {
-                        liquid_volume_mm3: value,
-                    },
-                    Limit::Buckling => Relaxation::Guided {},
-                    Limit::Force => return None,
-                };
+                let change = (limit.at_points()?.allow)(three_digits(worst.value, true));
                 (worst.excess().ln_1p(), change)
             }
         };

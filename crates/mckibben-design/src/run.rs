@@ -1,7 +1,7 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use crate::candidate::candidate;
-use crate::limit::{Probe, Score, probe, probe_with};
+use crate::limits::check::{Probe, Score, probe, probe_with};
 use crate::line::STEPS;
 use crate::relax::{Kind, Misses};
 use crate::search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult};

@@ -6,7 +6,7 @@
 //! leads on, so that a narrow window is found as well. The innermost axis, the diameter, is
 //! searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limit::{Score, probe_with};
+use crate::limits::check::{Score, probe_with};
 use crate::line::{self, Found, Merit, NO_SCORE, Sample};
 use crate::spec::THICK_WALL;
 use crate::trial::Trial;
@@ -18,15 +18,15 @@ use mckibben::units::Values;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Golden sections on a line whose best muscle another model looks for again.
-pub(super) const COARSE_STEPS: usize = 4;
+pub const COARSE_STEPS: usize = 4;
 /// More misses than are printed: others may be closer by the model that decides.
-pub(super) const SPARE: usize = 3;
+pub const SPARE: usize = 3;
 /// Muscles that are kept for the model that decides.
 const MOST: usize = 5000;
 /// Muscles that miss by at most this by the model of the search may fit by the other one; of short
 /// ones and steep braids the two are further apart.
-pub(super) const NEARLY: f64 = 0.05;
-pub(super) const NEARLY_SHORT: f64 = 0.15;
+pub const NEARLY: f64 = 0.05;
+pub const NEARLY_SHORT: f64 = 0.15;
 const SHORT: f64 = 3.0;
 const STEEP_DEG: f64 = 42.0;
 /// Tubes are screened by the thick-wall model: what misses its limits by more than this is not
@@ -57,49 +57,49 @@ enum BraidRule {
 
 /// Where in the search space a muscle stands; the muscle is built again when it is needed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pick {
+pub struct Pick {
     choice: Choice,
-    pub(super) d0: f64,
+    pub d0: f64,
     s: f64,
 }
 
 impl Pick {
     /// Whether its ends shape a good part of it.
-    pub(super) fn is_short(&self) -> bool {
+    pub fn is_short(&self) -> bool {
         self.choice.length_mm < SHORT * self.d0
     }
 }
 
 /// A search of a specification with one model.
-pub(super) struct Search<'a> {
-    pub(super) spec: &'a Spec,
-    pub(super) build: &'a Build<'a>,
-    pub(super) rubbers: Vec<Rubber>,
-    pub(super) progress: &'a dyn Progress,
+pub struct Search<'a> {
+    pub spec: &'a Spec,
+    pub build: &'a Build<'a>,
+    pub rubbers: Vec<Rubber>,
+    pub progress: &'a dyn Progress,
     /// Walls that are done.
-    pub(super) done: AtomicUsize,
+    pub done: AtomicUsize,
     /// Where another model decides: the muscles that this one is good for.
     is_good: Option<SearchedMuscles>,
     /// Golden sections towards the best score of a line.
-    pub(super) steps: usize,
+    pub steps: usize,
 }
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
 #[derive(Debug, Clone, Default)]
-pub(super) struct SearchResult {
-    pub(super) fits: Vec<(Score, Pick)>,
-    pub(super) misses: Vec<(f64, Pick)>,
+pub struct SearchResult {
+    pub fits: Vec<(Score, Pick)>,
+    pub misses: Vec<(f64, Pick)>,
     /// Misses that may fit by the model that decides.
-    pub(super) near: Vec<(Score, Pick)>,
-    pub(super) invalid: Option<MuscleError>,
-    pub(super) looked_at: usize,
-    pub(super) fitted: usize,
+    pub near: Vec<(Score, Pick)>,
+    pub invalid: Option<MuscleError>,
+    pub looked_at: usize,
+    pub fitted: usize,
 }
 
 impl SearchResult {
     /// Of two that are as good the one is better of which a muscle that does not fit misses by
     /// less: among stock sizes the next better one is then within reach.
-    pub(super) fn merit(&self) -> (Merit, f64) {
+    pub fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
             Some(fit) => (
@@ -142,7 +142,7 @@ type Tried = (f64, SearchResult);
 
 impl<'a> Search<'a> {
     /// Of a specification, with the model that searches.
-    pub(super) fn new(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
+    pub fn new(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
         let rubbers = match &spec.rubbers[..] {
             _ if !spec.tubes.is_empty() => spec.tubes.iter().map(|t| t.rubber.clone()).collect(),
             [] => vec![spec.base.tube().rubber.clone()],
@@ -166,7 +166,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
+    pub fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
         let base = &self.spec.base;
         let angled = |angle_deg: f64| Braid {
             angle_deg,
@@ -211,7 +211,7 @@ impl<'a> Search<'a> {
     }
 
     /// The tube as sold that a muscle has, where tubes are searched.
-    pub(super) fn tube(&self, pick: Pick) -> Option<&TubePart> {
+    pub fn tube(&self, pick: Pick) -> Option<&TubePart> {
         self.spec.tubes.get(pick.choice.rubber)
     }
 
@@ -326,7 +326,7 @@ impl<'a> Search<'a> {
 
     /// The model that ranks a muscle, and by how much more by the model that decides one may miss
     /// that it is not good for.
-    pub(super) fn ranks(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
+    pub fn ranks(&self, muscle: &Muscle) -> (&Build<'_>, f64) {
         match self.is_good {
             Some(is_good) if is_good(muscle) => (self.build, 0.0),
             Some(_) => (THICK_WALL, FAR),
@@ -344,7 +344,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a muscle may fit by the model that decides.
-    pub(super) fn is_near(&self, pick: Pick, muscle: &Muscle) -> bool {
+    pub fn is_near(&self, pick: Pick, muscle: &Muscle) -> bool {
         let (build, unsure) = self.ranks(muscle);
         let sample = self.sample(pick, build, &mut SearchResult::default(), false);
         sample.violation() <= unsure.max(Self::window(pick, muscle))
@@ -372,7 +372,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best muscle in a range of diameters, or the one that misses by least.
-    pub(super) fn best_diameter_within(
+    pub fn best_diameter_within(
         &self,
         pick: Pick,
         (low, high): (f64, f64),
@@ -524,7 +524,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    pub(super) fn run(&self) -> SearchResult {
+    pub fn run(&self) -> SearchResult {
         // Tubes have their rubbers.
         let rubbers = if self.spec.tubes.is_empty() {
             self.rubbers.len()
@@ -543,7 +543,7 @@ impl<'a> Search<'a> {
 }
 
 /// Round values within bounds, both ends in, in at most about `most` steps.
-pub(super) fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
+pub fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
     let wide = (high - low) / most as f64;
     let steps = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
     let step = steps.into_iter().find(|&step| step >= wide).unwrap_or(wide);

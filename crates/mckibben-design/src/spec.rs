@@ -1,15 +1,13 @@
 //! What is wanted, and what may be varied.
 
-use crate::{Demand, OperatingPoint, TubePart};
-pub use mckibben::analysis::SAFETY;
-use mckibben::analysis::{Options, Safety, bisect};
+use crate::{Demand, Limits, OperatingPoint, TubePart};
+use mckibben::analysis::{Options, bisect};
 use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
 use mckibben::model::{ForceModel, ModelError, ModelKind};
 use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use mckibben::rubber::over_time::erf;
 use mckibben::units::Values;
-use mckibben::warning::VALIDATED_STRAND_STRAIN;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -54,53 +52,6 @@ pub enum BraidChoice {
     StrandLengthPerTurn(Vec<f64>),
     /// Named sleeves: each braid lies on a tube as its sleeve does there ([`Braid::on_diameter`]).
     Sleeves(Vec<Braid>),
-}
-
-/// Bounds on what comes out.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Limits {
-    /// Largest outer diameter at any operating point, in mm.
-    pub bulged_diameter_mm: Option<f64>,
-    /// Safety factor of strands and clamps: the pressure at which they fail over the allowed
-    /// pressure.
-    pub burst_margin: Option<f64>,
-    /// Safety factor of the tube; half of that of the strands where there is none.
-    pub tube_margin: Option<f64>,
-    /// Largest principal stretch of the rubber at any operating point.
-    pub stretch: Option<f64>,
-    /// Whether a push must be below the load at which the muscle buckles as a column between two
-    /// joints; not of a muscle that is guided.
-    pub buckling: bool,
-    /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
-    pub fitted_stretch: bool,
-    /// Largest strain of the strands, not shortened and at the operating points: it bounds the
-    /// pressure.
-    pub strand_strain: Option<f64>,
-    /// Largest liquid volume that is pushed in from rest to any operating point, in mm³; needs a
-    /// liquid.
-    pub liquid_volume_mm3: Option<f64>,
-}
-
-impl Limits {
-    /// The factors of the allowed pressure.
-    pub fn safety(&self) -> Safety {
-        Safety::new(self.burst_margin.unwrap_or(0.0), self.tube_margin)
-    }
-
-    /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum
-    /// pressure, strand strain up to [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than
-    /// its law was fitted.
-    pub fn safe() -> Self {
-        Self {
-            burst_margin: Some(SAFETY),
-            strand_strain: Some(VALIDATED_STRAND_STRAIN),
-            fitted_stretch: true,
-            buckling: true,
-            ..Self::default()
-        }
-    }
 }
 
 #[derive(Debug, Clone)]
@@ -239,21 +190,15 @@ impl Spec {
                 self.max_pressure_mpa
             )));
         }
-        let bounds = [
+        let sizes = [
             (
                 "the outer diameter",
                 Some(self.outer_diameter_mm.bounds().0),
             ),
             ("the wall", Some(self.wall_mm.bounds().0)),
-            ("largest bulged diameter", self.limits.bulged_diameter_mm),
-            ("the safety factor", self.limits.burst_margin),
-            ("the safety factor of the tube", self.limits.tube_margin),
-            ("the largest stretch", self.limits.stretch),
-            ("the largest strand strain", self.limits.strand_strain),
-            ("the largest liquid volume", self.limits.liquid_volume_mm3),
             ("the length", self.length_mm.as_ref().map(|v| v.bounds().0)),
         ];
-        for (name, value) in bounds {
+        for (name, value) in sizes.into_iter().chain(self.limits.positive()) {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
                 return Err(SpecError::Refused(format!(
                     "{name} is {value}; it must be above zero"

@@ -1,67 +1,36 @@
 //! A muscle held against a specification: its model, and the thick-wall model for what that does
 //! not know.
 
+use crate::limits::pressure::{self, Below};
 use crate::{Build, OperatingPoint, Spec};
-use mckibben::analysis::{
-    AnalysisError, Burst, Evaluation, FailureMode, FailurePressure, NoBurst, bisect, burst_below,
-    find_root,
-};
+use mckibben::analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root};
 use mckibben::cancel;
 use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
 use mckibben::muscle::Muscle;
 
-pub(super) struct Trial<'a> {
-    pub(super) spec: &'a Spec,
-    pub(super) muscle: &'a Muscle,
-    pub(super) model: Box<dyn ForceModel>,
-    pub(super) thick_wall: Box<dyn ForceModel>,
-    pub(super) workspace: Workspace,
+pub struct Trial<'a> {
+    pub spec: &'a Spec,
+    pub muscle: &'a Muscle,
+    pub model: Box<dyn ForceModel>,
+    pub thick_wall: Box<dyn ForceModel>,
+    pub workspace: Workspace,
     /// The pressures at which it fails, as far as they bound its use, with the safety factors of
     /// the specification.
-    pub(super) burst: Burst,
+    pub burst: Burst,
     /// The pressure up to which it is used: the least of the supply, of the allowed one and of that
     /// which strains its strands to their limit.
-    pub(super) highest_mpa: f64,
+    pub highest_mpa: f64,
     /// What keeps it below the supply.
-    pub(super) below: Option<Below>,
+    pub below: Option<Below>,
     /// Half-widths of the pull that it must hold against, where that is guaranteed.
     half_widths: Option<f64>,
 }
 
-/// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Below {
-    /// It keeps its distance from a failure at this pressure in MPa.
-    Failure(FailureMode, f64),
-    /// Its fittings are rated for no more.
-    Rated,
-    /// Its strands are strained to their limit.
-    Strained,
-    /// No model answers beyond this pressure in MPa.
-    Unanswered(f64),
-}
-
-impl Below {
-    /// Why more is not allowed, with pressures written by `show`.
-    pub fn describe(&self, show: impl Fn(f64) -> String) -> String {
-        match self {
-            Self::Failure(by, at_mpa) => {
-                format!("more is not allowed, because {by} at {}", show(*at_mpa))
-            }
-            Self::Rated => "its fittings are rated for no more".into(),
-            Self::Strained => "there its strands are stretched to their limit".into(),
-            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", show(*up_to_mpa)),
-        }
-    }
-}
-
-/// Halvings towards the pressure at which strands are strained to their limit.
-const HALVINGS: usize = 40;
 /// The pressure of a pull that is guaranteed is known to this share of the highest.
 const SURE: f64 = 1e-6;
 
 impl<'a> Trial<'a> {
-    pub(super) fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self> {
+    pub fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
         let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
@@ -75,28 +44,6 @@ impl<'a> Trial<'a> {
             Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
         };
         let burst = Burst { safety, ..failures };
-        let allowed = burst.allowed().map(|(mpa, by)| match by {
-            Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
-            None => (mpa, Below::Rated),
-        });
-        // Where no model answers, nothing fails up to the last answer.
-        let answered = match burst.strands {
-            FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa))
-                if safety.strands > 0.0 =>
-            {
-                Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
-            }
-            _ => None,
-        };
-        let bounds = allowed
-            .into_iter()
-            .chain(answered)
-            .map(|(mpa, below)| (mpa, Some(below)));
-        let (highest_mpa, below) =
-            bounds.fold(
-                (spec.max_pressure_mpa, None),
-                |a, b| if b.0 < a.0 { b } else { a },
-            );
         let (workspace, half_widths) = (Workspace::new(), spec.half_widths());
         let mut trial = Self {
             spec,
@@ -105,60 +52,36 @@ impl<'a> Trial<'a> {
             thick_wall,
             workspace,
             burst,
-            highest_mpa,
-            below,
+            highest_mpa: spec.max_pressure_mpa,
+            below: None,
             half_widths,
         };
-        trial.strained()?;
+        pressure::lower(&mut trial)?;
         Ok(trial)
     }
 
     /// The strain of the strands, where it is known.
-    pub(super) fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
+    pub fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
         let (full, _) = self.full_response(p, contraction)?;
         Ok(full
             .braid_tension_n
             .and_then(|t| self.muscle.strand_strain(t)))
     }
 
-    /// The strands are strained by no more than their limit, not shortened and at the operating
-    /// points.
-    fn strained(&mut self) -> Result<()> {
-        let Some(bound) = self.spec.limits.strand_strain else {
-            return Ok(());
-        };
-        let points = self.spec.points(self.muscle);
-        let mut high = self.highest_mpa;
-        for e in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
-            let mut bears = |p: f64| match self.strand_strain(p, e) {
-                Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
-                // Where they stretch further there is no answer at all.
-                Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium(_)) => Ok(false),
-                Err(error) => Err(error),
-            };
-            if bears(high)? {
-                continue;
-            }
-            (high, _) = bisect(0.0, high, HALVINGS, |p| bears(p).unwrap_or(false));
-            (self.highest_mpa, self.below) = (high, Some(Below::Strained));
-        }
-        Ok(())
-    }
-
     /// Its model, ready for questions.
-    pub(super) fn evaluation(&mut self) -> Evaluation<'_> {
+    pub fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.spec.options())
     }
 
     /// The pull at the highest pressure.
-    pub(super) fn strongest_n(&mut self, contraction: f64) -> Result<f64> {
+    pub fn strongest_n(&mut self, contraction: f64) -> Result<f64> {
         let max = self.highest_mpa;
         self.evaluation().force_n(max, contraction)
     }
 
     /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else
     /// the pull.
-    pub(super) fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
+    pub fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
         let Some(widths) = self.half_widths else {
             return force_n;
         };
@@ -174,11 +97,7 @@ impl<'a> Trial<'a> {
     }
 
     /// Half the width of the 95 % interval of a pull, where it is known.
-    pub(super) fn uncertainty_n(
-        &mut self,
-        (p, contraction): (f64, f64),
-        force_n: f64,
-    ) -> Option<f64> {
+    pub fn uncertainty_n(&mut self, (p, contraction): (f64, f64), force_n: f64) -> Option<f64> {
         Some(
             self.evaluation()
                 .uncertainty(p, contraction, force_n)?
@@ -188,7 +107,7 @@ impl<'a> Trial<'a> {
 
     /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of
     /// a pull that is guaranteed that at which the end of its ± is what is wanted.
-    pub(super) fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
+    pub fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
         let pull_mpa = self.pull_mpa(point)?;
         if self.half_widths.is_none() || pull_mpa >= self.highest_mpa {
             return Ok(pull_mpa);
@@ -204,7 +123,7 @@ impl<'a> Trial<'a> {
 
     /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every
     /// point, up to the highest.
-    pub(super) fn sure_mpa(&mut self) -> Option<f64> {
+    pub fn sure_mpa(&mut self) -> Option<f64> {
         let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
         let points = self.spec.points(self.muscle);
         let mut need = |q: &OperatingPoint| {
@@ -243,7 +162,7 @@ impl<'a> Trial<'a> {
 
     /// A response with what the model does not know filled in from the thick-wall model, and what
     /// that is.
-    pub(super) fn full_response(
+    pub fn full_response(
         &mut self,
         p: f64,
         contraction: f64,
@@ -293,7 +212,7 @@ impl<'a> Trial<'a> {
 
     /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of
     /// liquid, and whether the thick-wall model gave it.
-    pub(super) fn stroke(&mut self, p: f64, contraction: f64) -> (Option<f64>, bool) {
+    pub fn stroke(&mut self, p: f64, contraction: f64) -> (Option<f64>, bool) {
         let (workspace, options) = (&mut self.workspace, self.spec.options());
         let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {
             let mut model = Evaluation::new(model, workspace, options);

@@ -4,7 +4,7 @@
 //! a bore as rods are sold, and a wall of at least [`LEAST_CAST_WALL_MM`] between a share of
 //! [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
-use mckibben::catalogue::{Catalogue, CatalogueError, Row};
+use mckibben::catalogue::{CastRow, PartsFile, Sources, TubeRow};
 use mckibben::rubber::library;
 use mckibben::rubber::{LibraryError, Rubber};
 use serde::Serialize;
@@ -21,16 +21,6 @@ pub const CAST_WALL_OF_BORE: (f64, f64) = (1.0 / 25.0, 1.0 / 3.0);
 pub const CAST_RUBBER: &str = "dragon-skin-30";
 
 const TEXT: &str = include_str!("../data/tubes.toml");
-
-/// Keys of the rows of a table.
-const KEYS: [(&str, &str); 3] = [
-    (
-        "tube",
-        "name inner outer rubber cast price pressure_mpa note source",
-    ),
-    ("cast", "bores walls rubbers source"),
-    ("sleeve", mckibben::sleeve::library::KEYS),
-];
 
 /// A tube as sold or cast.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -122,69 +112,55 @@ pub fn of_size(size: &str, rubber: &str) -> Option<Result<TubePart, TubeError>> 
     ))
 }
 
-impl From<CatalogueError> for TubeError {
-    fn from(error: CatalogueError) -> Self {
-        Self(format!("the table of tubes: {error}"))
-    }
+fn file(text: &str) -> Result<PartsFile, TubeError> {
+    PartsFile::parse(text).map_err(|error| TubeError(format!("the table of tubes: {error}")))
 }
 
 /// The tubes of a table.
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
-    let file = Catalogue::parse(text)?;
-    file.check(&KEYS)?;
-    let mut out = file
-        .rows("tube")
-        .iter()
-        .map(listed)
-        .collect::<Result<Vec<_>, _>>()?;
-    for row in file.rows("cast") {
-        for rubber in row.texts("rubbers") {
-            out.extend(cast(&row, &rubber)?);
+    let file = file(text)?;
+    let listed = file.tube.into_iter().map(|row| listed(row, &file.sources));
+    let mut out = listed.collect::<Result<Vec<_>, _>>()?;
+    for row in &file.cast {
+        for rubber in &row.rubbers {
+            out.extend(cast(row, &file.sources, rubber)?);
         }
     }
     Ok(out)
 }
 
-fn listed(row: &Row<'_>) -> Result<TubePart, TubeError> {
-    let inner = row.number("inner")?.zip(row.number("outer")?);
-    let (inner_mm, outer_mm) = inner.ok_or_else(|| row.wrong("give `inner` and `outer` in mm"))?;
-    let name = row.text("name")?.to_owned();
-    let part = part(
-        (name, inner_mm, outer_mm),
-        row.text("rubber")?,
-        row.source_text(),
-    )?;
+fn listed(row: TubeRow, sources: &Sources) -> Result<TubePart, TubeError> {
+    let source = sources.of(row.source.as_deref()).0;
+    let sized = (row.name, row.inner.into(), row.outer.into());
     Ok(TubePart {
-        is_cast: row.flag("cast"),
-        price: row.owned("price"),
-        pressure_mpa: row.number("pressure_mpa")?,
-        note: row.owned("note"),
-        ..part
+        is_cast: row.cast,
+        price: row.price,
+        pressure_mpa: row.pressure_mpa.map(f64::from),
+        note: row.note,
+        ..part(sized, &row.rubber, source)?
     })
 }
 
 /// The tubes of the catalogue's sizes, cast of a rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
-    let file = Catalogue::parse(TEXT)?;
-    Ok(file
-        .rows("cast")
-        .iter()
-        .map(|row| cast(row, rubber))
-        .collect::<Result<Vec<_>, _>>()?
-        .concat())
+    let file = file(TEXT)?;
+    let of_row = |row| cast(row, &file.sources, rubber);
+    let all: Result<Vec<_>, _> = file.cast.iter().map(of_row).collect();
+    Ok(all?.concat())
 }
 
-fn cast(row: &Row<'_>, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
-    let (bores, walls) = (row.numbers("bores")?, row.numbers("walls")?);
-    let pairs = bores
-        .iter()
-        .flat_map(|&bore| walls.iter().map(move |&wall| (bore, wall)));
+fn cast(row: &CastRow, sources: &Sources, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
+    let source = sources.of(row.source.as_deref()).0;
+    let pairs = row.bores.iter().flat_map(|&bore| {
+        let walls = row.walls.iter();
+        walls.map(move |&wall| (f64::from(bore), f64::from(wall)))
+    });
     let one = |(bore, wall): (f64, f64)| {
         let outer = bore + 2.0 * wall;
         let name = format!("cast-{bore}x{outer}-{rubber}");
         Ok(TubePart {
             is_cast: true,
-            ..part((name, bore, outer), rubber, row.source_text())?
+            ..part((name, bore, outer), rubber, source)?
         })
     };
     pairs
@@ -290,10 +266,17 @@ mod tests {
         assert!(message(&text.replace("[[tube]]", "[[tubes]]")).contains("did you mean tube"));
         assert!(
             message(&text.replace("inner", "iner"))
-                .contains("mine: unknown key iner (did you mean inner?)")
+                .contains("line 3, column 1: tube.1.iner: unknown key (did you mean inner?)")
         );
         assert!(message(&text.replace("12.0", "7")).contains("mine: the inner diameter"));
-        assert!(message(&text.replace("8", "-8")).contains("`inner` must be a number above zero"));
+        assert!(
+            message(&text.replace("outer = 12.0", ""))
+                .contains("line 1, column 1: tube.1: tube.1.outer is missing; expected a length")
+        );
+        assert!(
+            message(&text.replace("8", "-8"))
+                .contains("inner = -8: is -8\u{a0}mm; it must be above zero")
+        );
         assert!(message(&text.replace("shore:35A:natural", "latx")).contains("did you mean latex"));
     }
 }

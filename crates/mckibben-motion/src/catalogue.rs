@@ -1,9 +1,11 @@
 //! Named valves.
 
 use crate::{MotionError, Orifice, Result, Valve};
-use mckibben::catalogue::{Catalogue, CatalogueError, Row};
+use mckibben::muscle::file::{FileError, Source};
 use mckibben::nearest::nearest;
 use mckibben::units::{Dimension, parse_quantity};
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::sync::LazyLock;
 
 /// A valve that one can buy.
@@ -80,34 +82,55 @@ impl std::str::FromStr for Valve {
     }
 }
 
-/// The table's rows; those that state a rated flow have C by [`conductance_of_rated_flow`].
-fn read(text: &str) -> Result<Vec<NamedValve>, CatalogueError> {
-    let one = |row: &Row<'_>| {
-        let wrong = |e: MotionError| row.wrong(e.to_string());
-        let b = row.needed("critical_ratio")?;
-        let c = match row.number("sonic_conductance_l_per_s_bar")? {
+/// The built-in table.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    valve: Vec<Row>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    name: String,
+    what: String,
+    sonic_conductance_l_per_s_bar: Option<f64>,
+    /// In place of C.
+    rated_flow_l_per_min: Option<f64>,
+    critical_ratio: f64,
+    exhaust_conductance_l_per_s_bar: Option<f64>,
+    exhaust_critical_ratio: Option<f64>,
+    source: String,
+}
+
+impl Row {
+    /// The valve; of one that states a rated flow, C is by [`conductance_of_rated_flow`].
+    fn valve(self) -> Result<NamedValve> {
+        let b = self.critical_ratio;
+        let rated = self.rated_flow_l_per_min.unwrap_or_default();
+        let c = match self.sonic_conductance_l_per_s_bar {
             Some(c) => c,
-            None => {
-                conductance_of_rated_flow(row.needed("rated_flow_l_per_min")?, b).map_err(wrong)?
-            }
+            None => conductance_of_rated_flow(rated, b)?,
         };
-        let supply = Orifice::new(c, b).map_err(wrong)?;
-        let exhaust = match row.number("exhaust_conductance_l_per_s_bar")? {
-            Some(c) => Orifice::new(c, row.needed("exhaust_critical_ratio")?).map_err(wrong)?,
+        let supply = Orifice::new(c, b)?;
+        let exhaust = match self.exhaust_conductance_l_per_s_bar {
+            Some(c) => Orifice::new(c, self.exhaust_critical_ratio.unwrap_or(b))?,
             None => supply,
         };
-        let text = |key| row.text(key).map(str::to_owned);
         Ok(NamedValve {
-            name: text("name")?,
-            what: text("what")?,
+            name: self.name,
+            what: self.what,
             supply,
             exhaust,
-            source: text("source")?,
+            source: self.source,
         })
-    };
-    Catalogue::parse(text)?
-        .rows("valve")
-        .iter()
-        .map(one)
-        .collect()
+    }
+}
+
+fn read(text: &str) -> Result<Vec<NamedValve>, FileError> {
+    let source = Source::parse(text)?;
+    let table: Table = source.read()?;
+    let valves = table.valve.into_iter().map(Row::valve);
+    let valves: Result<Vec<NamedValve>> = valves.collect();
+    valves.map_err(|error| source.error("valve", error.to_string()))
 }

@@ -73,7 +73,7 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::{MotionError, OnStop, Result};
 pub use events::{Event, EventKind};
 pub use file::{
-    DriveFile, Names, Subject, Tables, drive_names, number_at, parse_drive, with_value,
+    DriveFile, DriveKeys, Names, Subject, Tables, drive_names, number_at, parse_drive, with_value,
 };
 pub use fluid::Fluid;
 pub use hose::Hose;

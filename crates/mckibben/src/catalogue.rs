@@ -1,78 +1,109 @@
-//! Tables of parts in TOML: `[[rubber]]`, `[[sleeve]]`, `[[tube]]`, `[[valve]]`, and the
-//! `[sources]` that their rows name.
+//! Files of parts in TOML: `[[tube]]`, `[[cast]]`, `[[sleeve]]`, and the `[sources]` that their
+//! rows name.
 
+use crate::muscle::file::{FileError, Source};
 use crate::nearest::{meant, nearest};
-use thiserror::Error;
-use toml_edit::{Array, Document, Item, Table, TableLike, Value};
+use crate::sleeve::SleeveRow;
+use crate::units::Positive;
+use crate::units::typed::Length;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::collections::BTreeMap;
 
-/// Why a table of parts cannot be read: it is not TOML, or a row lacks a key or has a value that
-/// the key may not have.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{0}")]
-pub struct CatalogueError(String);
+/// A file of parts: those of the program, or of a user's own.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct PartsFile {
+    /// Tubes as sold or cast
+    pub tube: Vec<TubeRow>,
+    /// Tubes of silicone, cast between a rod and a pipe: each bore with each wall
+    pub cast: Vec<CastRow>,
+    /// Braided sleeves
+    pub sleeve: Vec<SleeveRow>,
+    /// Where figures come from
+    pub sources: Sources,
+}
 
-/// A table of parts.
-pub struct Catalogue<'t>(Document<&'t str>);
+/// A tube.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TubeRow {
+    /// Its name
+    pub name: String,
+    /// Inner diameter
+    pub inner: Positive<Length>,
+    /// Outer diameter
+    pub outer: Positive<Length>,
+    /// Name of a rubber, or of a data sheet such as "shore:35A:natural"
+    pub rubber: String,
+    /// Whether it is cast, not bought
+    #[serde(default)]
+    pub cast: bool,
+    /// Its price, where one was seen
+    pub price: Option<String>,
+    /// Largest pressure in MPa that its source names
+    pub pressure_mpa: Option<Positive<f64>>,
+    /// What else one should know
+    pub note: Option<String>,
+    /// Where the figures come from: a key of [sources], or a text
+    pub source: Option<String>,
+}
 
-impl<'t> Catalogue<'t> {
-    /// A table from its text.
-    pub fn parse(text: &'t str) -> Result<Self, CatalogueError> {
-        Document::parse(text)
-            .map(Self)
-            .map_err(|e| CatalogueError(e.to_string()))
+/// Tubes that one can cast.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CastRow {
+    /// Bores as rods are sold
+    pub bores: Vec<Positive<Length>>,
+    /// Walls
+    pub walls: Vec<Positive<Length>>,
+    /// Names of rubbers
+    pub rubbers: Vec<String>,
+    /// Where the figures come from: a key of [sources], or a text
+    pub source: Option<String>,
+}
+
+/// Where figures come from, by the names that rows give.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+pub struct Sources(BTreeMap<String, Origin>);
+
+/// A source.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(
+    untagged,
+    expecting = "must be a text, or a table of citation and terms"
+)]
+enum Origin {
+    Text(String),
+    WithTerms { citation: String, terms: String },
+}
+
+impl Sources {
+    /// The source that a row names, or what the row itself says; and the terms of its use.
+    pub fn of<'s>(&'s self, source: Option<&'s str>) -> (&'s str, &'s str) {
+        const NOT_STATED: &str = "not stated";
+        let name = source.unwrap_or(NOT_STATED);
+        match self.0.get(name) {
+            Some(Origin::WithTerms { citation, terms }) => (citation, terms),
+            Some(Origin::Text(text)) => (text, NOT_STATED),
+            None => (name, NOT_STATED),
+        }
     }
+}
 
-    /// Refuses a table without rows of these kinds, and what a row of a kind, or the table beside
-    /// its `[sources]`, does not have.
-    pub fn check(&self, kinds: &[(&str, &str)]) -> Result<(), CatalogueError> {
-        let unknown = |what: &str, key: &str, known: &[&str]| {
-            let meant = meant(nearest(key, known.iter().copied()));
-            Err(CatalogueError(format!(
-                "{what}: unknown key {key}{meant}; known here: {}",
-                known.join(", ")
-            )))
-        };
-        let names: Vec<&str> = kinds.iter().map(|k| k.0).chain(["sources"]).collect();
-        if let Some((key, _)) = self.0.iter().find(|(key, _)| !names.contains(key)) {
-            return unknown("the table", key, &names);
+impl PartsFile {
+    /// Reads the text of a file of parts.
+    ///
+    /// # Errors
+    /// [`FileError`] with line, column, key, what stood there and what is expected.
+    pub fn parse(text: &str) -> Result<Self, FileError> {
+        let source = Source::parse(text)?;
+        let file: Self = source.read()?;
+        if file.tube.is_empty() && file.cast.is_empty() && file.sleeve.is_empty() {
+            let problem = "there is no row; a row begins with [[tube]] or [[cast]] or [[sleeve]]";
+            return Err(source.error("", problem));
         }
-        for (kind, known) in kinds {
-            let known: Vec<&str> = known.split_whitespace().collect();
-            for row in self.rows(kind) {
-                if let Some((key, _)) = row.table.iter().find(|(key, _)| !known.contains(key)) {
-                    return unknown(row.optional("name").unwrap_or(kind), key, &known);
-                }
-            }
-        }
-        if kinds.iter().all(|(kind, _)| self.rows(kind).is_empty()) {
-            let names: Vec<String> = kinds
-                .iter()
-                .map(|(kind, _)| format!("[[{kind}]]"))
-                .collect();
-            return Err(CatalogueError(format!(
-                "there is no row; a row begins with {}",
-                names.join(" or ")
-            )));
-        }
-        Ok(())
-    }
-
-    /// The rows of a kind, `[[kind]]`; none where there is no such key.
-    pub fn rows(&self, kind: &str) -> Vec<Row<'_>> {
-        let tables = self
-            .0
-            .get(kind)
-            .and_then(Item::as_array_of_tables)
-            .into_iter()
-            .flatten();
-        tables.map(|table| self.row(table)).collect()
-    }
-
-    fn row<'a>(&'a self, table: &'a dyn TableLike) -> Row<'a> {
-        Row {
-            table,
-            sources: self.0.get("sources").and_then(Item::as_table),
-        }
+        Ok(file)
     }
 }
 
@@ -108,126 +139,4 @@ pub fn named<'a, T>(
         };
         format!("there is no {kind} named \"{given}\"{known}")
     })
-}
-
-/// A row of a table of parts.
-#[derive(Clone, Copy)]
-pub struct Row<'a> {
-    table: &'a dyn TableLike,
-    sources: Option<&'a Table>,
-}
-
-impl<'a> Row<'a> {
-    /// What is wrong with this row.
-    pub fn wrong(&self, problem: impl Into<String>) -> CatalogueError {
-        let name = self.optional("name").unwrap_or("a row without a name");
-        CatalogueError(format!("{name}: {}", problem.into()))
-    }
-
-    /// A text that must be there.
-    pub fn text(&self, key: &str) -> Result<&'a str, CatalogueError> {
-        self.optional(key)
-            .ok_or_else(|| self.wrong(format!("`{key}` is missing or not a text")))
-    }
-
-    /// A text, where the key is there.
-    pub fn optional(&self, key: &str) -> Option<&'a str> {
-        self.table.get(key).and_then(Item::as_str)
-    }
-
-    /// The same, for a record that keeps it.
-    pub fn owned(&self, key: &str) -> Option<String> {
-        self.optional(key).map(str::to_owned)
-    }
-
-    /// Whether a key says `true`.
-    pub fn flag(&self, key: &str) -> bool {
-        self.table.get(key).and_then(Item::as_bool).unwrap_or(false)
-    }
-
-    /// A number above zero, where the key is there.
-    pub fn number(&self, key: &str) -> Result<Option<f64>, CatalogueError> {
-        let Some(item) = self.table.get(key) else {
-            return Ok(None);
-        };
-        let value = item.as_value().and_then(above_zero);
-        value
-            .map(Some)
-            .ok_or_else(|| self.wrong(format!("`{key}` must be a number above zero")))
-    }
-
-    /// A number above zero that must be there.
-    pub fn needed(&self, key: &str) -> Result<f64, CatalogueError> {
-        self.number(key)?
-            .ok_or_else(|| self.wrong(format!("`{key}` is missing")))
-    }
-
-    /// A count above zero, where the key is there.
-    pub fn count(&self, key: &str) -> Result<Option<u32>, CatalogueError> {
-        let Some(item) = self.table.get(key) else {
-            return Ok(None);
-        };
-        let value = item
-            .as_integer()
-            .and_then(|i| u32::try_from(i).ok())
-            .filter(|n| *n > 0);
-        value
-            .map(Some)
-            .ok_or_else(|| self.wrong(format!("`{key}` must be a count above zero")))
-    }
-
-    /// A list; empty where there is none.
-    pub fn list(&self, key: &str) -> impl Iterator<Item = &'a Value> + use<'a> {
-        self.table
-            .get(key)
-            .and_then(Item::as_array)
-            .map(Array::iter)
-            .into_iter()
-            .flatten()
-    }
-
-    /// The texts of a list.
-    pub fn texts(&self, key: &str) -> Vec<String> {
-        self.list(key)
-            .filter_map(Value::as_str)
-            .map(str::to_owned)
-            .collect()
-    }
-
-    /// The numbers above zero of a list.
-    pub fn numbers(&self, key: &str) -> Result<Vec<f64>, CatalogueError> {
-        let one = |v| {
-            above_zero(v).ok_or_else(|| self.wrong(format!("`{key}` must be numbers above zero")))
-        };
-        self.list(key).map(one).collect()
-    }
-
-    /// The row of `[sources]` that this row names.
-    pub fn source(&self) -> Result<Row<'a>, CatalogueError> {
-        let key = self.text("source")?;
-        let table = self
-            .sources
-            .and_then(|s| s.get(key))
-            .and_then(Item::as_table_like);
-        let table = table.ok_or_else(|| self.wrong(format!("unknown source {key}")))?;
-        Ok(Row {
-            table,
-            sources: self.sources,
-        })
-    }
-
-    /// Where `[sources]` are texts: that which this row names, or what the row itself says.
-    pub fn source_text(&self) -> &'a str {
-        let key = self.optional("source").unwrap_or("not stated");
-        self.sources
-            .and_then(|s| s.get(key)?.as_str())
-            .unwrap_or(key)
-    }
-}
-
-fn above_zero(value: &Value) -> Option<f64> {
-    let number = value
-        .as_float()
-        .or_else(|| value.as_integer().map(|i| i as f64));
-    number.filter(|v| v.is_finite() && *v > 0.0)
 }

@@ -207,7 +207,7 @@ function asked(of, best, across = ACROSS, up = UP) {
     ...part,
     outer_diameter_mm: D,
     wall_mm: S,
-    model: "universal",
+    model: { name: "universal" },
     extrapolate: true,
     top: D.length * S.length,
   };

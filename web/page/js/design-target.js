@@ -91,15 +91,15 @@ export function designTarget(act) {
       draw();
       if (!best) return;
       const muscle = file
-        ? { muscle: file }
+        ? { file }
         : fields(candidate(best, of, { p: 0, e: 0 }));
       slot.ask(
         "curve",
         {
-          ...muscle,
+          muscle,
           test: "isobaric",
           pressures_mpa: [answer.max_pressure_mpa],
-          model: "universal",
+          model: { name: "universal" },
           extrapolate: true,
         },
         ({ points }) => {

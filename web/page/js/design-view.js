@@ -119,7 +119,7 @@ function shownColumns(candidates, prices) {
     sleeve: candidates.every((c) => !c.sleeve),
   };
   return columns(prices, filled(candidates)).filter(
-    ([name]) => !/** @type {Record<string, boolean>} */ (same)[name],
+    ([name]) => !(/** @type {Record<string, boolean>} */ (same)[name]),
   );
 }
 

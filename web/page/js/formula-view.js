@@ -146,22 +146,18 @@ export function surfaces() {
         middle = { outer_diameter_mm: D[5], wall_mm: S[5] };
       wallTitle.textContent = `Pull over contraction and wall, D0 ${show("length", D[5])}`;
       diameterTitle.textContent = `Pull over contraction and diameter, s ${show("length", S[5])}`;
-      const model =
+      const name =
         formula === PUBLISHED
-          ? { model: "paper" }
-          : {
-              model: formula.name,
-              formulas: [{ name: formula.name, text: JSON.stringify(formula) }],
-            };
+          ? "paper"
+          : { name: formula.name, text: JSON.stringify(formula) };
       const line =
         (/** @type {string} */ field) =>
         async (/** @type {number} */ value) => {
           const answer = await engine().ask(
             "curve",
             {
-              ...model,
-              ...middle,
-              [field]: value,
+              muscle: { ...middle, [field]: value },
+              model: { name },
               test: "isobaric",
               pressures_mpa: [at],
               contractions: E,

@@ -114,7 +114,7 @@ export class MuscleState {
     return this.state.F;
   }
 
-  /** Fields of a request. */
+  /** The muscle of a request. */
   fields() {
     return fields(this.state);
   }
@@ -239,7 +239,7 @@ export class MuscleState {
   async look() {
     this.shown = await engine().ask(
       "check",
-      { ...this.fields(), only_data: true },
+      { muscle: this.fields(), only_data: true },
       { lane: "read" },
     );
     return this.shown;
@@ -251,7 +251,7 @@ export class MuscleState {
    */
   async take(text, name = "muscle.toml", called = "") {
     const next = opened(this.state, text),
-      request = { ...fields(next), muscle: { name, text }, only_data: true };
+      request = { muscle: { file: { name, text } }, only_data: true };
     const shown = await engine().ask("check", request, { lane: "read" });
     await pack(text);
     Object.assign(this, {

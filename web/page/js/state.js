@@ -170,10 +170,10 @@ export function say(state, key, value) {
   return { ...state, said };
 }
 
-/** The muscle as fields of a request. @param {State} state @returns {MuscleFields} */
+/** The muscle of a request. @param {State} state @returns {MuscleFields} */
 export function fields({ file, said }) {
   /** @type {Record<string, unknown>} */
-  const out = file ? { muscle: { name: "muscle.toml", text: file } } : {};
+  const out = file ? { file: { name: "muscle.toml", text: file } } : {};
   for (const { key, field } of MEASURES)
     if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
@@ -201,9 +201,15 @@ export const point = ({ p, e, F }) => ({
   ...(F === undefined ? { contraction: e } : { force_n: F }),
 });
 
+/** What is asked of a state: its muscle at its point. @param {State} state */
+export const question = (state) => ({
+  muscle: fields(state),
+  ...point(state),
+});
+
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
- * @param {State} state @param {(command: "check", request: MuscleFields & { muscle_file: true, only_data: true }) =>
+ * @param {State} state @param {(command: "check", request: { muscle: MuscleFields, muscle_file: true, only_data: true }) =>
  *   Promise<Commands["check"]["answer"]>} ask
  */
 export async function canonical(state, ask) {
@@ -211,7 +217,7 @@ export async function canonical(state, ask) {
   return /** @type {string} */ (
     (
       await ask("check", {
-        ...fields(state),
+        muscle: fields(state),
         muscle_file: true,
         only_data: true,
       })
@@ -369,7 +375,11 @@ export function joint(
 
 /** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
 export function motion(file, { model, ...step }) {
-  return { step, muscle: { name: "muscle", text: file }, model };
+  return {
+    step,
+    muscle: { name: "muscle", text: file },
+    model: { name: model },
+  };
 }
 
 /**
@@ -392,7 +402,7 @@ export function side(
     if (over[field] !== undefined) base = say(base, key, over[field]);
   return {
     muscle: fields(base),
-    model: /** @type {string} */ (model),
+    model: { name: /** @type {string} */ (model) },
     pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p),
     contraction: /** @type {number} */ (contraction ?? state.e),
   };

@@ -326,7 +326,7 @@ impl From<&Rejected> for RejectedAnswer {
     fn from(r: &Rejected) -> Self {
         Self {
             muscle: r.clone(),
-            reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
+            reason: r.reason.describe(&|kind, v| Units::default().show(kind, v)),
             limit: r.reason.check().map(|check| check.limit),
         }
     }

@@ -4,7 +4,7 @@ use super::request::DesignRequest;
 use crate::{Problem, ProblemKind, Result, above_zero, percent};
 use mckibben::{model::Workspace, warning::Warning};
 use mckibben_design::bundle::{MOST, envelope_ratio, touches_at};
-use mckibben_design::{Build, Candidate, CandidatePoint, Demand, OperatingPoint};
+use mckibben_design::{Build, Candidate, CandidatePoint, OperatingPoint};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -72,27 +72,6 @@ impl DesignRequest {
                 .transpose()?;
         }
         Ok(count)
-    }
-
-    /// What one of the muscles takes.
-    pub(super) fn share(&self, wanted: &Demand) -> Result<Demand> {
-        Ok(wanted.times(1.0 / f64::from(self.count()?)))
-    }
-
-    /// The largest bulged diameter of one muscle in mm: its own limit, and its share of the
-    /// envelope.
-    pub(super) fn bulged_diameter_mm(&self) -> Result<Option<f64>> {
-        let share = envelope_ratio(self.count()?);
-        let of_envelope = self.max_envelope_mm.map(|mm| mm.0 / share);
-        let own = self.max_bulged_diameter_mm.map(f64::from);
-        let limits = own.into_iter().chain(of_envelope);
-        Ok(limits.reduce(f64::min))
-    }
-
-    /// The largest liquid volume of one muscle in mm³: its share of what there is.
-    pub(super) fn liquid_volume_mm3(&self) -> Result<Option<f64>> {
-        let count = f64::from(self.count()?);
-        Ok(self.max_liquid_volume_mm3.map(|mm3| mm3.0 / count))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::words::within;
 use crate::{Units, number, percent};
 use mckibben::units::{Dimension, rounded, tidy};
 use mckibben_build::relief_mpa;
-use mckibben_design::{Candidate, Demand, Limit, Spec};
+use mckibben_design::{Candidate, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
 pub(super) struct Decision<'a> {
@@ -154,7 +154,6 @@ fn parts(c: &Candidate) -> String {
 
 /// The pressures: to set, of the relief valve, and why no more.
 fn set(first: &Candidate) -> String {
-    let mpa = |p| show(Dimension::Pressure, p);
     let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
     // What is typed as printed is allowed.
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
@@ -167,27 +166,16 @@ fn set(first: &Candidate) -> String {
         Some(below) => format!(
             "Set {set}, relief valve at {relief}; allowed up to {}: {}",
             at_most(most_mpa),
-            below.describe(mpa)
+            below.describe(&show)
         ),
     }
 }
 
 /// What has least to spare, and what is next.
 fn limit(first: &Candidate) -> String {
-    let name = |limit: Limit| match limit {
-        Limit::Force => "the pull",
-        Limit::BulgedDiameter => "the largest bulged diameter",
-        Limit::MaxStretch => "the largest stretch of the rubber",
-        Limit::Buckling => "the load at which it buckles",
-        Limit::LiquidVolume => "the largest liquid volume",
-    };
-    let one = |(limit, share): &(Limit, f64)| {
-        format!(
-            "{}, {} to spare",
-            name(*limit),
-            percent((1e3 * share).floor() / 1e3)
-        )
-    };
-    let all: Vec<String> = first.spare.iter().take(2).map(one).collect();
-    format!("Limit {}", all.join("; next: "))
+    let spare = first.spare.iter().take(2).map(|(limit, share)| {
+        let share = percent((1e3 * share).floor() / 1e3);
+        format!("{}, {share} to spare", limit.name())
+    });
+    format!("Limit {}", spare.collect::<Vec<_>>().join("; next: "))
 }

@@ -2,17 +2,15 @@
 
 use super::assumed;
 use super::request::DesignRequest;
-use crate::{Units, number, percent};
+use crate::{Units, number};
 use mckibben::analysis::bisect;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use mckibben::progress::Progress;
 use mckibben::sleeve::library;
-use mckibben::units::{Dimension, rounded};
+use mckibben_design::tubes::cast_of;
 use mckibben_design::{
-    BraidChoice, Build, Closest, Demand, Lift, Models, OperatingPoint, Relaxation, Spec,
-    design_with, fits,
+    BraidChoice, Build, Closest, Demand, Models, Relaxation, Spec, design_with, fits,
 };
-use mckibben_design::{bundle::envelope_ratio, tubes::cast_of};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -30,11 +28,7 @@ impl RelaxationAnswer {
     /// Of a specification, where a stroke may set the contraction, in the numbers of its request:
     /// of all muscles together, and of the circle around them.
     pub(super) fn new(change: Relaxation, spec: &Spec, request: &DesignRequest) -> Self {
-        let mut text = text(
-            &change,
-            spec,
-            request.max_envelope_mm.map(|_| envelope_ratio(spec.count)),
-        );
+        let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
         let stroke = (request.stroke_mm, request.contraction);
         if let (Relaxation::Contraction { share, .. }, (Some(_), None)) = (&change, stroke) {
             let mm = (spec.base.length_mm() / share).ceil();
@@ -146,124 +140,4 @@ fn stiffer(spec: &Spec, decide: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
     Some(Relaxation::Stiffness {
         family_stiffness_n_per_mm: number(1.005 * high * paper, 3).parse().ok()?,
     })
-}
-
-/// With the ratio of the circle around them where that is limited.
-fn text(change: &Relaxation, spec: &Spec, envelope_ratio: Option<f64>) -> String {
-    let (wanted, count) = (&spec.wanted, f64::from(spec.count));
-    let show = |kind, value| Units::default().show(kind, value);
-    let points = |points: &[OperatingPoint]| {
-        let one = |q: &OperatingPoint| {
-            format!(
-                "{} at {}",
-                show(Dimension::Force, count * q.force_n),
-                percent(q.contraction)
-            )
-        };
-        points.iter().map(one).collect::<Vec<_>>().join(" and ")
-    };
-    match change {
-        Relaxation::MaxPressure {
-            pressure_mpa,
-            extrapolated,
-        } => {
-            let far = if *extrapolated {
-                " (extrapolated: outside of the model's range)"
-            } else {
-                ""
-            };
-            format!(
-                "raise the supply to {}{far}",
-                show(Dimension::Pressure, *pressure_mpa)
-            )
-        }
-        Relaxation::Force {
-            points: list,
-            share,
-        } => match wanted {
-            Demand::Points(_) => format!("reduce the pull to {}", points(list)),
-            Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
-            Demand::Joint(joint) => {
-                let torques = joint.torques.iter().map(|t| {
-                    format!(
-                        "{} N m at ±{}°",
-                        number(count * share * t.torque_nm, 5),
-                        number(t.angle_deg, 4)
-                    )
-                });
-                format!(
-                    "reduce the torque to {}",
-                    torques.collect::<Vec<_>>().join(" and ")
-                )
-            }
-        },
-        Relaxation::Contraction {
-            points: list,
-            share,
-        } => match wanted {
-            Demand::Load {
-                way: Lift::Stroke(stroke_mm),
-                ..
-            } => {
-                format!(
-                    "reduce the stroke to {}",
-                    show(Dimension::Length, share * stroke_mm)
-                )
-            }
-            _ => format!("reduce the contraction: {}", points(list)),
-        },
-        Relaxation::OuterDiameter { outer_diameter_mm } => {
-            format!(
-                "take an outer diameter of {}",
-                show(Dimension::Length, *outer_diameter_mm)
-            )
-        }
-        Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
-            let envelope = |ratio| {
-                let mm = rounded(ratio * bulged_diameter_mm, 4, f64::ceil);
-                format!(" (an envelope of {})", show(Dimension::Length, mm))
-            };
-            let envelope = envelope_ratio.map(envelope).unwrap_or_default();
-            format!(
-                "allow a bulged diameter of {}{envelope}",
-                show(Dimension::Length, *bulged_diameter_mm)
-            )
-        }
-        Relaxation::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
-        Relaxation::MaxStrandStrain { strand_strain } => {
-            format!("allow a strand strain of {}", percent(*strand_strain))
-        }
-        Relaxation::MinBurstMargin { burst_margin } => {
-            format!("reduce the safety factor to {burst_margin}")
-        }
-        Relaxation::Guided {} => "guide the muscle, so that it cannot buckle (`guided`)".into(),
-        Relaxation::MaxLiquidVolume { liquid_volume_mm3 } => {
-            format!(
-                "provide {} mL of liquid for each muscle",
-                number(1e-3 * liquid_volume_mm3, 3)
-            )
-        }
-        Relaxation::Sleeve { sleeve, tube } => {
-            let tube = tube
-                .as_ref()
-                .map_or_else(String::new, |tube| format!(" with the tube {tube}"));
-            format!("take another sleeve, {sleeve} (polyester that expands so far){tube}")
-        }
-        Relaxation::Rubber { tube, .. } => format!("cast the tube of another rubber: {tube}"),
-        Relaxation::Stiffness {
-            family_stiffness_n_per_mm: k,
-        } => {
-            format!(
-                "take a stiffer sleeve: {} N/mm of one strand family (`braids`, `stiffness`, or a \
-                 muscle file with strands)",
-                number(*k, 3)
-            )
-        }
-        Relaxation::Together { changes } => {
-            let all = changes
-                .iter()
-                .map(|change| text(change, spec, envelope_ratio));
-            all.collect::<Vec<_>>().join(", and together with that ")
-        }
-    }
 }

@@ -3,7 +3,7 @@
 use super::assumed::SUPPLY_MPA;
 use super::{ModelPolicy, near_the_box};
 use crate::fields::name_or_file;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::parts::{sleeve_entries, unread, users_tubes};
 use crate::{
     LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, Problem, ProblemKind,
@@ -35,15 +35,10 @@ use std::borrow::Cow;
 #[command(next_help_heading = "Question")]
 pub struct DesignRequest {
     /// Required pull; below zero: the push of a muscle that extends
-    #[arg(
-        short = 'F',
-        long = "force",
-        value_name = "FORCE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// Contraction ratio ΔL/L0 with that pull; below zero: an extension
-    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
+    #[arg(short = 'e', long)]
     pub contraction: Option<Ratio>,
     /// Several operating points: 700N@15%,1200N@5%
     #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point, conflicts_with_all = ["force_n", "contraction"])]
@@ -59,26 +54,16 @@ pub struct DesignRequest {
     #[arg(long = "joint", value_name = "T@ANGLE,…", value_delimiter = ',', value_parser = torque, conflicts_with_all = ["force_n", "contraction", "points", "load", "stroke_mm"])]
     pub torques: Vec<TorqueWanted>,
     /// Largest angle of the joint to either side of the neutral angle [the largest of `torques`]
-    #[arg(
-        long = "largest-angle",
-        value_name = "ANGLE",
-        requires = "torques",
-        hide_short_help = true
-    )]
+    #[arg(long, requires = "torques", hide_short_help = true)]
     pub largest_angle_deg: Option<Angle>,
     /// Stroke. With a contraction it sets the length, with a length the contraction
-    #[arg(long = "stroke", value_name = "LENGTH")]
+    #[arg(long)]
     pub stroke_mm: Option<Length>,
     /// Pressure that the supply can give [6bar]
     ///
     /// Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the
     /// answer says which pressure to set.
-    #[arg(
-        short = 'p',
-        long = "max-pressure",
-        alias = "pressure",
-        value_name = "PRESSURE"
-    )]
+    #[arg(short = 'p', long, alias = "pressure")]
     pub max_pressure_mpa: Option<Pressure>,
     /// A liquid in the place of air.
     #[serde(flatten)]
@@ -96,23 +81,18 @@ pub struct DesignRequest {
     #[arg(long, alias = "bundle", value_name = "N")]
     pub count: Option<u32>,
     /// Quantity to rank by
-    #[arg(long, value_parser = crate::flags::word::<ObjectiveWord>(), default_value = "bulged-diameter")]
+    #[arg(long, value_parser = flags::word::<ObjectiveWord>(), default_value = "bulged-diameter")]
     pub objective: ObjectiveWord,
     /// Largest outer diameter at the operating points; of a bundle that of each of its muscles
-    #[arg(
-        long = "max-bulged-diameter",
-        value_name = "LENGTH",
-        help_heading = "Limits"
-    )]
+    #[arg(long, help_heading = "Limits")]
     pub max_bulged_diameter_mm: Option<Length>,
     /// Largest diameter of the circle around all muscles at the operating points
-    #[arg(long = "max-envelope", value_name = "LENGTH", help_heading = "Limits")]
+    #[arg(long, help_heading = "Limits")]
     pub max_envelope_mm: Option<Length>,
     /// Distance between the axes of neighbours of a bundle [that of the largest envelope, or the
     /// bulged diameter]
     #[arg(
-        long = "pitch",
-        value_name = "LENGTH",
+        long,
         requires = "count",
         hide_short_help = true,
         help_heading = "Limits"
@@ -121,7 +101,7 @@ pub struct DesignRequest {
     /// Largest liquid volume up to the operating points: what the syringe or pump gives
     ///
     /// Of a bundle to all its muscles together. It needs `liquid`.
-    #[arg(long = "max-liquid", value_name = "VOLUME", value_parser = crate::flags::volume, help_heading = "Limits")]
+    #[arg(long = "max-liquid", value_parser = flags::volume, help_heading = "Limits")]
     pub max_liquid_volume_mm3: Option<Volume>,
     /// Safety factor of strands and clamps: failure pressure over allowed pressure [4]
     ///
@@ -167,11 +147,11 @@ pub struct DesignRequest {
     /// `paper` is the muscle of the paper, lib:NAME one of the library. With it diameters and walls
     /// are free.
     #[serde(deserialize_with = "name_or_file")]
-    #[arg(value_name = "MUSCLE.toml", value_parser = crate::flags::muscle_file, help_heading = "Muscle")]
+    #[arg(value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
     /// Muscle file, same as [MUSCLE.toml]
     #[serde(skip)]
-    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = crate::flags::muscle_file, conflicts_with = "muscle", hide_short_help = true, help_heading = "Muscle")]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "muscle", hide_short_help = true, help_heading = "Muscle")]
     pub also_muscle: Option<TextFile>,
     /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
     #[arg(
@@ -193,7 +173,7 @@ pub struct DesignRequest {
     ///
     /// A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter,
     /// largest_diameter in mm) in place of those of the catalogue.
-    #[arg(long, value_name = "FILE.toml", value_parser = crate::flags::file, hide_short_help = true, help_heading = "Muscle")]
+    #[arg(long, value_name = "FILE.toml", value_parser = flags::file, hide_short_help = true, help_heading = "Muscle")]
     pub parts: Option<TextFile>,
     /// Free sizes instead of parts as sold
     ///
@@ -204,43 +184,28 @@ pub struct DesignRequest {
     /// Outer diameters: a value, list or range [parts]
     ///
     /// At rest; also a stepped range, 20..40:5.
-    #[arg(
-        short = 'D',
-        long = "outer-diameter",
-        value_name = "RANGE",
-        help_heading = "Muscle"
-    )]
+    #[arg(short = 'D', long, value_name = "RANGE", help_heading = "Muscle")]
     pub outer_diameter_mm: Option<Choice<Length>>,
     /// Wall thicknesses at rest [parts]
-    #[arg(
-        short = 's',
-        long = "wall",
-        value_name = "RANGE",
-        help_heading = "Muscle"
-    )]
+    #[arg(short = 's', long, value_name = "RANGE", help_heading = "Muscle")]
     pub wall_mm: Option<Choice<Length>>,
     /// Lengths between the terminals at rest [285mm]
-    #[arg(
-        short = 'L',
-        long = "length",
-        value_name = "RANGE",
-        help_heading = "Muscle"
-    )]
+    #[arg(short = 'L', long, value_name = "RANGE", help_heading = "Muscle")]
     pub length_mm: Option<Choice<Length>>,
     /// Braid angles to the axis at rest [those of the sleeves]
-    #[arg(long = "angle", value_name = "RANGE", help_heading = "Muscle")]
+    #[arg(long, value_name = "RANGE", help_heading = "Muscle")]
     pub angle_deg: Option<Choice<Angle>>,
     /// Rubbers, by name [those of the tubes]
-    #[arg(long = "rubber", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
+    #[arg(long = "rubber", value_name = "LIST", value_delimiter = ',', value_parser = flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
     pub rubbers: Vec<String>,
     /// Sleeves, by name (`mckibben parts list sleeves`) [all]
     ///
     /// The diameter of the tube then sets angle and stiffness.
-    #[arg(long = "braid", value_name = "LIST", value_delimiter = ',', value_parser = crate::flags::sleeves(), hide_possible_values = true, conflicts_with_all = ["angle_deg", "strand_length_per_turn_mm"], help_heading = "Muscle")]
+    #[arg(long = "braid", value_name = "LIST", value_delimiter = ',', value_parser = flags::sleeves(), hide_possible_values = true, conflicts_with_all = ["angle_deg", "strand_length_per_turn_mm"], help_heading = "Muscle")]
     pub braids: Vec<String>,
     /// Diameter of a strand of the named sleeves, where they do not state it
     #[arg(
-        long = "strand-diameter",
+        long,
         value_name = "DIAMETER",
         hide_short_help = true,
         help_heading = "Muscle"
@@ -257,11 +222,11 @@ pub struct DesignRequest {
     /// Stiffness of one strand family, in N/mm [paper]
     ///
     /// Or `inextensible`, or `paper`.
-    #[arg(long, value_name = "STIFFNESS", value_parser = crate::flags::stiffness, help_heading = "Muscle")]
+    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
     pub stiffness: Option<Stiffness>,
     /// Sleeves on sale, by strand length per turn; the tube diameter then sets the angle
     #[arg(
-        long = "strand-length-per-turn",
+        long,
         value_name = "LIST",
         conflicts_with = "angle_deg",
         hide_short_help = true,
@@ -271,7 +236,6 @@ pub struct DesignRequest {
     /// Radii of the pulley [searched]
     #[arg(
         long = "radius",
-        value_name = "RANGE",
         requires = "torques",
         hide_short_help = true,
         help_heading = "Muscle"
@@ -282,10 +246,10 @@ pub struct DesignRequest {
     #[command(flatten)]
     pub model: ModelFields,
     /// Compute outside the model's range too, with a warning
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Number of candidates to show [5]
-    #[arg(long, value_name = "N", value_parser = crate::flags::between::<1, 1000>, help_heading = "Output")]
+    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1000>, help_heading = "Output")]
     pub top: Option<usize>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
@@ -317,7 +281,8 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         let (base, wanted, radius_mm) = self.demand()?;
-        let wanted = self.share(&wanted)?;
+        let count = self.count()?;
+        let wanted = wanted.times(1.0 / f64::from(count));
         let extends = wanted.extends();
         let max_pressure_mpa = finite(
             "max_pressure_mpa",
@@ -382,7 +347,7 @@ impl DesignRequest {
         }
         let spec = Spec {
             wanted,
-            count: self.count()?,
+            count,
             direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: self.liquid.named_supply()?,
@@ -401,7 +366,8 @@ impl DesignRequest {
                 .map(|name| rubber(name))
                 .collect::<Result<_, _>>()?,
             limits: Limits {
-                bulged_diameter_mm: self.bulged_diameter_mm()?,
+                bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+                envelope_mm: self.max_envelope_mm.map(f64::from),
                 burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 tube_margin: self.min_tube_margin,
                 stretch: self.max_stretch,
@@ -411,7 +377,9 @@ impl DesignRequest {
                     self.max_strand_strain
                         .map_or(VALIDATED_STRAND_STRAIN, f64::from),
                 ),
-                liquid_volume_mm3: self.liquid_volume_mm3()?,
+                liquid_volume_mm3: self
+                    .max_liquid_volume_mm3
+                    .map(|mm3| mm3.0 / f64::from(count)),
             },
             guaranteed: self.guaranteed()?,
             objective: self.objective,

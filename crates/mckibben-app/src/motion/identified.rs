@@ -11,6 +11,9 @@
 //! others are fitted again. The second half is predicted.
 
 use super::{MotionRequest, Moved};
+use crate::identify::page::constants;
+use crate::print::{Page, Table};
+use crate::units::NUMBER;
 use crate::{Problem, ProblemKind, Result, TextFile, with_error_bar};
 use mckibben::progress::Progress;
 use mckibben::units::{Dimension, parse_quantity};
@@ -30,6 +33,25 @@ pub struct IdentifiedDrive {
     pub errors: Vec<LogErrors>,
     /// The drive file with those that are identifiable.
     pub drive_file: String,
+}
+
+impl IdentifiedDrive {
+    /// The constants and the errors of a model, as people read them.
+    pub(super) fn page(&self, model: &str) -> Page {
+        let mut page = Page::default();
+        page.line(format!("model {model}"));
+        page.gap();
+        page.table(constants(&self.parameters));
+        page.gap();
+        let error = NUMBER.digits(3);
+        page.table(
+            Table::of(&self.errors)
+                .text("log", |e| &e.of)
+                .quantity("rms", &error, |e| e.rms)
+                .quantity("second half, predicted", &error, |e| e.held_out_rms),
+        );
+        page
+    }
 }
 
 /// Root mean squares of model − log, in MPa, degrees or as a contraction ratio.

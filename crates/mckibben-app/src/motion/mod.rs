@@ -1,6 +1,7 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 mod identified;
+mod page;
 mod request;
 mod simulated;
 

@@ -1,7 +1,7 @@
 //! Requests of a drive.
 
 use crate::fields::name_or_file;
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{
     JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite,
     given, no_ratio,
@@ -25,14 +25,14 @@ pub struct MotionRequest {
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub sweep: Option<MotionSweep>,
     /// Required rise time (10 to 90 %) with the smallest valve
-    #[arg(long = "rise-time", value_name = "TIME")]
+    #[arg(long)]
     pub rise_time_s: Option<Time>,
     /// Instead of a drive file: a muscle with a load, filled through a valve.
     #[command(flatten)]
     pub step: Option<StepFields>,
     /// Muscle file
     #[serde(deserialize_with = "name_or_file")]
-    #[arg(long, value_name = "MUSCLE.toml", value_parser = crate::flags::muscle_file, help_heading = "Instead of a drive file", requires = "step_pressure_mpa")]
+    #[arg(long, value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Instead of a drive file", requires = "step_pressure_mpa")]
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
     #[arg(skip)]
@@ -70,7 +70,6 @@ pub struct StepFields {
         id = "step_pressure_mpa",
         short = 'p',
         long = "pressure",
-        value_name = "PRESSURE",
         requires = "muscle"
     )]
     pub pressure_mpa: Option<Pressure>,
@@ -81,13 +80,13 @@ pub struct StepFields {
     #[arg(long, requires = "muscle")]
     pub valve: Option<String>,
     /// Gauge pressure of the supply [6bar]
-    #[arg(long = "supply", value_name = "PRESSURE", requires = "muscle")]
+    #[arg(long, requires = "muscle")]
     pub supply_mpa: Option<Pressure>,
     /// Damping of the load [0]
-    #[arg(long = "damping", value_name = "DAMPING", requires = "muscle")]
+    #[arg(long, requires = "muscle")]
     pub damping_n_s_per_m: Option<Damping>,
     /// End time of the run [2s]
-    #[arg(long = "until", value_name = "TIME", requires = "muscle")]
+    #[arg(long, requires = "muscle")]
     pub until_s: Option<Time>,
 }
 

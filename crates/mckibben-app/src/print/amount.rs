@@ -40,6 +40,12 @@ impl<T: Into<Amount>> From<Option<T>> for Amount {
     }
 }
 
+impl From<&Option<String>> for Amount {
+    fn from(there: &Option<String>) -> Self {
+        there.as_ref().into()
+    }
+}
+
 impl From<String> for Amount {
     fn from(text: String) -> Self {
         Self::Words(text)
@@ -58,9 +64,21 @@ impl From<&str> for Amount {
     }
 }
 
-impl From<usize> for Amount {
-    fn from(count: usize) -> Self {
-        Self::Words(count.to_string())
+macro_rules! counts {
+    ($($count:ty)*) => {
+        $(impl From<$count> for Amount {
+            fn from(count: $count) -> Self {
+                Self::Words(count.to_string())
+            }
+        })*
+    };
+}
+
+counts!(u32 u64 usize);
+
+impl From<bool> for Amount {
+    fn from(is: bool) -> Self {
+        if is { "yes" } else { "no" }.into()
     }
 }
 

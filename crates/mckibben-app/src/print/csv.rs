@@ -10,8 +10,19 @@ use serde_json::{Error, Value, to_value};
 pub struct Csv {
     pub rows: Result<Vec<Value>, Error>,
     schema: fn(SchemaGenerator) -> Schema,
-    /// Whether the values of objects in a row are columns as well.
-    pub is_flat: bool,
+    pub form: Form,
+    /// Warnings that the page has among its lines.
+    pub warnings: Vec<String>,
+}
+
+/// How the lines follow from the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    Rows,
+    /// The values of objects in a row are columns as well.
+    Flat,
+    /// A row has lists of equal length.
+    Columns,
 }
 
 impl Csv {
@@ -20,7 +31,8 @@ impl Csv {
         Self {
             rows: list.into_iter().map(to_value).collect(),
             schema: SchemaGenerator::into_root_schema_for::<T>,
-            is_flat: false,
+            form: Form::Rows,
+            warnings: vec![],
         }
     }
 
@@ -32,9 +44,23 @@ impl Csv {
     /// One line, with the values of its objects beside the others.
     pub fn flat<T: Serialize + JsonSchema>(row: &T) -> Self {
         Self {
-            is_flat: true,
+            form: Form::Flat,
             ..Self::row(row)
         }
+    }
+
+    /// A line for each place of an object of lists.
+    pub fn columns<T: Serialize + JsonSchema>(lists: &T) -> Self {
+        Self {
+            form: Form::Columns,
+            ..Self::row(lists)
+        }
+    }
+
+    /// With warnings that the page has among its lines.
+    pub fn with_warnings(mut self, list: &[String]) -> Self {
+        self.warnings.extend_from_slice(list);
+        self
     }
 
     pub fn schema(&self) -> Value {

@@ -36,7 +36,7 @@ mod rows;
 mod table;
 
 pub use amount::Amount;
-pub use csv::Csv;
+pub use csv::{Csv, Form};
 pub use page::{Block, Page};
 pub use rows::Rows;
 pub use table::{Column, Table};

@@ -43,13 +43,16 @@ impl Page {
         self.blocks.push(Block::Rows(rows));
     }
 
+    /// A table; nothing where it has no lines.
     pub fn table<T>(&mut self, table: Table<'_, T>) {
-        self.blocks.push(Block::Table(table.columns));
+        if !table.is_empty() {
+            self.blocks.push(Block::Table(table.columns));
+        }
     }
 
     /// A table with its heading; nothing where it has no lines.
     pub fn table_under<T>(&mut self, heading: &str, table: Table<'_, T>) {
-        if !table.columns.is_empty() {
+        if !table.is_empty() {
             self.paragraph(heading);
             self.table(table);
         }

@@ -25,6 +25,11 @@ impl<'a, T> Table<'a, T> {
         }
     }
 
+    /// Whether it has nothing to show.
+    pub fn is_empty(&self) -> bool {
+        self.columns.is_empty()
+    }
+
     /// A column of quantities of one unit, with their points aligned.
     pub fn quantity<A: Into<Amount>>(
         self,
@@ -33,27 +38,31 @@ impl<'a, T> Table<'a, T> {
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
         let amounts: Vec<Amount> = self.list.iter().map(|of| amount(of).into()).collect();
-        let is_percent = scale.name == "%";
-        let heading = if is_percent || scale.name.is_empty() {
-            label.into()
-        } else {
-            scale.heading(label)
-        };
         let numbers = amounts.iter().map(|amount| match amount {
             Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
             _ => None,
         });
         let numbers: Vec<Option<f64>> = numbers.collect();
         let cells = amounts.iter().zip(aligned(&numbers, scale.digits));
-        let cells = cells.map(|(amount, aligned)| {
-            let text = match amount {
-                Amount::Number(_) => aligned,
-                amount => amount.bare(scale)?,
-            };
-            let is_number = !matches!(amount, Amount::Words(_));
-            Some(text + if is_number && is_percent { " %" } else { "" })
+        let cells = cells.map(|(amount, aligned)| match amount {
+            Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
+            _ => Some(with_percent(amount.bare(scale)?, amount, scale)),
         });
-        self.column(heading, cells.collect())
+        self.cells(heading(label, scale), cells.collect())
+    }
+
+    /// A column of quantities of one unit and of unlike sizes: each has its own decimals.
+    pub fn unaligned<A: Into<Amount>>(
+        self,
+        label: &str,
+        scale: &Scale,
+        amount: impl Fn(&'a T) -> A,
+    ) -> Self {
+        let amounts = self.list.iter().map(|of| amount(of).into());
+        let cells =
+            amounts.map(|amount: Amount| Some(with_percent(amount.bare(scale)?, &amount, scale)));
+        let cells = cells.collect();
+        self.cells(heading(label, scale), cells)
     }
 
     /// A column of words, or of numbers without a unit.
@@ -62,14 +71,33 @@ impl<'a, T> Table<'a, T> {
     }
 
     /// A column of cells; what there is not is a dash.
-    pub fn column(mut self, heading: String, cells: Vec<Option<String>>) -> Self {
-        if cells.iter().flatten().any(|cell| !cell.is_empty()) {
-            let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
-            self.columns.push(Column {
-                heading,
-                cells: cells.collect(),
-            });
+    fn cells(self, heading: String, cells: Vec<Option<String>>) -> Self {
+        if cells.iter().flatten().all(String::is_empty) {
+            return self;
         }
+        let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
+        self.column(heading, cells.collect())
+    }
+
+    /// A column of cells as they are.
+    pub fn column(mut self, heading: String, cells: Vec<String>) -> Self {
+        self.columns.push(Column { heading, cells });
         self
+    }
+}
+
+/// The unit is in the heading; per cent stand behind the numbers.
+fn heading(label: &str, scale: &Scale) -> String {
+    match &*scale.name {
+        "%" | "" => label.into(),
+        _ => scale.heading(label),
+    }
+}
+
+fn with_percent(cell: String, amount: &Amount, scale: &Scale) -> String {
+    let is_number = !matches!(amount, Amount::Words(_));
+    match is_number && scale.name == "%" {
+        true => cell + " %",
+        false => cell,
     }
 }

@@ -2,10 +2,11 @@
 
 mod answer;
 mod files;
+mod page;
 
 pub use answer::*;
 
-use crate::flags::Args;
+use crate::flags::{self, Args};
 use crate::{Contractions, ModelFields};
 use crate::{
     Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
@@ -47,30 +48,20 @@ pub struct Simulated {
 #[command(next_help_heading = "Question")]
 pub struct SimulateRequest {
     /// Which test
-    #[arg(long, value_parser = crate::flags::word::<Test>(), default_value = "isometric")]
+    #[arg(long, value_parser = flags::word::<Test>(), default_value = "isometric")]
     pub test: Test,
     /// Gauge pressures [0.05..0.25:0.05]
-    #[arg(short, long = "pressure", value_name = "RANGE")]
+    #[arg(short, long)]
     pub pressures_mpa: Option<List<Pressure>>,
     /// Contraction ratios ΔL/L0 [isometric 0,0.1,0.2; isobaric by 0.02 to the free contraction at
     /// the highest pressure]
-    #[arg(
-        short = 'e',
-        long = "contraction",
-        value_name = "RANGE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'e', long)]
     pub contractions: Option<Contractions>,
     /// Give contractions as shares of the free contraction at the highest pressure
     #[arg(long)]
     pub of_largest: bool,
     /// Pulls of an isotonic test [20,80,150]
-    #[arg(
-        short = 'F',
-        long = "force",
-        value_name = "RANGE",
-        allow_hyphen_values = true
-    )]
+    #[arg(short = 'F', long)]
     pub forces_n: Option<List<Force>>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
@@ -81,7 +72,7 @@ pub struct SimulateRequest {
     #[command(flatten)]
     pub model: ModelFields,
     /// Give the negative force, not slack, where the muscle would have to push
-    #[arg(long, hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
     /// Add the input deck of the test for other programs to the answer; only with `fe3d`.
     #[arg(skip)]

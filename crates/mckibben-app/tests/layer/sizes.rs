@@ -219,12 +219,9 @@ fn every_number_of_a_joint_file_of_any_size_is_an_answer_or_a_problem() {
                     joint: Some(file("j.toml", &with(JOINT, &key, size))),
                     muscles: vec![file("m.toml", MUSCLE)],
                 },
-                model: mckibben_app::ModelFields {
-                    model: Some("thick-wall".into()),
-                    ..Default::default()
-                },
-                pressures_mpa: vec![vec![0.2, 0.1]],
-                angles_deg: Some(vec![0.0]),
+                model: mckibben_app::ModelFields::named("thick-wall"),
+                pressures_mpa: vec![vec![0.2, 0.1].into()],
+                angles_deg: Some(vec![0.0].into()),
                 ..JointRequest::default()
             };
             judged(
@@ -242,10 +239,7 @@ fn every_number_of_a_drive_file_of_any_size_is_an_answer_or_a_problem() {
             let request = MotionRequest {
                 drive: Some(file("d.toml", &with(DRIVE, &key, size))),
                 muscle: Some(file("m.toml", MUSCLE)),
-                model: mckibben_app::ModelFields {
-                    model: Some("thick-wall".into()),
-                    ..Default::default()
-                },
+                model: mckibben_app::ModelFields::named("thick-wall"),
                 ..MotionRequest::default()
             };
             judged(

@@ -18,7 +18,7 @@ mod tests;
 
 pub use error::CampaignError;
 use error::Result;
-pub use plan::{Inputs, Plan, Sampling, Testing};
+pub use plan::{Inputs, Plan, PlanKeys, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{

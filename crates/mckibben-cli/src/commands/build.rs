@@ -1,15 +1,12 @@
 //! `build`: a folder with all that a workshop needs, or its report alone.
 
-use crate::Units;
 mod pdf;
 
-use crate::output::ShownUnits;
-use crate::{
-    Bar, FLAT, Format, Problem, burst_first, check_ending, ending, listed, pairs, place,
-    print_text, save, save_all, shown, tabled, value,
-};
-use mckibben_app::{BuildAnswer, BuildRequest, REPORT, build};
-use std::path::{Path, PathBuf};
+use crate::output::{ShownUnits, print};
+use crate::{Bar, Format, Problem, check_ending, ending, place, save, save_all, shown};
+use mckibben_app::print::Page;
+use mckibben_app::{BuildRequest, REPORT, build};
+use std::path::PathBuf;
 
 /// The folder for a workshop.
 #[derive(Debug, clap::Args)]
@@ -52,35 +49,24 @@ impl Build {
                 .for_each(|file| file.content.clone_from(&page));
         }
         folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
-        print_text(format, &answer, FLAT, |answer, u| {
-            text(answer, folder, target, u)
-        })
+        let add = |page: &mut Page| {
+            if let Some(folder) = folder {
+                let (count, place) = (answer.files.len(), place(folder));
+                page.paragraph(format!(
+                    "{count} files are in {place}; begin with README.md."
+                ));
+            }
+            if let Some(report) = target {
+                page.paragraph(format!("The report is in {}.", place(report)));
+            }
+            if folder.is_none() && target.is_none() {
+                page.paragraph(
+                    "-o DIR writes report, drawing, plugs, steps and test sheet into a folder; \
+                     --report FILE.html the report alone.",
+                );
+            }
+        };
+        print(&answer, format, add, None)?;
+        Ok(0)
     }
-}
-
-const KEYS: &str = "pressure_mpa=working_pressure blocked_force_n free_contraction:% \
-    cut.tube_mm=tube_to_cut cut.sleeve.mounted_mm=sleeve_on_the_tube \
-    cut.sleeve.relaxed_mm=sleeve_to_cut cut.sleeve.relaxed_diameter_mm=at_its_diameter_of \
-    plug_diameter_mm=plugs bolt_mm=bolt burst_pressure_mpa allowed_pressure_mpa \
-    proof_pressure_mpa=proof_test,_with_water air_energy_j=energy_of_the_air:2";
-
-fn text(answer: &BuildAnswer, folder: Option<&Path>, report: Option<&Path>, u: &Units) -> String {
-    let mut out = burst_first(&answer.warnings) + &answer.muscle.line(u) + "\n";
-    out += &(pairs(&listed(&value(answer), KEYS, u)) + "\n");
-    out += &tabled(&answer.parts, "part amount sold_as mass_g=mass:3~", u);
-    if let Some(folder) = folder {
-        out += &format!(
-            "\n{} files are in {}; begin with README.md.\n",
-            answer.files.len(),
-            place(folder)
-        );
-    }
-    if let Some(report) = report {
-        out += &format!("\nThe report is in {}.\n", place(report));
-    }
-    if folder.is_none() && report.is_none() {
-        out += "\n-o DIR writes report, drawing, plugs, steps and test sheet into a folder; \
-            --report FILE.html the report alone.\n";
-    }
-    out
 }

@@ -1,9 +1,9 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
+use crate::output::{Output, json, print};
 use crate::{
-    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, Units, clean, emit, listed, output::Output,
-    output::json, output::print_text, overwrite, pairs, place, progress::INTERRUPTED, said, shown,
-    tabled, value, warn,
+    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean, emit, number, overwrite, place,
+    progress::INTERRUPTED, warn,
 };
 use clap::Subcommand;
 use mckibben::progress::{Progress, Silent};
@@ -11,7 +11,7 @@ use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
     campaign_merge, campaign_show, campaign_status,
 };
-use mckibben_campaign::campaign::{CampaignStatus, Outcome, ShardState, ShardStatus, Summary};
+use mckibben_campaign::campaign::Outcome;
 use std::time::{Duration, Instant};
 
 fn no_csv(format: Format) -> Result<(), Problem> {
@@ -85,12 +85,12 @@ impl Campaign {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
         match self.about {
             Some(About::Show { request, output }) => {
-                output.show(format, &campaign_show(&request)?, "ranges", summary_text)
+                output.print(format, &campaign_show(&request)?)
             }
             Some(About::Merge { request }) => merge(request, format),
             Some(About::Status { request, output }) => {
                 let status = campaign_status(&request)?;
-                output.show(format, &status, "shards", status_text)?;
+                output.print(format, &status)?;
                 Ok(if status.shards_missing > 0 {
                     NO_ANSWER
                 } else {
@@ -137,94 +137,38 @@ fn run(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, 
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {
-    let (p, seconds, mut row) = (outcome.counts, time.as_secs_f64(), value(outcome));
-    row["of"] = (!outcome.complete).then_some(p.of).into();
-    row["place"] = place(if outcome.complete {
-        &outcome.output
+    let (counts, seconds) = (outcome.counts, time.as_secs_f64());
+    let (muscles, points) = (counts.muscles, counts.points);
+    let (of, path) = if outcome.complete {
+        (String::new(), place(&outcome.output))
     } else {
-        &outcome.store
-    })
-    .into();
-    row["resumed"] = Some(p.resumed).filter(|n| *n > 0).into();
-    row["points"] = Some(p.points).filter(|n| *n > 0).into();
-    (row["seconds"], row["rate"]) = (seconds.into(), (p.points as f64 / seconds).into());
-    row["failed"] = Some(p.failed).filter(|n| *n > 0).into();
-    let text = "{muscles}[ of {of}] muscles are in {place}[, {resumed} of them from before]\n\
-        [{points} points in {seconds:3} s ({rate:3} a second)][, {failed} without an answer: \
-        `mckibben campaign show` gives the reasons]";
-    let out = said(&row, text, &shown::units()) + if p.points > 0 { "\n" } else { "" };
-    out + if outcome.complete {
-        ""
-    } else {
-        "Interrupted: the same command continues from here.\n"
+        (format!(" of {}", counts.of), place(&outcome.store))
+    };
+    let mut out = format!("{muscles}{of} muscles are in {path}");
+    if counts.resumed > 0 {
+        out += &format!(", {} of them from before", counts.resumed);
     }
+    out.push('\n');
+    if points > 0 {
+        let (time, rate) = (number(seconds, 3), number(points as f64 / seconds, 3));
+        out += &format!("{points} points in {time} s ({rate} a second)");
+        if counts.failed > 0 {
+            out += &format!(
+                ", {} without an answer: `mckibben campaign show` gives the reasons",
+                counts.failed
+            );
+        }
+        out.push('\n');
+    }
+    if !outcome.complete {
+        out += "Interrupted: the same command continues from here.\n";
+    }
+    out
 }
 
 fn merge(mut request: CampaignMergeRequest, format: Format) -> Result<u8, Problem> {
     no_csv(format)?;
     request.overwrite = overwrite();
-    let merged = campaign_merge(&request)?;
-    print_text(format, &merged, "", |merged, _| {
-        let out = place(&merged.output);
-        format!(
-            "{} points of {} muscles are in {out}\n",
-            merged.points, merged.muscles
-        )
-    })
-}
-
-fn summary_text(s: &Summary, u: &Units) -> String {
-    let keys = "muscles points points_wanted points_per_muscle answered failed model sampling seed \
-        version=mckibben plan_sha256";
-    let mut out = pairs(&listed(&value(s), keys, u)) + "\n";
-    out += &tabled(&s.ranges, "name=_ smallest:6~ largest:6~", u);
-    for (status, f) in &s.failed {
-        out += &format!(
-            "\nThe first {status} is of muscle {}: {}\n",
-            f.first_muscle, f.first_cause
-        );
-    }
-    if s.missing_parts > 0 {
-        let (all, missing) = (s.provenance.parts(), s.missing_parts);
-        let present = all - missing;
-        out += &format!(
-            "\nIncomplete: {present} of {all} parts are present; run the campaign again to \
-             continue.\n"
-        );
-    }
-    out.extend(
-        s.damaged
-            .iter()
-            .map(|damaged| format!("Damaged: {damaged}\n")),
-    );
-    out
-}
-
-fn status_text(s: &CampaignStatus, u: &Units) -> String {
-    let mut out = format!(
-        "{} of {} parts are in {}\n",
-        s.parts,
-        s.parts_wanted,
-        place(&s.output)
-    );
-    let shards =
-        "shards_wanted=shards shards_done=done shards_running=running shards_missing=missing";
-    out += &pairs(&listed(&value(s), shards, u));
-    let open: Vec<&ShardStatus> = s
-        .shards
-        .iter()
-        .filter(|s| s.state != ShardState::Done)
-        .collect();
-    if !open.is_empty() {
-        out += &format!("\n{}", tabled(open, "shard state parts parts_wanted=of", u));
-    }
-    out.extend(
-        s.damaged
-            .iter()
-            .map(|part| format!("Cut off: {}\n", place(part))),
-    );
-    if s.shards_missing > 0 {
-        out += "\nSomething is missing that nothing computes: run the shards again.\n";
-    }
-    out
+    print(&campaign_merge(&request)?, format, |_| (), None)?;
+    Ok(0)
 }

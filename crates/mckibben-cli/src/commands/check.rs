@@ -1,7 +1,7 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
-use crate::{Format, Output, Problem, commands::fit::formula_text, emit};
+use crate::{Format, Output, Problem, emit};
 use mckibben_app::{
     CheckFormulaRequest, CheckRequest, ProblemKind, TextFile, check, check_formula,
 };
@@ -53,9 +53,7 @@ impl Check {
         })?;
         match answer.latex.as_ref().filter(|_| format == Format::Text) {
             Some(latex) => emit(latex, self.output.output.as_deref()).map(|()| 0),
-            None => self.output.show(format, &answer, "terms", |answer, _| {
-                formula_text(&answer.formula, true)
-            }),
+            None => self.output.print(format, &answer),
         }
     }
 }

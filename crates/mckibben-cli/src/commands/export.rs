@@ -1,13 +1,11 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::output::ShownUnits;
-use crate::{
-    FLAT, Format, Problem, Units, listed, pairs, place, print_text, save_all, tabled, value,
-};
+use crate::output::{ShownUnits, print};
+use crate::{Format, Problem, place, save_all};
+use mckibben_app::print::Page;
 use mckibben_app::{
     BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list,
 };
-use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A folder for a controller or a simulator.
@@ -33,54 +31,28 @@ pub struct Export {
 impl Export {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
         if self.list {
-            let answer = export_list(&ExportListRequest {})?;
-            return print_text(format, &answer, "targets", |answer, u| {
-                tabled(&answer.targets, TARGETS, u)
-            });
+            print(&export_list(&ExportListRequest {})?, format, |_| (), None)?;
+            return Ok(0);
         }
         let folder = self.output.as_deref();
         let save = |files: &[BuiltFile]| folder.map_or(Ok(()), |folder| save_all(files, folder));
+        let written = |files: &[BuiltFile], page: &mut Page| {
+            page.line(match folder {
+                Some(folder) => format!("{} files are in {}.", files.len(), place(folder)),
+                None => "-o DIR writes the files into a folder.".into(),
+            });
+        };
         let (request, file) = (&self.request, self.request.muscle.file());
         let is_joint = |text: &str| text.lines().any(|line| line.trim() == "[joint]");
         if let Some(file) = file.filter(|file| is_joint(&file.text)) {
             let answer = export_joint(&request.of_joint(Path::new(&file.name))?)?;
             save(&answer.files)?;
-            return print_text(format, &answer, FLAT, |a, u| {
-                let keys = "target torque_error_nm=error_of_the_torque,_at_most \
-                    stiffness_error_nm_per_rad=of_the_stiffness";
-                text(value(a), String::new(), keys, folder, u)
-            });
+            print(&answer, format, |page| written(&answer.files, page), None)?;
+        } else {
+            let answer = export(request)?;
+            save(&answer.files)?;
+            print(&answer, format, |page| written(&answer.files, page), None)?;
         }
-        let answer = export(request)?;
-        save(&answer.files)?;
-        print_text(format, &answer, FLAT, |a, u| {
-            text(value(a), a.muscle.line(u) + "\n", KEYS, folder, u)
-        })
+        Ok(0)
     }
-}
-
-const TARGETS: &str = "name=target about=what_it_is needs loses";
-const KEYS: &str = "model supply_pressure_mpa contraction_low=contraction_from:% \
-    contraction_high=to:% blocked_force_n+uncertainty_n force_rms=error_of_the_pull,_rms:2% \
-    force_95_ratio=at_95_%_of_points:2% force_worst_ratio=largest:2% \
-    volume_rms=error_of_the_volume,_rms:2% volume_worst_ratio=largest:2% needs loses";
-
-fn text(answer: Value, head: String, keys: &str, folder: Option<&Path>, u: &Units) -> String {
-    let list = |key: &str| answer[key].as_array().cloned().unwrap_or_default();
-    let files = list("files");
-    let mut out = head
-        + &pairs(&listed(&answer, keys, u))
-        + "\n"
-        + &tabled(&files, "name=file about=what_it_is", u);
-    out.extend(
-        list("warnings")
-            .iter()
-            .filter_map(Value::as_str)
-            .map(|warning| format!("\nnote: {warning}")),
-    );
-    out += &match folder {
-        Some(folder) => format!("\n{} files are in {}.\n", files.len(), place(folder)),
-        None => "\n-o DIR writes the files into a folder.\n".into(),
-    };
-    out
 }

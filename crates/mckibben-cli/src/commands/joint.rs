@@ -1,9 +1,7 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{
-    Bar, Format, Output, Plot, Problem, Units, burst_first, number, output::form, tabled, value,
-};
-use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, joint};
+use crate::{Bar, Format, Output, Plot, Problem, output::form};
+use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
 use std::path::PathBuf;
 
 /// A joint.
@@ -44,76 +42,6 @@ impl Joint {
             ));
         }
         self.plot.save(&mut answer.figure)?;
-        self.output.show(format, &answer, "points", as_text)
+        self.output.print(format, &answer)
     }
-}
-
-fn as_text(answer: &JointAnswer, u: &Units) -> String {
-    let mut text = burst_first(&answer.warnings) + &format!("model {}\n", answer.model);
-    let muscles = answer.muscles.iter().zip(1..);
-    text.extend(muscles.map(|(muscle, i)| format!("muscle {i}: {}\n", muscle.line(u))));
-    text.extend(
-        answer
-            .limits
-            .rows(u)
-            .iter()
-            .map(|(name, value)| format!("{name} {value}\n")),
-    );
-    if !answer.points.is_empty() {
-        text += &format!("\n{}", rows(&answer.points, u));
-        text += &answer
-            .uncertainty_text
-            .as_ref()
-            .map_or_else(String::new, |said| format!("\n{said}\n"));
-    }
-    if let Some(map) = &answer.map {
-        let at_rest: Vec<_> = map
-            .points
-            .iter()
-            .flatten()
-            .filter(|q| !q.at_limit)
-            .collect();
-        let ends = |all: &mut dyn Iterator<Item = f64>| {
-            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(v), b.max(v))
-            });
-            format!("{} to {}", number(low, 4), number(high, 4))
-        };
-        let angles = ends(&mut at_rest.iter().map(|q| q.angle_deg));
-        let stiffnesses = ends(&mut at_rest.iter().map(|q| q.stiffness_nm_per_rad));
-        text += &match at_rest.is_empty() {
-            true => {
-                "\nat all of these pressures the joint rests at a limit of its range, or is loose\n"
-                    .into()
-            }
-            false => format!("\nat rest it reaches {angles} ° and {stiffnesses} N m/rad\n"),
-        };
-        let torques = ends(&mut map.torques.iter().flat_map(|t| [t.1, t.2]));
-        text += &format!("its torques reach from {torques} N m over its range\n");
-    }
-    text
-}
-
-/// The points, with `slack` in the place of the pull of a muscle without tension.
-fn rows(points: &[JointRow], u: &Units) -> String {
-    let rows = points.iter().map(|q| {
-        let mut row = value(q);
-        for (slack, force) in [
-            (q.slack_1, "force_1_n"),
-            (q.slack_2 == Some(true), "force_2_n"),
-        ] {
-            if slack {
-                row[force] = "slack".into();
-            }
-        }
-        row
-    });
-    let keys = "angle_deg+angle_uncertainty_deg=φ pressure_1_mpa+pressure_1_uncertainty_mpa=P1:4~ \
-        pressure_2_mpa+pressure_2_uncertainty_mpa=P2:4~ \
-        torque_nm+uncertainty_nm=τ torque_turning_plus_nm=turning_to_+ \
-        torque_turning_minus_nm=to_− \
-        stiffness_nm_per_rad+stiffness_uncertainty_nm_per_rad=−dτ/dφ \
-        stiffness_shut_isothermal_nm_per_rad=valves_shut,_slow \
-        stiffness_shut_adiabatic_nm_per_rad=quick force_1_n=F1 force_2_n=F2 rest";
-    tabled(rows, keys, u)
 }

@@ -1,7 +1,6 @@
 //! Results as text, JSON and CSV, and where they go.
 
 pub mod keyed;
-pub mod loaded;
 mod table;
 pub mod text;
 pub mod width;
@@ -100,19 +99,6 @@ impl Output {
         print(answer, format, |_| (), self.output.as_deref())?;
         Ok(0)
     }
-
-    /// Prints an answer where `--output` says.
-    pub fn show<T: Serialize + JsonSchema>(
-        &self,
-        format: Format,
-        answer: &T,
-        rows: &str,
-        text: impl FnOnce(&T, &Units) -> String,
-    ) -> Result<u8, Problem> {
-        let text = || text(answer, &shown::units());
-        show(answer, format, rows, text, self.output.as_deref())?;
-        Ok(0)
-    }
 }
 
 /// Prints an answer beside the file that `--output` names.
@@ -144,9 +130,11 @@ pub fn print<T: Show>(
         first + &text::laid_out(&page)
     };
     let csv = || {
+        let csv = answer.csv();
         let warnings = answer.warnings();
-        warnings.iter().filter(|w| is_of_burst(w)).for_each(warn);
-        table::csv(&Table::of(answer.csv())?)
+        let all = warnings.iter().chain(&csv.warnings);
+        all.filter(|w| is_of_burst(w)).for_each(warn);
+        table::csv(&Table::of(csv)?)
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)
 }

@@ -2,7 +2,8 @@
 //! values.
 
 use crate::Problem;
-use mckibben_app::{ProblemKind, print::Csv};
+use mckibben_app::ProblemKind;
+use mckibben_app::print::{Csv, Form};
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
@@ -131,12 +132,22 @@ impl Table {
     pub fn of(answer: Csv) -> Result<Self, Problem> {
         let schema = answer.schema();
         let rows = answer.rows.map_err(|e| broken(&e))?;
-        let (rows, list) = match answer.is_flat {
-            true => (rows.into_iter().map(flat).collect(), FLAT),
-            false => (rows, ""),
+        let mut known = vec![];
+        scalars(&schema, &schema, answer.form == Form::Columns, &mut known);
+        let rows: Vec<Value> = match answer.form {
+            Form::Rows => rows,
+            Form::Flat => {
+                properties(&schema, &schema)
+                    .for_each(|(_, value)| scalars(&schema, value, false, &mut known));
+                rows.into_iter().map(flat).collect()
+            }
+            Form::Columns => {
+                let lists = rows.iter().filter_map(Value::as_object);
+                lists.flat_map(of_columns).collect()
+            }
         };
         Ok(Self {
-            columns: with_others(columns(&schema, list), &rows),
+            columns: with_others(known, &rows),
             rows,
         })
     }

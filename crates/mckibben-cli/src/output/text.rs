@@ -3,10 +3,9 @@
 use super::width::{self, fold};
 use crate::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
-use mckibben_app::UnderstoodTable;
 use mckibben_app::print::{Block, Page};
 pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, half_width, law_text, number, percent, within};
+pub use mckibben_app::words::{aligned, number};
 use std::path::Path;
 
 /// The name of a file.
@@ -158,23 +157,6 @@ fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
         format!("  {name:<width$}   {value}\n")
     };
     list.iter().map(one).collect()
-}
-
-/// What was understood of tables, a line each.
-pub fn understood(tables: &[UnderstoodTable]) -> String {
-    tables
-        .iter()
-        .map(|table| line(&table.line()).into_owned() + "\n")
-        .collect()
-}
-
-/// A percentage a row, with their points aligned.
-pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
-    let hundredfold: Vec<Option<f64>> = ratios.into_iter().map(|v| v.map(|v| 100.0 * v)).collect();
-    let column = aligned(&hundredfold, digits).into_iter();
-    column
-        .map(|cell| if cell == "–" { cell } else { cell + " %" })
-        .collect()
 }
 
 /// A table of columns, each with its heading.

@@ -22,14 +22,23 @@ const FLAGS: [(&str, &str); 18] = [
     ("force -p 0.2", "--length"),
     ("force -p 0.2", "--angle"),
     ("force -p 0.2 --model thick-wall", "--stiffness"),
-    ("force -p 0.2 --model thick-wall", "--seating"),
-    ("force -p 0.2 --model thick-wall", "--slip"),
-    ("force -p 0.2 --model thick-wall", "--grip"),
-    ("force -p 0.2 --model tondu-lopez", "--end-factor"),
-    ("force -p 0.2 --model conical-ends", "--cone-factor"),
     (
-        "force -p 0.2 --model belforte --turns 1.5",
-        "--strand-length",
+        "force -p 0.2 --model thick-wall",
+        "--with=terminals.seating",
+    ),
+    ("force -p 0.2 --model thick-wall", "--with=terminals.slip"),
+    ("force -p 0.2 --model thick-wall", "--with=terminals.grip"),
+    (
+        "force -p 0.2 --model tondu-lopez",
+        "--with=terminals.end_factor",
+    ),
+    (
+        "force -p 0.2 --model conical-ends",
+        "--with=terminals.cone_factor",
+    ),
+    (
+        "force -p 0.2 --model belforte --with braid.turns=1.5",
+        "--with=braid.strand_length",
     ),
     ("pressure -e 0.1 --extrapolate", "--force"),
     ("contraction -p 0.2 --two-sided --extrapolate", "--force"),
@@ -69,9 +78,8 @@ proptest! {
     ) {
         let given = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };
         let line = format!(
-            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {given} --model {model} --end-factor \
-             1.2 \
-             --cone-factor 0.3 --extrapolate --two-sided --format json",
+            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {given} --model {model} \
+             --with terminals.end_factor=1.2 --with terminals.cone_factor=0.3 --extrapolate --two-sided --format json",
             10f64.powf(d), 10f64.powf(s), 10f64.powf(l), 10f64.powf(p)
         );
         let result = mckibben(&line);

@@ -3,6 +3,7 @@
 //! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are
 //! degrees where a name says `_deg` and radians elsewhere. Units exist at the edge only, here.
 
+mod bounded;
 mod convert;
 mod dimension;
 mod name;
@@ -12,7 +13,9 @@ mod range;
 mod short;
 pub mod typed;
 mod unit;
+mod word;
 
+pub use bounded::{Bounded, Interval, NotNegative, Positive};
 pub use convert::{rounded, tidy};
 pub use dimension::Dimension;
 pub use name::NamedUnit;
@@ -20,3 +23,4 @@ pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
 pub use short::{short_numbers, trimmed};
 pub use unit::Unit;
+pub use word::Words;

@@ -24,7 +24,7 @@ pub(super) fn shortened(text: &str) -> String {
 }
 
 impl QuantityError {
-    fn about(text: &str, problem: String) -> Self {
+    pub(super) fn about(text: &str, problem: String) -> Self {
         Self {
             subject: format!("\"{}\" ", shortened(text.trim())),
             problem,

@@ -20,6 +20,11 @@ pub trait Quantity: Copy + From<f64> + Into<f64> {
     const DIMENSION: Dimension;
 }
 
+/// A plain number, which has no unit.
+impl Quantity for f64 {
+    const DIMENSION: Dimension = Dimension::Ratio;
+}
+
 /// A type for each dimension.
 macro_rules! quantities {
     ($($(#[$about:meta])* $name:ident)*) => {$(
@@ -54,7 +59,7 @@ macro_rules! quantities {
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                number(Dimension::$name, from).map(Self)
+                read_number(Dimension::$name, from).map(Self)
             }
         }
 
@@ -128,35 +133,80 @@ fn number_schema(dimension: Dimension) -> Schema {
     schema
 }
 
-/// A number, or a text with a unit.
-fn number<'de, D: Deserializer<'de>>(dimension: Dimension, from: D) -> Result<f64, D::Error> {
-    struct Number(Dimension);
+/// A number in the unit inside, or a text with a unit.
+pub fn read_number<'de, D: Deserializer<'de>>(
+    dimension: Dimension,
+    from: D,
+) -> Result<f64, D::Error> {
+    let parse = |text: &str| parse_quantity(text, dimension);
+    text_or_number(&dimension.expectation(), parse, |inside| inside, from)
+}
 
-    impl Visitor<'_> for Number {
-        type Value = f64;
+/// Reads a text, or a number; `expected` says in messages what may be there.
+pub fn text_or_number<'de, T, D: Deserializer<'de>>(
+    expected: &dyn fmt::Display,
+    of_text: impl FnOnce(&str) -> Result<T, QuantityError>,
+    of_number: impl FnOnce(f64) -> T,
+    from: D,
+) -> Result<T, D::Error> {
+    struct TextOrNumber<'e, F, G>(&'e dyn fmt::Display, F, G);
+
+    impl<T, F, G> Visitor<'_> for TextOrNumber<'_, F, G>
+    where
+        F: FnOnce(&str) -> Result<T, QuantityError>,
+        G: FnOnce(f64) -> T,
+    {
+        type Value = T;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str(self.0.expectation())
+            self.0.fmt(f)
         }
 
-        fn visit_f64<E: Error>(self, inside: f64) -> Result<f64, E> {
-            Ok(inside)
+        fn visit_f64<E: Error>(self, inside: f64) -> Result<T, E> {
+            Ok(self.2(inside))
         }
 
-        fn visit_i64<E: Error>(self, inside: i64) -> Result<f64, E> {
-            Ok(inside as f64)
+        fn visit_i64<E: Error>(self, inside: i64) -> Result<T, E> {
+            Ok(self.2(inside as f64))
         }
 
-        fn visit_u64<E: Error>(self, inside: u64) -> Result<f64, E> {
-            Ok(inside as f64)
+        fn visit_u64<E: Error>(self, inside: u64) -> Result<T, E> {
+            Ok(self.2(inside as f64))
         }
 
-        fn visit_str<E: Error>(self, text: &str) -> Result<f64, E> {
-            parse_quantity(text, self.0).map_err(E::custom)
+        fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
+            self.1(text).map_err(E::custom)
         }
     }
 
-    from.deserialize_any(Number(dimension))
+    from.deserialize_any(TextOrNumber(expected, of_text, of_number))
+}
+
+/// Reads a quantity into a number in the unit inside.
+pub fn one<'de, Q, D>(from: D) -> Result<f64, D::Error>
+where
+    Q: Deserialize<'de> + Into<f64>,
+    D: Deserializer<'de>,
+{
+    Q::deserialize(from).map(Into::into)
+}
+
+/// Reads two quantities.
+pub fn pair<'de, Q, D>(from: D) -> Result<(f64, f64), D::Error>
+where
+    Q: Deserialize<'de> + Into<f64>,
+    D: Deserializer<'de>,
+{
+    <(Q, Q)>::deserialize(from).map(|(first, second)| (first.into(), second.into()))
+}
+
+/// Reads a list of quantities.
+pub fn several<'de, Q, D>(from: D) -> Result<Vec<f64>, D::Error>
+where
+    Q: Deserialize<'de> + Into<f64>,
+    D: Deserializer<'de>,
+{
+    Vec::<Q>::deserialize(from).map(|list| list.into_iter().map(Into::into).collect())
 }
 
 /// Parts of an interval without a step, where a list is needed.

@@ -1,143 +1,199 @@
 //! [command] and [controller].
 
 use super::Tables;
+use super::keys::{OfCommand, OfController, Output};
 use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::drive::Target;
-use mckibben::muscle::file::{FileError, OVER_TIME, Section};
+use mckibben::muscle::file::{FileError, Source};
+use mckibben::units::typed::{Quantity, Time};
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
 use mckibben_io::table::{OverTime, read_over_time};
+use schemars::JsonSchema;
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+use std::marker::PhantomData;
 
-/// The tables that commands name.
-pub(super) fn tables(command: &Section<'_>) -> Vec<String> {
-    let all = ["pressure", "valve", "volume"]
-        .into_iter()
-        .flat_map(keys)
-        .chain(["position".into()]);
-    let texts = all.filter_map(|key| command.get::<&str>(&key));
-    texts
-        .filter_map(|text| Some(text.trim().strip_prefix(TABLE)?.trim().to_owned()))
-        .collect()
+/// What a command over time is, for messages.
+const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 \
+    s\", \"3 bar\"]], or \"ramp 0..3 bar in 2 s\", \"sine 1..3 bar at 2 Hz\", \"chirp 1..3 bar \
+    from 0.1..5 Hz in 10 s\", \"table:command.csv\"";
+
+/// A value over time, as it is written.
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+pub(super) enum Course<Q> {
+    /// A value, "ramp 0..3 bar in 2 s", "sine 1..3 bar at 2 Hz",
+    /// "chirp 1..3 bar from 0.1..5 Hz in 10 s" or "table:command.csv"
+    Said(String),
+    /// Values from their times on, in pairs such as [["0 s", "0 bar"], ["0.1 s", "3 bar"]]
+    Pairs(Vec<(Time, Q)>),
 }
 
-/// A key for all muscles, and one for each.
-fn keys(key: &str) -> [String; 3] {
-    [key.to_owned(), format!("{key}_1"), format!("{key}_2")]
-}
+impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Reader<Q>(PhantomData<Q>);
 
-pub(super) fn target(
-    command: &Section<'_>,
-    pid: &Section<'_>,
-    about_joint: bool,
-    tables: &Tables,
-) -> Result<Target, FileError> {
-    let each = |key: &str, what: OverTime| -> Result<Option<Vec<Command>>, FileError> {
-        let [all, first, second] = keys(key).map(|key| read_command(command, &key, what, tables));
-        match (all?, first?, second?) {
-            (Some(all), None, None) if about_joint => Ok(Some(vec![all.clone(), all])),
-            (Some(all), None, None) => Ok(Some(vec![all])),
-            (None, Some(first), second) => Ok(Some(std::iter::once(first).chain(second).collect())),
-            (None, None, None) => Ok(None),
-            _ => Err(command.error(key, format!("conflicts with {key}_1 and {key}_2"))),
+        impl<'de, Q: Deserialize<'de>> Visitor<'de> for Reader<Q> {
+            type Value = Course<Q>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(OVER_TIME)
+            }
+
+            fn visit_str<E>(self, text: &str) -> Result<Course<Q>, E> {
+                Ok(Course::Said(text.to_owned()))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Course<Q>, A::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Course::Pairs)
+            }
         }
-    };
-    let what = if about_joint {
-        OverTime::Angle
-    } else {
-        OverTime::Contraction
-    };
-    let position = read_command(command, "position", what, tables)?.map(|position| {
-        let position = if about_joint {
-            position.scaled(std::f64::consts::PI / 180.0)
-        } else {
-            position
-        };
-        Ok(Target::Position {
-            command: position,
-            pid: controller(pid)?,
-        })
-    });
-    let targets = [
-        each("pressure", OverTime::Pressure)?.map(Target::Pressure),
-        each("valve", OverTime::Opening)?.map(Target::Opening),
-        each("volume", OverTime::Volume)?.map(Target::Volume),
-        position.transpose()?,
-    ];
-    let mut given = targets.into_iter().flatten();
-    match (given.next(), given.next()) {
-        (Some(target), None) => Ok(target),
-        (None, _) => {
-            let expected = "what is commanded: pressure, valve (its opening), volume (of a \
-                syringe) or position";
-            Err(command.missing("pressure", None, expected))
-        }
-        _ => Err(command.error(
-            "until",
-            "belongs to one command: give pressure, valve, volume or position",
-        )),
+
+        from.deserialize_any(Reader(PhantomData))
     }
 }
 
-fn controller(section: &Section<'_>) -> Result<Pid, FileError> {
-    let number = |key: &str, default: f64| section.get(key).unwrap_or(default);
-    let needs = "the controller's gain, in MPa (or opening) per unit of position";
-    let proportional = section.get("proportional");
-    Ok(Pid {
-        proportional: proportional.ok_or_else(|| section.missing("proportional", None, needs))?,
-        integral_per_s: number("integral", 0.0),
-        derivative_s: number("derivative", 0.0),
-        filter_s: number("filter", 0.01),
-        tracking_s: number("tracking", 0.1),
-        output: match section.get("output") {
-            Some("opening") => PidOutput::Opening,
-            _ => PidOutput::Pressure {
-                bias_mpa: number("bias", 0.0),
-            },
-        },
-    })
+/// The table that a text names.
+pub(super) fn table_named(text: &str) -> Option<&str> {
+    text.trim().strip_prefix("table:").map(str::trim)
 }
 
-/// Before the name of a table of times and values.
-const TABLE: &str = "table:";
+/// The file and its tables, for the commands in it.
+pub(super) struct Commands<'s> {
+    pub source: &'s Source<'s>,
+    pub tables: &'s Tables,
+    pub about_joint: bool,
+}
 
-/// Pairs of times and values (steps), or a text: a table (joined by straight lines), a value,
-/// `ramp 0..3 bar in 2 s`, `sine 1..3 bar at 2 Hz`, `chirp 1..3 bar from 0.1..5 Hz in 10 s`.
-fn read_command(
-    section: &Section<'_>,
-    key: &str,
-    what: OverTime,
-    tables: &Tables,
-) -> Result<Option<Command>, FileError> {
-    let dimension = match what {
-        OverTime::Pressure => Dimension::Pressure,
-        OverTime::Volume => Dimension::Volume,
-        OverTime::Opening | OverTime::Contraction => Dimension::Ratio,
-        OverTime::Angle => Dimension::Angle,
-    };
-    let command = if let Some(text) = section.get::<&str>(key) {
-        if let Some(name) = text.trim().strip_prefix(TABLE) {
-            let wrong = |why: String| section.error(key, format!("names {}, {why}", name.trim()));
-            let invalid = |e: String| wrong(format!("which is not valid: {e}"));
-            let table = tables.texts.get(name.trim());
-            let table = table.ok_or_else(|| wrong("which was not supplied".into()))?;
-            let points = read_over_time(table, what, tables.rest_length_mm)
-                .map_err(|e| invalid(e.to_string()))?;
-            return Command::table(points)
-                .map(Some)
-                .map_err(|e| invalid(e.to_string()));
-        }
-        spoken(text, dimension)
-            .ok_or_else(|| section.error(key, format!("is not a command; write {OVER_TIME}")))?
-    } else {
-        let Some(pairs) = section.get(key) else {
-            return Ok(None);
+impl Commands<'_> {
+    pub(super) fn target<P: Quantity>(
+        &self,
+        keys: OfCommand<P>,
+        controller: Option<OfController>,
+    ) -> Result<Target, FileError> {
+        let what = if self.about_joint {
+            OverTime::Angle
+        } else {
+            OverTime::Contraction
         };
-        Command::Steps(pairs)
-    };
-    command
-        .check()
-        .map_err(|error| section.error(key, error.to_string()))?;
-    Ok(Some(command))
+        let position = keys.position.map(|position| {
+            let position = self.read(position, "command.position", what)?;
+            Ok(Target::Position {
+                command: if self.about_joint {
+                    position.scaled(std::f64::consts::PI / 180.0)
+                } else {
+                    position
+                },
+                pid: self.pid(controller)?,
+            })
+        });
+        let pressures = [keys.pressure, keys.pressure_1, keys.pressure_2];
+        let valves = [keys.valve, keys.valve_1, keys.valve_2];
+        let volumes = [keys.volume, keys.volume_1, keys.volume_2];
+        let targets = [
+            self.each(pressures, "command.pressure", OverTime::Pressure)?
+                .map(Target::Pressure),
+            self.each(valves, "command.valve", OverTime::Opening)?
+                .map(Target::Opening),
+            self.each(volumes, "command.volume", OverTime::Volume)?
+                .map(Target::Volume),
+            position.transpose()?,
+        ];
+        let mut given = targets.into_iter().flatten();
+        match (given.next(), given.next()) {
+            (Some(target), None) => Ok(target),
+            (None, _) => {
+                let expected = "what is commanded: pressure, valve (its opening), volume (of a \
+                    syringe) or position";
+                Err(self.source.missing("command.pressure", "command", expected))
+            }
+            _ => Err(self.source.error(
+                "command.until",
+                "belongs to one command: give pressure, valve, volume or position",
+            )),
+        }
+    }
+
+    /// A command for all muscles, or one for each.
+    fn each<Q: Quantity>(
+        &self,
+        [all, first, second]: [Option<Course<Q>>; 3],
+        key: &str,
+        what: OverTime,
+    ) -> Result<Option<Vec<Command>>, FileError> {
+        let read = |course: Option<Course<Q>>, end: &str| {
+            let key = format!("{key}{end}");
+            course
+                .map(|course| self.read(course, &key, what))
+                .transpose()
+        };
+        match (read(all, "")?, read(first, "_1")?, read(second, "_2")?) {
+            (Some(all), None, None) if self.about_joint => Ok(Some(vec![all.clone(), all])),
+            (Some(all), None, None) => Ok(Some(vec![all])),
+            (None, Some(first), second) => Ok(Some(std::iter::once(first).chain(second).collect())),
+            (None, None, None) => Ok(None),
+            _ => {
+                let name = key.rsplit('.').next().unwrap_or(key);
+                let said = format!("conflicts with {name}_1 and {name}_2");
+                Err(self.source.error(key, said))
+            }
+        }
+    }
+
+    fn pid(&self, keys: Option<OfController>) -> Result<Pid, FileError> {
+        let keys = keys.ok_or_else(|| {
+            let needs = "the controller's gain, in MPa (or opening) per unit of position";
+            self.source
+                .missing("controller.proportional", "controller", needs)
+        })?;
+        Ok(Pid {
+            proportional: keys.proportional,
+            integral_per_s: keys.integral,
+            derivative_s: keys.derivative,
+            filter_s: keys.filter.map_or(0.01, f64::from),
+            tracking_s: keys.tracking.map_or(0.1, f64::from),
+            output: match keys.output {
+                Some(Output::Opening) => PidOutput::Opening,
+                Some(Output::Pressure) | None => PidOutput::Pressure {
+                    bias_mpa: keys.bias.0,
+                },
+            },
+        })
+    }
+
+    /// Pairs of times and values (steps), or a text: a table (joined by straight lines), a value,
+    /// `ramp 0..3 bar in 2 s`, `sine 1..3 bar at 2 Hz`, `chirp 1..3 bar from 0.1..5 Hz in 10 s`.
+    fn read<Q: Quantity>(
+        &self,
+        course: Course<Q>,
+        key: &str,
+        what: OverTime,
+    ) -> Result<Command, FileError> {
+        let wrong = |said: String| self.source.error(key, said);
+        if let Course::Said(text) = &course
+            && let Some(name) = table_named(text)
+        {
+            let invalid = |e: String| wrong(format!("names {name}, which is not valid: {e}"));
+            let table = self.tables.texts.get(name);
+            let table =
+                table.ok_or_else(|| wrong(format!("names {name}, which was not supplied")))?;
+            let points = read_over_time(table, what, self.tables.rest_length_mm)
+                .map_err(|e| invalid(e.to_string()))?;
+            return Command::table(points).map_err(|e| invalid(e.to_string()));
+        }
+        let command = match course {
+            Course::Said(text) => spoken(&text, Q::DIMENSION)
+                .ok_or_else(|| wrong(format!("is not a command; write {OVER_TIME}")))?,
+            Course::Pairs(pairs) => {
+                Command::Steps(pairs.into_iter().map(|(t, v)| (t.0, v.into())).collect())
+            }
+        };
+        command.check().map_err(|error| wrong(error.to_string()))?;
+        Ok(command)
+    }
 }
 
 fn spoken(text: &str, dimension: Dimension) -> Option<Command> {

@@ -1,84 +1,76 @@
-//! [liquid], [pump], [syringe] and the valve of a liquid.
+//! [liquid], and the valve of a liquid.
 
-use crate::drive::Actuator;
+use super::keys::{OfLiquid, OfValve};
 use crate::hose::Hose;
-use crate::liquid::{LiquidFill, LiquidValve, Restriction, Syringe};
+use crate::liquid::{LiquidFill, LiquidValve, Restriction};
 use crate::valve::ValveKind;
 use mckibben::liquid::Liquid;
-use mckibben::muscle::file::{FileError, Section};
+use mckibben::muscle::file::{FileError, Source};
 use mckibben::refused::Refused;
+use mckibben::units::Positive;
+use mckibben::units::typed::Flow;
 
-/// What [liquid] says; `None` where it is not written.
+/// What [liquid] says.
 pub(super) fn liquid(
-    section: &Section<'_>,
+    keys: &OfLiquid,
+    source: &Source<'_>,
     temperature_k: f64,
-) -> Result<Option<LiquidFill>, FileError> {
-    let Some(name) = section.get("name") else {
-        return Ok(None);
-    };
+) -> Result<LiquidFill, FileError> {
     let wrong = |error: Refused| {
-        section.error(
-            error.fields.last().copied().unwrap_or_default(),
-            format!("is invalid: {error}"),
-        )
+        let key = error.fields.last().copied().unwrap_or_default();
+        source.error(&format!("liquid.{key}"), format!("is invalid: {error}"))
     };
-    let mut liquid = Liquid::named(name, section.get("gas_share").unwrap_or(0.0)).map_err(wrong)?;
-    if let Some(modulus) = section.get("bulk_modulus") {
-        liquid = liquid.with_bulk_modulus(modulus).map_err(wrong)?;
+    let mut liquid = Liquid::named(&keys.name, keys.gas_share.0).map_err(wrong)?;
+    if let Some(modulus) = keys.bulk_modulus {
+        liquid = liquid.with_bulk_modulus(modulus.into()).map_err(wrong)?;
     }
-    Ok(Some(LiquidFill {
+    Ok(LiquidFill {
         liquid,
         temperature_k,
-        dead_volume_mm3: section.get("dead_volume").unwrap_or(0.0),
-    }))
+        dead_volume_mm3: keys.dead_volume.0,
+    })
 }
 
 /// The valve of a liquid.
 pub(super) fn valve(
-    section: &Section<'_>,
+    keys: &OfValve,
+    source: &Source<'_>,
     kind: ValveKind,
     line: Option<Hose>,
 ) -> Result<LiquidValve, FileError> {
     let of_air = [
-        "name",
-        "sonic_conductance",
-        "critical_ratio",
-        "exhaust_conductance",
-        "exhaust_critical_ratio",
+        ("name", keys.name.is_some()),
+        ("sonic_conductance", keys.sonic_conductance.is_some()),
+        ("critical_ratio", keys.critical_ratio.is_some()),
+        ("exhaust_conductance", keys.exhaust_conductance.is_some()),
+        (
+            "exhaust_critical_ratio",
+            keys.exhaust_critical_ratio.is_some(),
+        ),
     ];
-    if let Some(key) = of_air.into_iter().find(|key| section.has(key)) {
-        return Err(section.error(
-            key,
+    if let Some((key, _)) = of_air.iter().find(|(_, given)| *given) {
+        return Err(source.error(
+            &format!("valve.{key}"),
             "is of a valve of air; a liquid needs flow_coefficient alone",
         ));
     }
-    let path = |key: &str| {
-        section
-            .get(key)
-            .map(|kv| section.valid(key, Restriction::new(kv)))
+    let path = |key: &str, kv: Option<Positive<Flow>>| {
+        kv.map(|kv| source.valid(key, Restriction::new(kv.into())))
             .transpose()
     };
-    let supply = path("flow_coefficient")?.ok_or_else(|| {
-        section.missing(
-            "flow_coefficient",
-            None,
+    let supply = path("valve.flow_coefficient", keys.flow_coefficient)?;
+    let supply = supply.ok_or_else(|| {
+        source.missing(
+            "valve.flow_coefficient",
+            "valve",
             "the valve's Kv, such as \"0.1 m3/h\"",
         )
     })?;
+    let tank = path("valve.return_coefficient", keys.return_coefficient)?;
     Ok(LiquidValve {
         kind,
         supply,
-        tank: path("return_coefficient")?.unwrap_or(supply),
+        tank: tank.unwrap_or(supply),
         line,
-    })
-}
-
-/// [syringe].
-pub(super) fn syringe(section: &Section<'_>) -> Actuator {
-    /// How fast a piston follows, in s, where the file does not say.
-    const TIME_CONSTANT_S: f64 = 0.05;
-    Actuator::Syringe(Syringe {
-        volume_mm3: section.get("volume").unwrap_or_default(),
-        time_constant_s: section.get("time_constant").unwrap_or(TIME_CONSTANT_S),
     })
 }

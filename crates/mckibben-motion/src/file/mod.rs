@@ -1,16 +1,23 @@
 //! Drive files: TOML in the muscle file's manner.
 
 mod command;
+mod keys;
 mod liquid;
 mod valve;
 
 use crate::drive::{Actuator, Supply, Target};
 use crate::fluid::Fluid;
 use crate::viscoelastic::Prony;
+use command::Commands;
+pub use keys::DriveKeys;
+use keys::{OfAir, OfLoad, OfSupply};
 use mckibben::load::{Load, LoadTable};
-use mckibben::muscle::file::{FileError, Section, Source, dimension, keys};
+use mckibben::muscle::file::{FileError, Keys, Source};
 use mckibben::units::Dimension;
+use mckibben::units::typed::{Angle, Quantity, Ratio};
 use mckibben_io::table::read_load;
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 
 /// What moves: its file, relative to the drive file.
@@ -94,45 +101,64 @@ pub struct DriveFile {
 /// # Errors
 /// [`FileError`] with line, column, key, what stood there and what is expected.
 pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> {
-    let (source, subject) = source(text)?;
-    let about_joint = matches!(subject, Subject::Joint(_));
-    let root = source.root();
-    let supply = supply(&root.at("supply"))?;
-    let air = root.at("air");
-    let fluid = match liquid::liquid(&root.at("liquid"), supply.temperature_k)? {
-        Some(_) if air.is_written() => {
-            return Err(root.error("air", "conflicts with [liquid]; keep one"));
-        }
-        Some(liquid) => Fluid::Liquid(liquid),
-        None => Fluid::Air(valve::air(&air, supply.temperature_k)?),
-    };
-    let load = root.at("load");
-    if about_joint && load.is_written() {
-        let said = "a joint carries its load in its own file ([link], [spring])";
-        return Err(root.error("load", said));
+    let source = Source::parse(text)?;
+    match subject(&source)? {
+        Moves::Muscle => drive::<Ratio>(&source, tables, false),
+        Moves::Joint => drive::<Angle>(&source, tables, true),
     }
-    let prony: mckibben::rubber::over_time::Prony =
-        root.at("rubber").get("prony").unwrap_or_default();
-    let command = root.at("command");
-    let until_s = command.get("until").unwrap_or_default();
+}
+
+fn drive<P>(source: &Source<'_>, tables: &Tables, about_joint: bool) -> Result<DriveFile, FileError>
+where
+    P: Quantity + DeserializeOwned + JsonSchema,
+{
+    let keys: DriveKeys<P> = source.read()?;
+    let supply = supply(&keys.supply, source)?;
+    let fluid = match &keys.liquid {
+        Some(_) if keys.air.is_some() => {
+            return Err(source.error("air", "conflicts with [liquid]; keep one"));
+        }
+        Some(liquid) => Fluid::Liquid(liquid::liquid(liquid, source, supply.temperature_k)?),
+        None => {
+            let usual = OfAir::default();
+            let air = keys.air.as_ref().unwrap_or(&usual);
+            Fluid::Air(valve::air(air, source, supply.temperature_k)?)
+        }
+    };
+    if about_joint && keys.load.is_some() {
+        let said = "a joint carries its load in its own file ([link], [spring])";
+        return Err(source.error("load", said));
+    }
+    let actuator = valve::actuator(&keys, source, fluid.is_liquid())?;
+    let subject = keys.subject();
+    let load = keys.load.unwrap_or_default();
+    let until_s = keys.command.until.into();
+    let output_step = keys.command.output_step;
+    let commands = Commands {
+        source,
+        tables,
+        about_joint,
+    };
     Ok(DriveFile {
         subject,
         supply,
-        actuator: valve::actuator(&root, fluid.is_liquid())?,
+        actuator,
         fluid,
-        load: line(&load, tables)?,
-        held: held(&load)?,
-        start: load.get("start"),
-        damping_n_s_per_m: load.get("damping").unwrap_or(0.0),
+        load: line(&load, source, tables)?,
+        held: held(&load, source)?,
+        start: load.start.map(f64::from),
+        damping_n_s_per_m: load.damping.unwrap_or_default().0,
         stops_mm: load
-            .get("stops")
-            .unwrap_or((f64::NEG_INFINITY, f64::INFINITY)),
-        friction_coefficient: root.at("friction").get("coefficient"),
-        presliding_mm: root.at("friction").get("presliding"),
-        rubber: Prony(prony.branches),
-        target: command::target(&command, &root.at("controller"), about_joint, tables)?,
+            .stops
+            .map_or((f64::NEG_INFINITY, f64::INFINITY), |stops| {
+                (stops.low.0, stops.high.0)
+            }),
+        friction_coefficient: keys.friction.coefficient.map(f64::from),
+        presliding_mm: keys.friction.presliding.map(f64::from),
+        rubber: Prony(keys.rubber.prony.branches),
+        target: commands.target(keys.command, keys.controller)?,
         until_s,
-        output_step_s: command.get("output_step").unwrap_or(until_s / 1000.0),
+        output_step_s: output_step.map_or(until_s / 1000.0, f64::from),
     })
 }
 
@@ -141,43 +167,55 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
 /// # Errors
 /// [`FileError`] for a text that is not valid TOML, or moves nothing.
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
-    let (source, subject) = source(text)?;
-    let root = source.root();
-    let line = root.at("load").get("line").map(Load::tables);
-    let load = line.into_iter().flatten().map(str::to_owned);
+    let source = Source::parse(text)?;
+    match subject(&source)? {
+        Moves::Muscle => names::<Ratio>(&source),
+        Moves::Joint => names::<Angle>(&source),
+    }
+}
+
+fn names<P: DeserializeOwned + JsonSchema>(source: &Source<'_>) -> Result<Names, FileError> {
+    let keys: DriveKeys<P> = source.read()?;
+    let line = keys.load.as_ref().and_then(|load| load.line.as_deref());
+    let of_load = line.map(Load::tables).into_iter().flatten();
+    let of_commands = source.texts("command").filter_map(command::table_named);
     Ok(Names {
-        subject,
-        tables: load.chain(command::tables(&root.at("command"))).collect(),
+        subject: keys.subject(),
+        tables: of_load.chain(of_commands).map(str::to_owned).collect(),
     })
 }
 
-/// The file, and what it moves.
-fn source(text: &str) -> Result<(Source<'_>, Subject), FileError> {
-    let source = Source::parse(text)?;
+impl<P> DriveKeys<P> {
+    fn subject(&self) -> Subject {
+        match (&self.joint, &self.muscle) {
+            (Some(joint), _) => Subject::Joint(joint.clone()),
+            (None, muscle) => Subject::Muscle(muscle.clone().unwrap_or_default()),
+        }
+    }
+}
+
+/// What a drive file moves.
+enum Moves {
+    Muscle,
+    Joint,
+}
+
+fn subject(source: &Source<'_>) -> Result<Moves, FileError> {
     let missing = |why: &str| Err(source.error("", format!("muscle is missing; {why}")));
-    let kind = match (source.has("muscle"), source.has("joint")) {
-        (true, false) => "drive-of-muscle",
-        (false, true) => "drive-of-joint",
-        (true, true) => {
-            return Err(source.error(
-                "joint",
-                "conflicts with muscle: a drive moves one or the other",
-            ));
-        }
-        (false, false) if source.has("tube") || source.has("braid") => {
-            return missing(
-                "this is a muscle file, and a motion needs a drive file: one that names it (muscle \
-                 = \"muscle.toml\") and has [load], [valve] and [command]; docs/motion.md \
-                 describes it, examples/drive.toml is one",
-            );
-        }
-        (false, false) => return missing("what moves: a muscle or a joint"),
-    };
-    let source = source.checked(&format!("drive-file {kind} people"))?;
-    let root = source.root();
-    let joint = root.get("joint").map(Subject::Joint);
-    let subject = joint.unwrap_or_else(|| Subject::Muscle(root.get("muscle").unwrap_or_default()));
-    Ok((source, subject))
+    match (source.has("muscle"), source.has("joint")) {
+        (true, false) => Ok(Moves::Muscle),
+        (false, true) => Ok(Moves::Joint),
+        (true, true) => Err(source.error(
+            "joint",
+            "conflicts with muscle: a drive moves one or the other",
+        )),
+        (false, false) if source.has("tube") || source.has("braid") => missing(
+            "this is a muscle file, and a motion needs a drive file: one that names it (muscle = \
+             \"muscle.toml\") and has [load], [valve] and [command]; docs/motion.md describes it, \
+             examples/drive.toml is one",
+        ),
+        (false, false) => missing("what moves: a muscle or a joint"),
+    }
 }
 
 /// The text of a drive file with another value at a dotted key: a number, `true` or `false`, or
@@ -215,49 +253,42 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
 /// # Errors
 /// [`FileError`] for a text that is no drive file, or a key that has no number.
 pub fn number_at(text: &str, dotted: &str) -> Result<(Dimension, Option<f64>), FileError> {
-    let (source, _) = source(text)?;
-    let (table, name) = dotted.split_once('.').unwrap_or(("", dotted));
-    let tables = keys("drive-file");
-    let inside = tables
-        .iter()
-        .find(|key| key.name == table)
-        .and_then(|key| key.table(None));
-    let key = inside.into_iter().flatten().find(|key| key.name == name);
-    let dimension = key.and_then(|key| match key.kind.rsplit(' ').next()? {
-        "number" => Some(Dimension::Ratio),
-        word => dimension(word),
-    });
-    let dimension = dimension.ok_or_else(|| {
+    drive_names(text)?;
+    let source = Source::parse(text)?;
+    let is_in_table = dotted.contains('.') && !dotted.starts_with("command.");
+    let dimension = Keys::of::<DriveKeys>().dimension(dotted);
+    let dimension = dimension.filter(|_| is_in_table).ok_or_else(|| {
         source.error(
             dotted,
             "is not a number of a drive file; one is valve.sonic_conductance",
         )
     })?;
-    Ok((dimension, source.root().at(table).get(name)))
+    Ok((dimension, source.number(dotted, dimension)))
 }
 
-fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
+fn supply(keys: &OfSupply, source: &Source<'_>) -> Result<Supply, FileError> {
     let default = Supply::default();
-    let celsius: Option<f64> = section.get("temperature");
-    if celsius.is_some_and(|t| t <= -273.15) {
-        return Err(section.error("temperature", "must be above absolute zero"));
+    if keys.temperature.is_some_and(|t| t.0 <= -273.15) {
+        return Err(source.error("supply.temperature", "must be above absolute zero"));
     }
     Ok(Supply {
-        pressure_mpa: section.get("pressure").unwrap_or(default.pressure_mpa),
-        temperature_k: celsius.map_or(default.temperature_k, |t| t + 273.15),
+        pressure_mpa: keys.pressure.map_or(default.pressure_mpa, f64::from),
+        temperature_k: keys
+            .temperature
+            .map_or(default.temperature_k, |t| t.0 + 273.15),
     })
 }
 
 /// Mass and line as one load.
-fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileError> {
-    let level = section.get("level").unwrap_or(false);
-    let mass = section
-        .get("mass")
-        .map(|mass_kg| Load::Mass { mass_kg, level });
-    let Some(text) = section.get::<&str>("line") else {
+fn line(keys: &OfLoad, source: &Source<'_>, tables: &Tables) -> Result<Option<Load>, FileError> {
+    let mass = keys.mass.map(|mass| Load::Mass {
+        mass_kg: mass.into(),
+        level: keys.level.unwrap_or(false),
+    });
+    let Some(text) = &keys.line else {
         return Ok(mass);
     };
-    let wrong = |error: String| section.error("line", format!("is not a valid load: {error}"));
+    let wrong = |error: String| source.error("load.line", format!("is not a valid load: {error}"));
     let mut read = BTreeMap::new();
     for name in Load::tables(text) {
         let Some(table) = tables.texts.get(name) else {
@@ -277,19 +308,25 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
 }
 
 /// The contraction at which both ends are held; it goes with no other key of the load.
-fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
-    let Some(contraction) = section.get::<f64>("held") else {
+fn held(keys: &OfLoad, source: &Source<'_>) -> Result<Option<f64>, FileError> {
+    let Some(Ratio(contraction)) = keys.held else {
         return Ok(None);
     };
-    let mut others = ["mass", "level", "line", "damping", "stops", "start"].into_iter();
-    if let Some(key) = others.find(|key| section.has(key)) {
-        return Err(section.error(
-            key,
-            "conflicts with held: a muscle with fixed ends moves no load",
-        ));
+    let others = [
+        ("load.mass", keys.mass.is_some()),
+        ("load.level", keys.level.is_some()),
+        ("load.line", keys.line.is_some()),
+        ("load.damping", keys.damping.is_some()),
+        ("load.stops", keys.stops.is_some()),
+        ("load.start", keys.start.is_some()),
+    ];
+    if let Some((key, _)) = others.iter().find(|(_, given)| *given) {
+        let said = "conflicts with held: a muscle with fixed ends moves no load";
+        return Err(source.error(key, said));
     }
     if contraction.abs() >= 1.0 {
-        return Err(section.error("held", "must be a contraction below 1, such as \"10 %\""));
+        let said = "must be a contraction below 1, such as \"10 %\"";
+        return Err(source.error("load.held", said));
     }
     Ok(Some(contraction))
 }

@@ -2,7 +2,13 @@
 
 use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path, PulleyFriction};
 use crate::muscle::Muscle;
-use crate::muscle::file::{FileError, Section, Source};
+use crate::muscle::file::{FileError, Source};
+use crate::units::typed::{
+    Angle, AngularDamping, AngularStiffness, Force, Inertia, Length, Mass, Ratio, Stiffness, Torque,
+};
+use crate::units::{Interval, NotNegative, Positive};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// A joint file: everything but the muscles themselves, which have their own files.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +49,99 @@ impl JointFile {
     }
 }
 
+/// A joint with one muscle and a spring, or with two muscles.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointKeys {
+    /// The joint
+    #[serde(default)]
+    joint: OfJoint,
+    /// The weight of the moving parts
+    #[serde(default)]
+    link: OfLink,
+    /// The muscle that turns the joint to +
+    muscle_1: OfMuscle,
+    /// The muscle that turns the joint to -
+    muscle_2: Option<OfMuscle>,
+    /// A spring against the first muscle
+    spring: Option<OfSpring>,
+    /// Name, for people
+    #[serde(rename = "name")]
+    _name: Option<String>,
+    /// Notes, for people
+    #[serde(rename = "notes")]
+    _notes: Option<String>,
+}
+
+#[derive(Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct OfJoint {
+    /// Radius of the pulley of every muscle without its own geometry
+    radius: Option<Positive<Length>>,
+    /// Limits of the angle, such as "-60..60 deg"
+    range: Option<Interval<Angle>>,
+    /// Moment of inertia about the axis, for motion
+    inertia: Option<Positive<Inertia>>,
+    /// Damping, for motion
+    damping: AngularDamping,
+}
+
+#[derive(Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct OfLink {
+    /// Mass of the moving parts
+    mass: Mass,
+    /// Distance of their centre of mass from the axis
+    centre: Length,
+    /// Angle of the line from the axis to it, against the horizontal, at the neutral angle
+    inclination: Angle,
+    /// Mass of a payload
+    payload: Mass,
+    /// Its distance from the axis
+    payload_at: Length,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct OfMuscle {
+    /// Path of the muscle file, relative to this file
+    file: String,
+    /// Contraction at the neutral angle
+    #[serde(default)]
+    contraction_at_neutral: Ratio,
+    /// Angle of the rope on its pulley, at the neutral angle
+    wrap_angle: Option<Positive<Angle>>,
+    /// Coefficient of friction between rope and pulley
+    wrap_friction: Option<NotNegative<f64>>,
+    /// Radius of a pulley of its own
+    radius: Option<Positive<Length>>,
+    /// Point on the fixed link, x and y from the axis
+    origin: Option<(Length, Length)>,
+    /// Point on the moving link, x and y from the axis at the neutral angle
+    insertion: Option<(Length, Length)>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct OfSpring {
+    /// Rate of a spring on a rope
+    rate: Option<Positive<Stiffness>>,
+    /// Its force at the neutral angle
+    #[serde(default)]
+    preload: Force,
+    /// Rate of a torsion spring
+    angular_rate: Option<Positive<AngularStiffness>>,
+    /// Its torque at the neutral angle
+    #[serde(default)]
+    preload_torque: Torque,
+    /// Radius of a pulley of its own
+    radius: Option<Positive<Length>>,
+    /// Point on the fixed link, x and y from the axis
+    origin: Option<(Length, Length)>,
+    /// Point on the moving link, x and y from the axis at the neutral angle
+    insertion: Option<(Length, Length)>,
+}
+
 /// Reads the text of a joint file.
 ///
 /// ```
@@ -59,118 +158,144 @@ impl JointFile {
 /// # Errors
 /// [`FileError`] with line, column, key, what stood there and what is expected.
 pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
-    let source = Source::read(text, "joint-file people")?;
-    let root = source.root();
-    let joint = root.at("joint");
-    let radius = joint.get("radius");
+    let source = Source::parse(text)?;
+    let keys: JointKeys = source.read()?;
+    let (joint, link) = (keys.joint, keys.link);
     let (mut muscles, mut pulleys) = (vec![], vec![]);
-    for (name, sign) in [("muscle_1", 1.0), ("muscle_2", -1.0)] {
-        let section = root.at(name);
-        let Some(file) = section.get("file") else {
+    let both = [
+        ("muscle_1", Some(keys.muscle_1), 1.0),
+        ("muscle_2", keys.muscle_2, -1.0),
+    ];
+    for (name, muscle, sign) in both {
+        let Some(muscle) = muscle else {
             continue;
         };
-        let path = path(&section, radius, sign)?;
-        pulleys.push(pulley_friction(&section, &path)?);
-        muscles.push((
-            file,
-            path,
-            section.get("contraction_at_neutral").unwrap_or(0.0),
-        ));
+        let table = Table(&source, name);
+        let radius = muscle.radius.or(joint.radius);
+        let path = table.path(muscle.origin, muscle.insertion, radius, sign)?;
+        pulleys.push(table.pulley_friction(muscle.wrap_angle, muscle.wrap_friction, &path)?);
+        muscles.push((muscle.file, path, muscle.contraction_at_neutral.0));
     }
-    let link = root.at("link");
-    let value = |key: &str| link.get(key).unwrap_or(0.0);
+    let spring = keys.spring.map(|spring| spring.read(&source, joint.radius));
     Ok(JointFile {
         muscles,
         pulleys,
-        spring: spring(&root.at("spring"), radius)?,
+        spring: spring.transpose()?,
         link: Link {
-            mass_kg: value("mass"),
-            centre_mm: value("centre"),
-            inclination_deg: value("inclination"),
-            payload_kg: value("payload"),
-            payload_at_mm: value("payload_at"),
-            inertia_kg_m2: joint.get("inertia"),
-            damping_nm_s_per_rad: joint.get("damping").unwrap_or(0.0),
+            mass_kg: link.mass.0,
+            centre_mm: link.centre.0,
+            inclination_deg: link.inclination.0,
+            payload_kg: link.payload.0,
+            payload_at_mm: link.payload_at.0,
+            inertia_kg_m2: joint.inertia.map(f64::from),
+            damping_nm_s_per_rad: joint.damping.0,
         },
-        range_deg: joint.get("range").unwrap_or((-60.0, 60.0)),
+        range_deg: joint
+            .range
+            .map_or((-60.0, 60.0), |range| (range.low.0, range.high.0)),
     })
 }
 
-/// A pulley, of the section or of the joint, or two points.
-fn path(section: &Section<'_>, radius: Option<f64>, sign: f64) -> Result<Path, FileError> {
-    match (section.get("origin"), section.get("insertion")) {
-        (Some(origin_mm), Some(insertion_mm)) => Ok(Path::Points {
-            origin_mm,
-            insertion_mm,
-        }),
-        (Some(_), None) => {
-            Err(section.missing("insertion", Some("origin"), "the point on the moving link"))
+/// A table of the file, for messages.
+struct Table<'s>(&'s Source<'s>, &'static str);
+
+impl Table<'_> {
+    fn error(&self, key: &str, problem: &str) -> FileError {
+        self.0.error(&format!("{}.{key}", self.1), problem)
+    }
+
+    fn missing(&self, key: &str, beside: &str, needs: &str) -> FileError {
+        let dotted = |key: &str| format!("{}.{key}", self.1);
+        self.0.missing(&dotted(key), &dotted(beside), needs)
+    }
+
+    /// A pulley, of the table or of the joint, or two points.
+    fn path(
+        &self,
+        origin: Option<(Length, Length)>,
+        insertion: Option<(Length, Length)>,
+        radius: Option<Positive<Length>>,
+        sign: f64,
+    ) -> Result<Path, FileError> {
+        let inside = |(x, y): (Length, Length)| [x.0, y.0];
+        match (origin, insertion, radius) {
+            (Some(origin), Some(insertion), _) => Ok(Path::Points {
+                origin_mm: inside(origin),
+                insertion_mm: inside(insertion),
+            }),
+            (Some(_), None, _) => {
+                Err(self.missing("insertion", "origin", "the point on the moving link"))
+            }
+            (None, Some(_), _) => {
+                Err(self.missing("origin", "insertion", "the point on the fixed link"))
+            }
+            (None, None, Some(radius)) => Ok(Path::Pulley {
+                radius_mm: sign * f64::from(radius),
+            }),
+            (None, None, None) => {
+                let needs = "the pulley's radius, here or in [joint], or origin and insertion";
+                let missing = format!("{}.radius", self.1);
+                Err(self.0.missing(&missing, self.1, needs))
+            }
         }
-        (None, Some(_)) => {
-            Err(section.missing("origin", Some("insertion"), "the point on the fixed link"))
-        }
-        (None, None) => {
-            let needs = "the pulley's radius, here or in [joint], or origin and insertion";
-            let radius = section.get("radius").or(radius);
-            let radius: f64 = radius.ok_or_else(|| section.missing("radius", None, needs))?;
-            Ok(Path::Pulley {
-                radius_mm: sign * radius,
-            })
+    }
+
+    /// The friction of the rope on its pulley: both values, or neither.
+    fn pulley_friction(
+        &self,
+        angle: Option<Positive<Angle>>,
+        coefficient: Option<NotNegative<f64>>,
+        path: &Path,
+    ) -> Result<PulleyFriction, FileError> {
+        const ANGLE: &str = "wrap_angle";
+        const FRICTION: &str = "wrap_friction";
+        match (angle, coefficient) {
+            (None, None) => Ok(PulleyFriction::default()),
+            (Some(_), None) => Err(self.missing(FRICTION, ANGLE, "the coefficient of friction")),
+            (None, Some(_)) => {
+                Err(self.missing(ANGLE, FRICTION, "the angle of the rope on its pulley"))
+            }
+            (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => {
+                let said = "needs a pulley: give radius, not origin and insertion";
+                Err(self.error(FRICTION, said))
+            }
+            (Some(angle), Some(coefficient)) => Ok(PulleyFriction {
+                coefficient: coefficient.into(),
+                wrap_rad: f64::from(angle).to_radians(),
+            }),
         }
     }
 }
 
-/// The friction of the rope on its pulley: both values, or neither.
-fn pulley_friction(section: &Section<'_>, path: &Path) -> Result<PulleyFriction, FileError> {
-    const KEYS: (&str, &str) = ("wrap_angle", "wrap_friction");
-    match (section.get::<f64>(KEYS.0), section.get(KEYS.1)) {
-        (None, None) => Ok(PulleyFriction::default()),
-        (Some(_), None) => {
-            Err(section.missing(KEYS.1, Some(KEYS.0), "the coefficient of friction"))
+impl OfSpring {
+    fn read(
+        self,
+        source: &Source<'_>,
+        radius: Option<Positive<Length>>,
+    ) -> Result<JointSpring, FileError> {
+        let table = Table(source, "spring");
+        match (self.rate, self.angular_rate) {
+            (Some(rate), None) => {
+                let radius = self.radius.or(radius);
+                Ok(JointSpring::Rope {
+                    path: table.path(self.origin, self.insertion, radius, -1.0)?,
+                    rate_n_per_mm: rate.into(),
+                    preload_n: self.preload.0,
+                })
+            }
+            (None, Some(rate)) => Ok(JointSpring::Torsion {
+                rate_nm_per_rad: rate.into(),
+                preload_nm: self.preload_torque.0,
+            }),
+            (Some(_), Some(_)) => {
+                let said = "conflicts with angular_rate: a spring acts by a rope, or it is a \
+                    torsion spring";
+                Err(table.error("rate", said))
+            }
+            (None, None) => {
+                let needs = "of a spring on a rope, or angular_rate of a torsion spring";
+                Err(source.missing("spring.rate", "spring", needs))
+            }
         }
-        (None, Some(_)) => {
-            Err(section.missing(KEYS.0, Some(KEYS.1), "the angle of the rope on its pulley"))
-        }
-        (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => Err(section.error(
-            KEYS.1,
-            "needs a pulley: give radius, not origin and insertion",
-        )),
-        (Some(deg), Some(coefficient)) => Ok(PulleyFriction {
-            coefficient,
-            wrap_rad: deg.to_radians(),
-        }),
-    }
-}
-
-fn spring(section: &Section<'_>, radius: Option<f64>) -> Result<Option<JointSpring>, FileError> {
-    if !section.is_written() {
-        return Ok(None);
-    }
-    match (section.get("rate"), section.get("angular_rate")) {
-        (Some(rate_n_per_mm), None) => {
-            let preload_n = section.get("preload").unwrap_or(0.0);
-            Ok(Some(JointSpring::Rope {
-                path: path(section, radius, -1.0)?,
-                rate_n_per_mm,
-                preload_n,
-            }))
-        }
-        (None, Some(rate_nm_per_rad)) => {
-            let preload_nm = section.get("preload_torque").unwrap_or(0.0);
-            Ok(Some(JointSpring::Torsion {
-                rate_nm_per_rad,
-                preload_nm,
-            }))
-        }
-        (Some(_), Some(_)) => {
-            let said =
-                "conflicts with angular_rate: a spring acts by a rope, or it is a torsion spring";
-            Err(section.error("rate", said))
-        }
-        (None, None) => Err(section.missing(
-            "rate",
-            None,
-            "of a spring on a rope, or angular_rate of a torsion spring",
-        )),
     }
 }

@@ -23,7 +23,7 @@ mod uncertainty;
 pub mod verification;
 
 pub use error::{JointError, Result};
-pub use file::{JointFile, parse_joint};
+pub use file::{JointFile, JointKeys, parse_joint};
 pub use inverse::JointTarget;
 pub use map::{JointMap, MapGap, MapPoint};
 pub use model::{JointModel, JointPoint, MuscleState, Turning};

@@ -2,6 +2,8 @@
 
 use super::measures::{SECTIONS, of_section};
 use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube};
+use crate::units::NotNegative;
+use crate::units::typed::{Force, Length, Pressure, Ratio, one, pair, several};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -12,7 +14,8 @@ use std::fmt::Write;
 /// It belongs to one muscle, and holds as it was written: [`Bench::is_of`].
 /// As data (serde) it is the table `[identified]` of a muscle file.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Bench {
     /// Who measured it, where that is somebody else than the user: another specimen on another
     /// bench pulls differently.
@@ -20,19 +23,29 @@ pub struct Bench {
     /// The model whose constants were fitted.
     pub model: String,
     /// Lengths at rest of its points in mm, that of this muscle first; empty where it does not say.
-    #[serde(rename = "lengths", default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(
+        rename = "lengths",
+        default,
+        skip_serializing_if = "Vec::is_empty",
+        deserialize_with = "several::<Length, _>"
+    )]
+    #[schemars(with = "Vec<Length>")]
     pub lengths_mm: Vec<f64>,
     /// Points of this muscle.
     pub points: usize,
     /// Branches of the hysteresis loop that its points state; none where not all of them state one.
     pub branches: Vec<Direction>,
     /// Lowest and highest pressure in MPa.
-    #[serde(rename = "pressure")]
+    #[serde(rename = "pressure", deserialize_with = "pair::<Pressure, _>")]
+    #[schemars(with = "(Pressure, Pressure)")]
     pub pressure_mpa: (f64, f64),
     /// Smallest and largest contraction.
+    #[serde(deserialize_with = "pair::<Ratio, _>")]
+    #[schemars(with = "(Ratio, Ratio)")]
     pub contraction: (f64, f64),
     /// 95 % half-width of one point about the fit, in N.
-    #[serde(rename = "scatter")]
+    #[serde(rename = "scatter", deserialize_with = "one::<NotNegative<Force>, _>")]
+    #[schemars(with = "NotNegative<Force>")]
     pub scatter_n: f64,
     /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal
     /// steps of the pressure, columns at equal steps of the contraction, from end to end.

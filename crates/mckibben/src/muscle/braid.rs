@@ -6,7 +6,10 @@ use super::error::{MuscleError, positive};
 use super::tube::Tube;
 use crate::refused::Refused;
 use crate::sleeve::SleeveShape;
-use serde::{Deserialize, Serialize};
+use crate::units::typed::Stiffness;
+use crate::units::{Dimension, QuantityError, Words};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::str::FromStr;
 
 /// How far a written angle may be from that of a named sleeve on the tube, in degrees.
 pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
@@ -15,11 +18,8 @@ pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 /// E·A/spacing.
 ///
 /// As data (serde): a number in N/mm, `"inextensible"` or `"paper"`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(
-    rename_all = "kebab-case",
-    expecting = "a number in N/mm, `inextensible` or `paper` is expected"
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Stiffness")]
 pub enum BraidStiffness {
     /// Strands that do not stretch: the limit k → ∞.
@@ -32,7 +32,30 @@ pub enum BraidStiffness {
     OfStrands,
     /// k of one family in N/mm.
     #[serde(untagged)]
-    NewtonPerMm(f64),
+    NewtonPerMm(#[schemars(with = "Stiffness")] f64),
+}
+
+const STIFFNESS: Words<BraidStiffness> = Words {
+    words: &[
+        ("paper", BraidStiffness::Paper),
+        ("inextensible", BraidStiffness::Inextensible),
+    ],
+    dimension: Dimension::Stiffness,
+    quantity: BraidStiffness::NewtonPerMm,
+};
+
+impl FromStr for BraidStiffness {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        STIFFNESS.parse(text)
+    }
+}
+
+impl<'de> Deserialize<'de> for BraidStiffness {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        STIFFNESS.read(from)
+    }
 }
 
 /// The strands one by one.

@@ -50,12 +50,12 @@ impl Stated {
             .filter(|v| v.0.section() == section && *v.0 != ANGLE)
         {
             let lacks = |m: &Measure| self.measures.get(m).is_none() && (m.get)(parts).is_none();
-            if let Some((key, needs)) = measure.beside
-                && Measure::of_key(key).is_some_and(lacks)
+            if let Some((other, needs)) = measure.beside
+                && lacks(other)
             {
                 return Err(MuscleError::new(
-                    [key, measure.key],
-                    format!("{key} is missing; {needs}"),
+                    [other.key, measure.key],
+                    format!("{} is missing; {needs}", other.key),
                 ));
             }
             // A count cannot hold every number.

@@ -1,10 +1,18 @@
 //! The terminals: rigid plugs to which tube and braid are bonded.
 
 use super::error::{MuscleError, positive};
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
 
 /// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is
 /// multiplied to account for the ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// As data (serde): a number, or `{"a": 0.2, "b": 1.0}`.
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
     Constant(f64),
@@ -15,6 +23,43 @@ pub enum EndFactor {
         /// b
         b: f64,
     },
+}
+
+impl<'de> Deserialize<'de> for EndFactor {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct OfPressure {
+            a: f64,
+            b: f64,
+        }
+
+        struct Reader;
+
+        impl<'de> Visitor<'de> for Reader {
+            type Value = EndFactor;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number without unit, such as 0.8, or a table of a and b")
+            }
+
+            fn visit_f64<E>(self, k: f64) -> Result<EndFactor, E> {
+                Ok(EndFactor::Constant(k))
+            }
+
+            fn visit_i64<E>(self, k: i64) -> Result<EndFactor, E> {
+                Ok(EndFactor::Constant(k as f64))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<EndFactor, A::Error> {
+                let table = MapAccessDeserializer::new(map);
+                let OfPressure { a, b } = OfPressure::deserialize(table)?;
+                Ok(EndFactor::OfPressure { a, b })
+            }
+        }
+
+        from.deserialize_any(Reader)
+    }
 }
 
 impl EndFactor {

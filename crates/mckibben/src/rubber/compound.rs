@@ -2,23 +2,35 @@
 
 use super::over_time::{Held, OgdenRoxburgh, Prony};
 use super::{Law, MooneyRivlin, RubberLaw};
-use serde::{Deserialize, Serialize};
+use crate::units::typed::Pressure;
+use crate::units::{Dimension, Words};
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// How a rubber answers to a change of volume.
 ///
 /// As data (serde): `"incompressible"`, or the bulk modulus in MPa.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(
-    rename_all = "lowercase",
-    expecting = "\"incompressible\", or a bulk modulus in MPa"
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Bulk {
     /// Volume stays.
     #[default]
     Incompressible,
     /// Bulk modulus in MPa.
     #[serde(untagged)]
-    Modulus(f64),
+    Modulus(#[schemars(with = "Pressure")] f64),
+}
+
+const BULK: Words<Bulk> = Words {
+    words: &[("incompressible", Bulk::Incompressible)],
+    dimension: Dimension::Pressure,
+    quantity: Bulk::Modulus,
+};
+
+impl<'de> Deserialize<'de> for Bulk {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        BULK.read(from)
+    }
 }
 
 /// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`;

@@ -1,17 +1,13 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
+use super::row::{self, SleeveRow};
 use super::{Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused};
-use crate::catalogue::{Catalogue, CatalogueError, Row, named, plain};
+use crate::catalogue::{PartsFile, Sources, named, plain};
+use crate::muscle::file::Source;
 use crate::refused::Refused;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::sync::OnceLock;
-
-/// An angle at a diameter, as stated.
-const OF_ANGLE: &str = "the angle that its source states at a diameter";
-/// Least and largest diameter.
-const OF_RANGE: &str =
-    "the range that its source states; strands are taken to touch at both ends of it";
-/// The least diameter and the width of all strands.
-const OF_LEAST: &str = "its least diameter and its strands, which are taken to touch there";
 
 /// A sleeve of the library.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
@@ -45,24 +41,30 @@ pub struct SleeveEntry {
     pub modulus_of: Option<&'static Material>,
 }
 
-/// What strands are made of.
-#[derive(Debug, Clone, PartialEq)]
+/// What strands are made of: a row of the built-in table.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Material {
     /// Name, such as `aramid-49`.
     pub name: String,
     /// What it is, for people.
     pub title: String,
     /// Young's modulus in MPa.
+    #[serde(rename = "modulus")]
     pub modulus_mpa: f64,
     /// Diameter of a filament of a sleeve in mm, where its seller does not state it: an estimate.
+    #[serde(rename = "filament_diameter")]
     pub filament_diameter_mm: Option<f64>,
     /// Strength of a filament in a braid in MPa: an estimate.
+    #[serde(rename = "strength")]
     pub strength_mpa: Option<f64>,
     /// Strands that lie side by side on a carrier, of sleeves whose seller does not state it.
     pub strands_per_carrier: Option<f64>,
     /// Density in kg/m³.
+    #[serde(rename = "density")]
     pub density_kg_per_m3: Option<f64>,
     /// Factor within which the stiffness of a sleeve with these estimates is known.
+    #[serde(default = "exact")]
     pub factor: f64,
     /// What the estimates are from.
     pub estimate: Option<String>,
@@ -72,7 +74,39 @@ pub struct Material {
     pub note: Option<String>,
 }
 
-const TEXT: &str = include_str!("../../data/braids.toml");
+fn exact() -> f64 {
+    1.0
+}
+
+/// The built-in table of sleeves.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct BuiltIn {
+    material: Vec<Material>,
+    sleeve: Vec<SleeveRow>,
+    sources: Sources,
+}
+
+impl BuiltIn {
+    fn parse(text: &str) -> Result<Self, Refused> {
+        let table = Source::parse(text).and_then(|source| source.read());
+        let mut table: Self = table.map_err(damaged)?;
+        for material in &mut table.material {
+            material.source = table.sources.of(Some(&material.source)).0.to_owned();
+        }
+        Ok(table)
+    }
+
+    fn get() -> Result<&'static Self, Refused> {
+        static TABLE: OnceLock<Result<BuiltIn, Refused>> = OnceLock::new();
+        let table = TABLE.get_or_init(|| Self::parse(include_str!("../../data/braids.toml")));
+        table.as_ref().map_err(Refused::clone)
+    }
+}
+
+fn damaged(error: impl std::fmt::Display) -> Refused {
+    refused(format!("the built-in table of sleeves is damaged: {error}"))
+}
 
 /// All sleeves, in the order of the table.
 ///
@@ -80,19 +114,17 @@ const TEXT: &str = include_str!("../../data/braids.toml");
 /// [`Refused`], which no released program should see.
 pub fn entries() -> Result<&'static [SleeveEntry], Refused> {
     static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, Refused>> = OnceLock::new();
-    ENTRIES
-        .get_or_init(|| Ok(entries_of(&Catalogue::parse(TEXT)?, materials()?)?))
-        .as_deref()
-        .map_err(Refused::clone)
+    let all = || {
+        let table = BuiltIn::get()?;
+        row::entries(&table.sleeve, &table.sources, &table.material).map_err(damaged)
+    };
+    let entries = ENTRIES.get_or_init(all);
+    entries.as_deref().map_err(Refused::clone)
 }
 
 /// All materials, in the order of the table.
 pub fn materials() -> Result<&'static [Material], Refused> {
-    static MATERIALS: OnceLock<Result<Vec<Material>, Refused>> = OnceLock::new();
-    MATERIALS
-        .get_or_init(|| read_materials(TEXT))
-        .as_deref()
-        .map_err(Refused::clone)
+    BuiltIn::get().map(|table| table.material.as_slice())
 }
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as
@@ -158,151 +190,14 @@ pub fn material_of(name: &str) -> Option<&'static Material> {
 /// # Errors
 /// [`Refused`] with the row and its key.
 pub fn read(text: &str) -> Result<Vec<SleeveEntry>, Refused> {
-    let entries =
-        Catalogue::parse(text).and_then(|file| entries_of(&file, materials().unwrap_or_default()));
-    entries.map_err(|e| refused(format!("the table of sleeves: {e}")))
-}
-
-/// Keys of a sleeve in a table.
-pub const KEYS: &str = "name aliases title material like factor nominal_diameter nominal_diameters \
-    range angle least_diameter \
-    largest_diameter strands filaments strand_diameter strand_modulus strand_strength \
-    strands_per_carrier price note source";
-
-impl From<CatalogueError> for Refused {
-    fn from(error: CatalogueError) -> Self {
-        refused(format!("the built-in table of sleeves is damaged: {error}"))
-    }
-}
-fn read_materials(file: &str) -> Result<Vec<Material>, Refused> {
-    let one = |row: &Row<'_>| {
-        Ok(Material {
-            name: row.text("name")?.to_owned(),
-            title: row.text("title")?.to_owned(),
-            modulus_mpa: row.needed("modulus")?,
-            filament_diameter_mm: row.number("filament_diameter")?,
-            strength_mpa: row.number("strength")?,
-            strands_per_carrier: row.number("strands_per_carrier")?,
-            density_kg_per_m3: row.number("density")?,
-            factor: row.number("factor")?.unwrap_or(1.0),
-            estimate: row.owned("estimate"),
-            source: row.source()?.text("citation")?.to_owned(),
-            note: row.owned("note"),
-        })
-    };
-    Catalogue::parse(file)?
-        .rows("material")
-        .iter()
-        .map(one)
-        .collect()
-}
-
-/// A row is a sleeve, or a family of them: one of each nominal diameter, of a `range` in shares of
-/// it.
-fn entries_of(
-    file: &Catalogue<'_>,
-    materials: &'static [Material],
-) -> Result<Vec<SleeveEntry>, CatalogueError> {
-    let mut out = vec![];
-    for row in file.rows("sleeve") {
-        match (
-            &row.numbers("nominal_diameters")?[..],
-            &row.numbers("range")?[..],
-        ) {
-            ([], _) => out.push(read_entry(&row, materials, None)?),
-            (sizes, &[least, largest]) => {
-                for &mm in sizes {
-                    // Tenths, without the last binary digits.
-                    let [least, largest] =
-                        [least, largest].map(|share| (1e6 * share * mm).round() / 1e6);
-                    out.push(read_entry(&row, materials, Some((mm, least, largest)))?);
-                }
-            }
-            _ => return Err(row.wrong("`range` must be two numbers")),
-        }
-    }
-    Ok(out)
-}
-
-fn read_entry(
-    row: &Row<'_>,
-    materials: &'static [Material],
-    size: Option<(f64, f64, f64)>,
-) -> Result<SleeveEntry, CatalogueError> {
-    let (mut name, material) = (
-        row.text("name")?.to_owned(),
-        row.optional("material").unwrap_or("pet").to_owned(),
-    );
-    let mut title = row.optional("title").unwrap_or(&name).to_owned();
-    if let Some((mm, ..)) = size {
-        (name, title) = (format!("{name}-{mm}"), format!("{title}, nominal {mm} mm"));
-    }
-    let (source, terms) = match row.source() {
-        Ok(origin) => (origin.text("citation")?, origin.text("terms")?),
-        Err(_) => (row.source_text(), "not stated"),
-    };
-    // What its strands are taken to be, where their material is not stated or not one of the table.
-    let like = row.optional("like").unwrap_or(&material);
-    let modulus_of = materials.iter().find(|m| m.name == like);
-    let (nominal_mm, angle) = (
-        row.number("nominal_diameter")?.or(size.map(|s| s.0)),
-        row.number("angle")?,
-    );
-    let least = row.number("least_diameter")?.or(size.map(|s| s.1));
-    let largest = row.number("largest_diameter")?.or(size.map(|s| s.2));
-    let (strands, filaments) = (row.count("strands")?, row.count("filaments")?.unwrap_or(1));
-    let strand_diameter_mm = row.number("strand_diameter")?;
-    let width = strands
-        .zip(strand_diameter_mm)
-        .map(|(n, d)| f64::from(n * filaments) * d);
-    let (helix, helix_from) = match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
-        (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), OF_ANGLE),
-        (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), OF_RANGE),
-        (None, None, Some((least, width))) => (Helix::jammed_at_least(least, width), OF_LEAST),
-        (None, None, None) => (None, OF_ANGLE),
-    };
-    let helix = helix.ok_or_else(|| row.wrong("nothing that gives a helix"))?;
-    // What is not stated of the range is where the strands jam.
-    let jams = width.and_then(|w| helix.jams_at(w));
-    let bounds = least
-        .or(jams.map(|j| j.0))
-        .zip(largest.or(jams.map(|j| j.1)));
-    let (least_mm, largest_mm) = bounds.ok_or_else(|| row.wrong("no range"))?;
-    let stated = Sleeve {
-        strands,
-        filaments,
-        strand_diameter_mm,
-        strand_modulus_mpa: row.number("strand_modulus")?,
-        strand_strength_n: row.number("strand_strength")?,
-        strands_per_carrier: row.number("strands_per_carrier")?,
-        ..Sleeve::new(SleeveShape {
-            name,
-            helix,
-            least_mm,
-            largest_mm,
-        })
-    };
-    let factor = row.number("factor")?;
-    Ok(SleeveEntry {
-        modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),
-        sleeve: match modulus_of {
-            Some(material) => estimated(stated, material, factor),
-            None => stated,
-        },
-        aliases: row.texts("aliases"),
-        title,
-        material,
-        nominal_mm,
-        helix_from,
-        source: source.to_owned(),
-        terms: terms.to_owned(),
-        price: row.owned("price"),
-        note: row.owned("note"),
-    })
+    let wrong = |error: String| refused(format!("the table of sleeves: {error}"));
+    let file = PartsFile::parse(text).map_err(|error| wrong(error.to_string()))?;
+    let materials = materials().unwrap_or_default();
+    row::entries(&file.sleeve, &file.sources, materials).map_err(wrong)
 }
 
 /// A sleeve with what its source does not state taken from its material.
-fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
+pub(super) fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<f64>) -> Sleeve {
     let mut fill = |key: &'static str, stated: &mut Option<f64>, value: Option<f64>| {
         if stated.is_none() && value.is_some() {
             *stated = value;
@@ -351,17 +246,13 @@ mod tests {
             "[sources.s]\ncitation = \"c\"\nterms = \"t\"\n[[sleeve]]\nname = \"n\"\ntitle \
              = \"T\"\nsource = \"s\"\nmaterial = \"m\"\n{sleeve}"
         );
-        let read = Catalogue::parse(&text).and_then(|file| entries_of(&file, &[]));
-        read.map_or_else(|e| e.to_string(), |_| "read".into())
+        read(&text).map_or_else(|e| e.to_string(), |_| "read".into())
     }
 
     #[test]
     fn a_damaged_table_is_an_error() {
         for text in ["x =", "[[material]]\nname = \"n\""] {
-            assert!(
-                matches!(read_materials(text), Err(Refused { .. })),
-                "{text}"
-            );
+            assert!(BuiltIn::parse(text).is_err(), "{text}");
         }
         assert!(damage("name = ").contains("TOML"));
         assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
@@ -373,6 +264,6 @@ mod tests {
         assert!(damage("nominal_diameter = 3\nangle = 20").contains("n: no range"));
         assert!(damage("least_diameter = 4\nlargest_diameter = 3").contains("helix"));
         assert!(damage("least_diameter = -4\nlargest_diameter = 3").contains("least_diameter"));
-        assert!(damage("strands = 0").contains("`strands` must be a count"));
+        assert!(damage("strands = 0").contains("strands = 0: must be a count above zero"));
     }
 }

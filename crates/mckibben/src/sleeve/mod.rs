@@ -18,9 +18,11 @@
 
 mod helix;
 pub mod library;
+mod row;
 
 pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
 pub use library::{Material, SleeveEntry};
+pub use row::SleeveRow;
 
 use crate::refused::Refused;
 use std::f64::consts::PI;

@@ -96,8 +96,7 @@ export class Curves {
       turn = ++this.turn,
       began = performance.now();
     if (test === "along") return this.draw();
-    const { request, top } = familyOf(store, this.points.pressures()),
-      fields = muscle.fields();
+    const { request, top } = familyOf(store, this.points.pressures());
     const mine = {
       ...ownOf(store, top),
       ...(friction() ? { both: true } : {}),
@@ -108,7 +107,7 @@ export class Curves {
       if (turn !== this.turn) return;
       const now = performance.now();
       this.due = now + 7 * (now - began);
-      this.askOver(fields);
+      this.askOver();
       this.points.ask();
     };
     const own = () =>
@@ -140,7 +139,7 @@ export class Curves {
     const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (
       this.store.wanted.test
     );
-    const asked = { test, ...muscle.fields(), ...request },
+    const asked = { test, muscle: muscle.fields(), ...request },
       key = JSON.stringify(asked);
     if (key === this.keys[what]) return next();
     this.keys[what] = key;
@@ -159,32 +158,37 @@ export class Curves {
     );
   }
 
-  /** @param {Record<string, unknown>} fields */
-  askOver(fields) {
+  askOver() {
     const { test, over } = this.store.wanted,
+      of = muscle.fields(),
       contractions = reachOf(this.store, FAMILY);
     const names = test === "isobaric" ? over.split(",").filter(Boolean) : [];
-    const key = JSON.stringify([names, fields, muscle.p, contractions]);
+    const key = JSON.stringify([names, of, muscle.p, contractions]);
     if (key === this.keys.over) return;
     this.keys.over = key;
     const found = /** @type {CurveAnswer[]} */ ([]),
       test_ = /** @type {const} */ ("isobaric");
     const common = {
       test: test_,
-      ...fields,
+      muscle: of,
       extrapolate: true,
       pressures_mpa: [muscle.p],
       contractions,
     };
     const next = () => {
       if (this.keys.over !== key) return;
-      const model = names.shift(),
+      const name = names.shift(),
         take = (/** @type {CurveAnswer} */ answer) => {
           found.push(answer);
           next();
         };
-      if (model)
-        return this.slots.over.ask("curve", { ...common, model }, take, next);
+      if (name)
+        return this.slots.over.ask(
+          "curve",
+          { ...common, model: { name } },
+          take,
+          next,
+        );
       this.overlays = found;
       this.draw();
     };
@@ -228,14 +232,14 @@ export class Curves {
    */
   exact({ fixed }, x, take) {
     const { test } = this.store.wanted,
-      fields = muscle.fields(),
+      of = muscle.fields(),
       { exact } = this.slots;
     if (fixed === undefined) return;
     const pressure = x / outside("pressure", 1);
     if (test === "isotonic")
       return exact.ask(
         "contraction",
-        { ...fields, force_n: fixed, pressure_mpa: pressure },
+        { muscle: of, force_n: fixed, pressure_mpa: pressure },
         (a) =>
           take(
             100 * a.contraction,
@@ -246,7 +250,7 @@ export class Curves {
       test === "isobaric"
         ? { pressure_mpa: fixed, contraction: x / 100 }
         : { pressure_mpa: pressure, contraction: fixed };
-    exact.ask("force", { ...fields, ...at }, (a) =>
+    exact.ask("force", { muscle: of, ...at }, (a) =>
       take(
         outside("force", a.force_n),
         a.uncertainty_n && outside("force", a.uncertainty_n),

@@ -48,7 +48,7 @@ export class Points {
   /** The question of an identification. @param {{ name: string, text: string }} table */
   request(table) {
     return {
-      ...muscle.fields(),
+      muscle: muscle.fields(),
       data: [table],
       columns: measured.columns,
       free: ["modulus"],
@@ -84,7 +84,7 @@ export class Points {
     const data = measured.file;
     if (!data) return;
     const request = {
-      ...muscle.fields(),
+      muscle: muscle.fields(),
       data: [data],
       columns: measured.columns,
       models: ["fe"],

@@ -5,14 +5,7 @@ import { isAbort } from "../engine/problem.js";
 import { form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import {
-  CONTRACTION,
-  PRESSURE,
-  QUANTITIES,
-  fields,
-  point,
-  say,
-} from "../state.js";
+import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
 
@@ -83,7 +76,7 @@ export function solveView(store) {
 async function solved(measure, force, signal) {
   const { state } = muscle,
     options = /** @type {const} */ ({ lane: "side", signal });
-  const asked = { ...muscle.fields(), force_n: force };
+  const asked = { muscle: muscle.fields(), force_n: force };
   // The command has an inverse of its own for both.
   if (measure.key === "p")
     return (
@@ -104,13 +97,7 @@ async function solved(measure, force, signal) {
   const over = async (/** @type {number} */ value) => {
     const changed = say({ ...state, F: undefined }, measure.key, value);
     return (
-      (
-        await engine().ask(
-          "force",
-          { ...fields(changed), ...point(changed) },
-          options,
-        )
-      ).force_n - force
+      (await engine().ask("force", question(changed), options)).force_n - force
     );
   };
   return root(

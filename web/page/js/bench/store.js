@@ -95,7 +95,7 @@ export class Store {
   /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
   ask(shown) {
     const { state } = muscle,
-      request = { ...muscle.fields(), ...(shown ?? pointOf(state)) };
+      request = { muscle: muscle.fields(), ...(shown ?? pointOf(state)) };
     this.slots.state.ask(
       "shape",
       request,
@@ -129,7 +129,7 @@ export class Store {
     const { state } = muscle;
     this.slots.fact.ask(
       "check",
-      { ...muscle.fields(), pressure_mpa: state.p },
+      { muscle: muscle.fields(), pressure_mpa: state.p },
       (answer) => {
         this.facts = {
           ...answer,
@@ -153,7 +153,7 @@ export class Store {
   starts() {
     const { state } = muscle;
     const request = {
-      ...muscle.fields(),
+      muscle: muscle.fields(),
       pressure_mpa: state.p,
       contraction: state.e,
     };
@@ -188,9 +188,9 @@ export class Store {
    * Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply.
    */
   range() {
-    const fields = muscle.fields(),
+    const of = muscle.fields(),
       supply = this.supply(),
-      key = JSON.stringify([fields, supply]);
+      key = JSON.stringify([of, supply]);
     if (key === this.rangesKey) return;
     this.rangesKey = key;
     const states = [
@@ -207,7 +207,7 @@ export class Store {
           done();
         };
       if (at)
-        return this.slots.range.ask("shape", { ...fields, ...at }, take, done);
+        return this.slots.range.ask("shape", { muscle: of, ...at }, take, done);
       this.ranges = Object.keys(found).length ? found : undefined;
       this.tell("ranges");
     };

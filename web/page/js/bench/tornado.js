@@ -3,14 +3,7 @@ import { engine } from "../ask.js";
 import { el } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
-import {
-  CONTRACTION,
-  PRESSURE,
-  QUANTITIES,
-  fields,
-  point,
-  say,
-} from "../state.js";
+import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { number, outside, show, unitName } from "../units.js";
 
 /** Changes, by keys of measures. @type {Record<string, number>} */
@@ -64,9 +57,8 @@ export function tornadoView(store) {
           m.key,
           value + sign * STEPS[m.key],
         );
-        const request = { ...fields(changed), ...point(changed) };
         const answer = await engine()
-          .ask("force", request, { signal })
+          .ask("force", question(changed), { signal })
           .catch(() => undefined);
         if (signal.aborted) return;
         if (answer) changes.push(answer.force_n - at.force_n);

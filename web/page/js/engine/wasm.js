@@ -193,14 +193,14 @@ export class Engine {
    */
   async ask(command, request, { lane = "side", ...how } = {}) {
     const of =
-      /** @type {{ model?: string, load_tables?: object[], kind?: string }} */ (
+      /** @type {{ model?: { name?: string }, load_tables?: object[], kind?: string }} */ (
         request
       );
     const known =
       LIVE.includes(command) ||
       (command === "parts-list" && LISTED.includes(of.kind ?? ""));
     const small =
-      known && (of.model ?? "fe") === "fe" && !of.load_tables?.length;
+      known && (of.model?.name ?? "fe") === "fe" && !of.load_tables?.length;
     return this.lanes[small || lane === "job" ? lane : "whole"].ask(
       command,
       request,

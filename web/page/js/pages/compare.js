@@ -131,15 +131,10 @@ function sideOf(name, { ask, paint }) {
       back.hidden = !side.file;
       const read = await fields.read();
       if (!read) return stale(true);
-      const {
-        muscle: of,
-        model,
-        pressure_mpa,
-        contraction,
-      } = asked(muscle.state, side.file, read);
+      const { model, ...at } = asked(muscle.state, side.file, read);
       point.ask(
         "force",
-        { ...of, model, contraction, pressure_mpa, extrapolate: true },
+        { ...at, model, extrapolate: true },
         (answer) => {
           side.answer = answer;
           stale(false);
@@ -156,7 +151,7 @@ function sideOf(name, { ask, paint }) {
       );
       shape.ask(
         "shape",
-        { ...of, contraction, pressure_mpa },
+        at,
         (answer) => view.stretched(answer),
         () => {},
       );
@@ -167,10 +162,10 @@ function sideOf(name, { ask, paint }) {
       curve.ask(
         "curve",
         {
-          ...of,
+          muscle: at.muscle,
           model,
           test: "isobaric",
-          pressures_mpa: [pressure_mpa],
+          pressures_mpa: [at.pressure_mpa],
           extrapolate: true,
         },
         drawn,

@@ -170,7 +170,7 @@ class DataPage {
       return undefined;
     }
     return {
-      ...muscle.fields(),
+      muscle: muscle.fields(),
       data: [this.data],
       columns: this.columns.value(),
       free: read.free ?? [],
@@ -222,7 +222,7 @@ class DataPage {
     this.#looking.ask(
       "compare",
       {
-        ...muscle.fields(),
+        muscle: muscle.fields(),
         data: [data],
         columns,
         models: read.models,

@@ -99,7 +99,7 @@ function card(title, about, fields, [label, command], request, shown) {
 /** The muscle at its pressure, where it has one. */
 const atPressure = () => ({
   pressure_mpa: muscle.p || undefined,
-  ...muscle.fields(),
+  muscle: muscle.fields(),
 });
 
 const report = () =>
@@ -203,9 +203,9 @@ const elements = () =>
     ELEMENTS,
     ["Compute", "simulate"],
     ({ model }) => ({
-      ...muscle.fields(),
+      muscle: muscle.fields(),
       test: "isometric",
-      model,
+      model: { name: model },
       two_sided: true,
       pressures_mpa: [muscle.p],
       contractions: [muscle.e],

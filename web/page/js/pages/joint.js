@@ -222,7 +222,7 @@ function questions({ take, fail, family }) {
       const last = () =>
         elements.ask(
           "joint",
-          { ...request, model: "fe", extrapolate: false, ...at },
+          { ...request, model: { name: "fe" }, extrapolate: false, ...at },
           (answer) => {
             decided = mine;
             take(answer);
@@ -366,7 +366,7 @@ class JointPage {
   #request() {
     return {
       ...this.joint.request(this.#first),
-      model: "universal",
+      model: { name: "universal" },
       extrapolate: true,
     };
   }

@@ -80,11 +80,11 @@ async function driven(text, file, model) {
     return {
       drive,
       muscle: { name: of.get(".muscle") ?? "muscle.toml", text: file },
-      model,
+      model: { name: model },
     };
   const joint = new JointWords();
   await joint.read(new URLSearchParams(wordsOf("joint")));
-  return { drive, ...joint.request(file), model };
+  return { drive, ...joint.request(file), model: { name: model } };
 }
 
 /** The muscle in space at every time of a run, and the time that is shown. */
@@ -126,7 +126,7 @@ function player() {
     );
     slot.ask(
       "shape",
-      { ...muscle.fields(), ...stateAt(run, i) },
+      { muscle: muscle.fields(), ...stateAt(run, i) },
       (shape) => view.stretched(shape),
       () => {},
     );

@@ -8,14 +8,7 @@ import { bench, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
-import {
-  CONTRACTION,
-  MEASURES,
-  PRESSURE,
-  fields,
-  point,
-  say,
-} from "../state.js";
+import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
 import { number, onUnits, outside, show, unitName } from "../units.js";
 import { inWords } from "../words.js";
 
@@ -204,10 +197,9 @@ export const mount = (main) => {
   /** @param {State} of @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
   async function at(of, value, signal) {
     try {
-      const request = { ...fields(of), ...point(of) };
       return {
         value,
-        answer: await engine().ask("shape", request, {
+        answer: await engine().ask("shape", question(of), {
           lane: "curves",
           signal,
         }),

@@ -4,7 +4,7 @@ use mckibben::muscle::measures::{MEASURES, Parts};
 use mckibben::muscle::{BraidStiffness, Measure, Muscle, MuscleError};
 use mckibben::rubber::Law;
 use mckibben::rubber::library;
-use mckibben::units::Values;
+use mckibben::units::{Dimension, Values};
 
 /// Keys in `[vary]` with a column in every table, ratios to D0 and the factor of all moduli among
 /// them.
@@ -23,27 +23,64 @@ pub(super) const SCALE: &str = "tube.material.scale";
 /// The prefix of the name of a constant of the law.
 pub(super) const CONSTANT: &str = "tube.material.";
 
-/// The keys that can vary, in the order in which a factorial plan runs through it: the ones above,
-/// the constants of all laws (sums of terms have none that vary alone), and every other measure of
-/// the muscle.
-pub(super) fn keys() -> Vec<String> {
+/// What can vary.
+pub(super) struct Variable {
+    /// Its key in `[vary]`.
+    pub key: String,
+    pub dimension: Dimension,
+    /// What it is.
+    pub about: &'static str,
+}
+
+/// What can vary and is no measure of the muscle: ratios to D0, and the factor of all moduli.
+const NO_MEASURES: [(&str, Dimension, &str); 4] = [
+    (
+        "tube.wall_ratio",
+        Dimension::Ratio,
+        "Wall over outer diameter",
+    ),
+    (
+        "tube.length_ratio",
+        Dimension::Ratio,
+        "Length over outer diameter",
+    ),
+    (
+        "braid.stiffness_per_diameter",
+        Dimension::Pressure,
+        "Stiffness of a strand family over the outer diameter",
+    ),
+    (SCALE, Dimension::Ratio, "Factor of all moduli of the law"),
+];
+
+/// All that can vary, in the order in which a factorial plan runs through it: what has a column in
+/// every table, the constants of all laws (sums of terms have none that vary alone), and every
+/// other measure of the muscle.
+pub(super) fn variables() -> Vec<Variable> {
     let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
-    let constants = laws
-        .flat_map(|kind| kind.names())
-        .map(|name| format!("{CONSTANT}{name}"));
-    let measures = MEASURES.iter().map(|m| m.key.to_owned());
-    let mut keys: Vec<String> = vec![];
-    for key in WITH_COLUMN
-        .into_iter()
-        .map(str::to_owned)
-        .chain(constants)
-        .chain(measures)
-    {
-        if !keys.contains(&key) {
-            keys.push(key);
+    let constants = laws.flat_map(|kind| kind.constants).map(|c| Variable {
+        key: format!("{CONSTANT}{}", c.name),
+        dimension: c.dimension,
+        about: c.doc,
+    });
+    let measures = MEASURES.iter().map(|m| Variable {
+        key: m.key.to_owned(),
+        dimension: m.dimension,
+        about: m.about,
+    });
+    let others = NO_MEASURES.map(|(key, dimension, about)| Variable {
+        key: key.to_owned(),
+        dimension,
+        about,
+    });
+    let mut all: Vec<Variable> = vec![];
+    for variable in constants.chain(measures).chain(others) {
+        if all.iter().all(|known| known.key != variable.key) {
+            all.push(variable);
         }
     }
-    keys
+    let place = |v: &Variable| WITH_COLUMN.iter().position(|key| *key == v.key);
+    all.sort_by_key(|v| place(v).unwrap_or(WITH_COLUMN.len()));
+    all
 }
 
 #[derive(Debug, Clone, PartialEq)]

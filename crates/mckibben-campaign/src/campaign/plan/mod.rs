@@ -11,6 +11,7 @@
 //! ```
 
 mod axis;
+mod keys;
 mod read;
 mod sampling;
 mod vary;
@@ -20,6 +21,7 @@ mod tests;
 
 pub(super) use axis::rounded;
 pub use axis::{Axis, Inputs};
+pub use keys::PlanKeys;
 pub use sampling::Sampling;
 
 use crate::hash;

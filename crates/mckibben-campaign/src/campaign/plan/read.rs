@@ -1,9 +1,10 @@
 //! Text → plan.
 
+use super::keys::{Method, OfSampling, OfTest, PlanKeys, Vary};
 use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling};
 use super::{Plan, Testing, vary};
-use mckibben::muscle::file::{FileError, Section, Source, muscle_of, read_text};
-use mckibben::units::Values;
+use mckibben::muscle::file::{FileError, Source, read_text};
+use mckibben::units::typed::{Choice, Quantity};
 use mckibben_fem::elements::Elements;
 use std::path::Path;
 
@@ -14,12 +15,12 @@ impl Plan {
     /// Reads the text of a plan.
     pub fn parse(text: &str) -> Result<Self, FileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let source = Source::read(text, "muscle-file plan-file people")?;
-        let base = muscle_of(&source)?;
-        let root = source.root();
-        let sampling = sampling(&root.at("sampling"))?;
-        let axes = vary::axes(&root.at("vary"), &base, &sampling)?;
-        let testing = testing(&root.at("test"))?;
+        let source = Source::parse(text)?;
+        let (muscle, of_sampling, Vary(axes), test) = source.read::<PlanKeys>()?.parts();
+        let base = muscle.muscle(&source)?;
+        let sampling = sampling(&of_sampling, &source)?;
+        vary::check_all(&axes, &source, &base, &sampling)?;
+        let testing = testing(test, &source)?;
         if base.tube().rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";
@@ -68,36 +69,37 @@ fn some_muscle(plan: &Plan) -> Result<(), String> {
     }
 }
 
-fn whole(section: &Section<'_>, key: &str, most: u64) -> Result<Option<u64>, FileError> {
-    let value = section.get(key);
-    if value.is_none_or(|value: u64| value <= most) {
-        return Ok(value);
+fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileError> {
+    const SAMPLES: &str = "sampling.samples";
+    const SEED: &str = "sampling.seed";
+    let most = match keys.method {
+        Method::Sobol => MOST_SOBOL,
+        Method::Factorial | Method::LatinHypercube => MOST_STRATA,
+    };
+    for (key, value, most) in [
+        (SAMPLES, keys.samples, most),
+        (SEED, keys.seed, u64::from(u32::MAX)),
+    ] {
+        if value.is_some_and(|value| value > most) {
+            return Err(source.error(key, format!("must be a whole number up to {most}")));
+        }
+        if value.is_some() && keys.method == Method::Factorial {
+            let why = "a factorial plan takes every level with every other: it has neither \
+                samples nor a seed";
+            return Err(source.error(key, why));
+        }
     }
-    Err(section.error(key, format!("must be a whole number up to {most}")))
-}
-
-fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
-    let method = section.get("method").unwrap_or("factorial");
-    let sobol = method == "sobol";
-    let samples = whole(
-        section,
-        "samples",
-        if sobol { MOST_SOBOL } else { MOST_STRATA },
-    )?;
-    let seed = whole(section, "seed", u64::from(u32::MAX))?;
-    if method == "factorial" {
-        let why = "a factorial plan takes every level with every other: it has neither samples nor \
-            a seed";
-        let stated = ["samples", "seed"].into_iter().find(|k| section.has(k));
-        return stated.map_or(Ok(Sampling::Factorial), |key| Err(section.error(key, why)));
+    if keys.method == Method::Factorial {
+        return Ok(Sampling::Factorial);
     }
     let needs = "it is the number of random muscles";
-    let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;
+    let samples = keys.samples;
+    let samples = samples.ok_or_else(|| source.missing(SAMPLES, "sampling.method", needs))?;
     if samples == 0 {
-        return Err(section.error("samples", "must be above zero"));
+        return Err(source.error(SAMPLES, "must be above zero"));
     }
-    let seed = seed.unwrap_or(1);
-    Ok(if sobol {
+    let seed = keys.seed.unwrap_or(1);
+    Ok(if keys.method == Method::Sobol {
         Sampling::Sobol {
             samples,
             seed: seed as u32,
@@ -107,63 +109,69 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
     })
 }
 
-fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
-    let of_ideal = section.get("of_ideal").unwrap_or(false);
-    let contractions = levels(section, "contractions")?;
-    let pressures_mpa = levels(section, "pressures")?;
-    let most = if of_ideal { 1.2 } else { 0.9 };
+fn testing(keys: OfTest, source: &Source<'_>) -> Result<Testing, FileError> {
+    const CONTRACTIONS: &str = "test.contractions";
+    const PRESSURES: &str = "test.pressures";
+    let contractions = levels(keys.contractions, CONTRACTIONS, source)?;
+    let pressures_mpa = levels(keys.pressures, PRESSURES, source)?;
+    let most = if keys.of_ideal { 1.2 } else { 0.9 };
     if let Some(e) = contractions.iter().find(|e| !(0.0..=most).contains(*e)) {
         let why = format!("contains {e}; contractions must lie between 0 and {most}");
-        return Err(section.error("contractions", why));
+        return Err(source.error(CONTRACTIONS, why));
     }
     if let Some(p) = pressures_mpa.iter().find(|p| **p < 0.0) {
         let why = format!("contains {p}\u{a0}MPa; a pressure must not be below zero");
-        return Err(section.error("pressures", why));
+        return Err(source.error(PRESSURES, why));
     }
     let points = contractions.len().saturating_mul(pressures_mpa.len());
     if points > MOST_POINTS {
         let why =
             format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
-        return Err(section.error("pressures", why));
+        return Err(source.error(PRESSURES, why));
     }
-    let elements = elements(section)?;
-    let sensitivities = section.get("sensitivities").unwrap_or(false);
-    if sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
+    let elements = elements(keys.model, keys.mesh, source)?;
+    if keys.sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
         let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
-        return Err(section.error("sensitivities", why));
+        return Err(source.error("test.sensitivities", why));
     }
     Ok(Testing {
         contractions,
-        of_ideal,
+        of_ideal: keys.of_ideal,
         pressures_mpa,
         elements,
-        sensitivities,
+        sensitivities: keys.sensitivities,
     })
 }
 
-fn levels(section: &Section<'_>, key: &str) -> Result<Vec<f64>, FileError> {
-    match section.get::<(Values, bool)>(key) {
-        Some((Values::List(list), _)) if !list.is_empty() => Ok(list),
-        Some((Values::Interval(..), _)) => {
-            Err(section.error(key, "is a range without a step: write low..high:step"))
+fn levels<Q: Quantity>(
+    values: Choice<Q>,
+    key: &str,
+    source: &Source<'_>,
+) -> Result<Vec<f64>, FileError> {
+    match values {
+        Choice::One(one) => Ok(vec![one.into()]),
+        Choice::Several(list) if !list.is_empty() => Ok(list.into_iter().map(Into::into).collect()),
+        Choice::Several(_) => Err(source.error(key, "is an empty list")),
+        Choice::Between { .. } => {
+            Err(source.error(key, "is a range without a step: write low..high:step"))
         }
-        _ => Err(section.error(key, "is an empty list")),
     }
 }
 
-fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
-    let word = section.get("model").unwrap_or(Elements::ENTRIES[0].name);
+fn elements(
+    model: Option<String>,
+    mesh: Option<String>,
+    source: &Source<'_>,
+) -> Result<Elements, FileError> {
+    let word = model.as_deref().unwrap_or(Elements::ENTRIES[0].name);
     let unknown = |_| {
-        section.error(
-            "model",
-            "is not known; expected a finite-element model: fe or fe3d",
-        )
+        let said = "is not known; expected a finite-element model: fe or fe3d";
+        source.error("test.model", said)
     };
     let elements: Elements = word.parse().map_err(unknown)?;
-    let Some(text) = section.get("mesh") else {
+    let Some(mesh) = mesh else {
         return Ok(elements);
     };
-    elements
-        .with_mesh(text)
-        .map_err(|error| section.error("mesh", error.to_string()))
+    let with_mesh = elements.with_mesh(&mesh);
+    with_mesh.map_err(|error| source.error("test.mesh", error.to_string()))
 }

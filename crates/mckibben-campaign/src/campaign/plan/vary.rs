@@ -1,8 +1,8 @@
-//! The table `[vary]`.
+//! What may be in the table `[vary]`.
 
-use super::axis::{Axis, CONSTANT, SCALE, keys};
+use super::axis::{Axis, CONSTANT, SCALE};
 use super::sampling::Sampling;
-use mckibben::muscle::file::{FileError, Section};
+use mckibben::muscle::file::{FileError, Source};
 use mckibben::muscle::measures::{ANGLE, Bounds};
 use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
 use mckibben::units::Values;
@@ -14,33 +14,23 @@ const EITHER: [(&str, &str); 3] = [
     ("braid.stiffness", "braid.stiffness_per_diameter"),
 ];
 
-pub(super) fn axes(
-    vary: &Section<'_>,
+pub(super) fn check_all(
+    axes: &[Axis],
+    source: &Source<'_>,
     base: &Muscle,
     sampling: &Sampling,
-) -> Result<Vec<Axis>, FileError> {
-    let mut axes: Vec<Axis> = vec![];
-    for dotted in keys() {
-        let (table, key) = dotted.rsplit_once('.').unwrap_or(("", &dotted));
-        let table = table
-            .split('.')
-            .fold(vary.clone(), |section, key| section.at(key));
-        let Some((values, log)) = table.get(key) else {
-            continue;
-        };
-        let axis = Axis {
-            key: dotted.clone(),
-            values,
-            log,
-        };
-        check(&axis, base, sampling).map_err(|why| table.error(key, why))?;
-        let other = EITHER.iter().find(|p| p.1 == dotted).map(|p| p.0);
-        if let Some(other) = other.filter(|o| axes.iter().any(|a| a.key == *o)) {
-            return Err(table.error(key, format!("vary either this or {other}; both are given")));
+) -> Result<(), FileError> {
+    for (i, axis) in axes.iter().enumerate() {
+        let wrong = |why: String| source.error(&format!("vary.{}", axis.key), why);
+        check(axis, base, sampling).map_err(wrong)?;
+        let other = EITHER.iter().find(|p| p.1 == axis.key).map(|p| p.0);
+        if let Some(other) = other.filter(|o| axes[..i].iter().any(|a| a.key == *o)) {
+            return Err(wrong(format!(
+                "vary either this or {other}; both are given"
+            )));
         }
-        axes.push(axis);
     }
-    Ok(axes)
+    Ok(())
 }
 
 /// Checks an axis; the error is a sentence behind its key.

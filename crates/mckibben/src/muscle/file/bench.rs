@@ -1,18 +1,14 @@
 //! `[identified]`: what a bench says of the muscle, written by `identify` and read again.
 
 use super::error::FileError;
-use super::source::Section;
+use super::source::Source;
 use crate::muscle::{Bench, Direction};
 
 /// Rows, columns and parameters at most.
 const MOST: usize = 64;
 const LONGEST: usize = 200;
 
-pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
-    if !section.is_written() {
-        return Ok(None);
-    }
-    let bench: Bench = section.all()?;
+pub(super) fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
     let is_name =
         |name: &str| !name.is_empty() && name.len() <= LONGEST && !name.contains(char::is_control);
     let is_range = |(low, high): (f64, f64)| low <= high;
@@ -32,7 +28,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         parameters,
         covariance,
         ..
-    } = &bench;
+    } = bench;
     let checks = [
         (
             "laboratory",
@@ -84,8 +80,8 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         ),
     ];
     let wrong = checks.iter().find(|check| !check.1);
-    wrong.map_or(Ok(Some(bench)), |(key, _, must)| {
-        Err(section.error(key, *must))
+    wrong.map_or(Ok(()), |(key, _, must)| {
+        Err(source.error(&format!("identified.{key}"), *must))
     })
 }
 

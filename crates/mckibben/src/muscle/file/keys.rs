@@ -1,171 +1,208 @@
-//! The keys of files, as `data/keys.txt` lists them: from one list follow the reader, the writer
-//! and the JSON Schemas.
+//! What the JSON Schema of a file says of its keys, for messages and for editors.
 
-use crate::muscle::Measure;
-use crate::muscle::measures::of_section;
-use crate::rubber::{Constant, Law, LawKind};
+use super::error::FileError;
+use super::reader::{LIST, PAIR, PLAIN, TEXT, Wrong, Wrongness};
+use super::source::{Source, shortened};
+use crate::nearest::{meant, nearest};
+use crate::rubber::{Law, foreign};
 use crate::units::Dimension;
-use std::borrow::Cow;
+use schemars::generate::SchemaSettings;
+use schemars::transform::{Transform, transform_subschemas};
+use schemars::{JsonSchema, Schema};
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
 
-const LIST: &str = include_str!("../../../data/keys.txt");
-
-/// A key of a table.
-#[derive(Debug, Clone)]
-pub struct Key {
-    /// Its name.
-    pub name: &'static str,
-    /// Its kind, as the head of the list describes it.
-    pub kind: Cow<'static, str>,
-    /// What it is.
-    pub about: &'static str,
-    /// Whether its table needs it.
-    pub is_needed: bool,
-    /// The measure of the muscle that it states.
-    pub measure: Option<&'static Measure>,
-    /// The comment behind it in files that this program writes.
-    pub comment: &'static str,
+/// The JSON Schema (draft 7, which TOML editors read) of a file: its keys are those of the struct
+/// that it is read into, and the documentation of a field describes its key.
+pub fn schema_of<T: JsonSchema>() -> Value {
+    let mut schema = generated::<T>();
+    AsWritten.transform(&mut schema);
+    schema.to_value()
 }
 
-/// The keys of sections of the list.
-pub fn keys(sections: &str) -> Vec<Key> {
-    sections.split(' ').flat_map(section).collect()
+fn generated<T: JsonSchema>() -> Schema {
+    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
+    settings.into_generator().into_root_schema_for::<T>()
 }
 
-fn section(name: &str) -> impl Iterator<Item = Key> {
-    let head = format!("[{name}]");
-    let lines = LIST.lines().skip_while(move |line| *line != head).skip(1);
-    lines.take_while(|line| !line.is_empty()).map(|line| {
-        let mut parts = line.splitn(4, " : ");
-        let [name, kind, about, comment] = [(); 4].map(|()| parts.next().unwrap_or_default());
-        let key = name.trim_end_matches('*');
-        let kind = if kind == "law" {
-            format!("word {}", Law::names().join(" "))
-        } else {
-            kind.into()
-        };
-        Key {
-            name: key,
-            kind: kind.into(),
-            about,
-            is_needed: key != name,
-            measure: None,
-            comment,
-        }
-    })
-}
+/// What may be written in place of a number, and what TOML has not.
+struct AsWritten;
 
-impl Key {
-    /// A key that a table of this program makes.
-    fn made(name: &'static str, kind: impl Into<Cow<'static, str>>, about: &'static str) -> Self {
-        Self {
-            name,
-            kind: kind.into(),
-            about,
-            is_needed: false,
-            measure: None,
-            comment: about,
-        }
-    }
-
-    fn of_constant(constant: &'static Constant, law: &LawKind) -> Self {
-        let one = if constant.is_modulus() {
-            "pressure"
-        } else {
-            "number"
-        };
-        let kind = if law.is_sum {
-            format!("list {one}").into()
-        } else {
-            Cow::Borrowed(one)
-        };
-        Self::made(constant.name, kind, constant.doc)
-    }
-
-    /// The keys of a rubber's table with the constants of some laws.
-    pub(super) fn material(laws: &'static [LawKind]) -> Vec<Self> {
-        let constants = laws
-            .iter()
-            .flat_map(|law| law.constants.iter().map(|c| Self::of_constant(c, law)));
-        keys("law")
-            .into_iter()
-            .chain(constants)
-            .chain(keys("material"))
-            .collect()
-    }
-
-    /// The keys of the table that it names; of a rubber those of `law`, or of all laws.
-    pub fn table(&self, law: Option<&str>) -> Option<Vec<Self>> {
-        let (word, rest) = words(&self.kind);
-        Some(match word {
-            "table" => keys(rest),
-            "end-factor" => keys("end-factor"),
-            "measures" => of_section(rest).map(of_measure).chain(keys(rest)).collect(),
-            "material" => {
-                let law = law.and_then(|law| Law::kind_named(law.trim()));
-                Self::material(law.map_or(Law::KINDS, std::slice::from_ref))
+impl Transform for AsWritten {
+    fn transform(&mut self, schema: &mut Schema) {
+        transform_subschemas(self, schema);
+        if let Some(Value::Array(types)) = schema.get_mut("type") {
+            types.retain(|name| name != "null");
+            if let [only] = &mut types[..] {
+                let only = only.take();
+                schema.insert("type".into(), only);
             }
-            "varied" => {
-                let varied = |m: &'static Measure| {
-                    Self::made(
-                        m.name(),
-                        format!("values {} log", name_of(m.dimension)),
-                        m.about,
-                    )
-                };
-                of_section(rest)
-                    .map(varied)
-                    .chain(keys(&format!("varied-{rest}")))
-                    .collect()
-            }
-            "constants" => {
-                let mut all = keys("constants");
-                for constant in Law::KINDS
-                    .iter()
-                    .filter(|kind| !kind.is_sum)
-                    .flat_map(|k| k.constants)
-                {
-                    if all.iter().all(|known| known.name != constant.name) {
-                        let kind = format!("values {} log", name_of(constant.dimension));
-                        all.push(Self::made(constant.name, kind, constant.doc));
-                    }
+        }
+        if let Some(Value::Array(choices)) = schema.get_mut("anyOf") {
+            choices.retain(|choice| choice["type"] != "null");
+            if let [Value::Object(only)] = &mut choices[..] {
+                let only = std::mem::take(only);
+                schema.remove("anyOf");
+                let all = schema.ensure_object();
+                for (key, value) in only {
+                    all.entry(key).or_insert(value);
                 }
-                all
             }
-            _ => return None,
-        })
+        }
+        if schema.get("default").is_some_and(Value::is_null) {
+            schema.remove("default");
+        }
+        schema.remove("format");
+        if let Some(Value::String(about)) = schema.get_mut("description") {
+            *about = about.trim_end_matches('.').replace('\n', " ");
+        }
+        let Some(dimension) = dimension(schema.as_value()) else {
+            return;
+        };
+        if let Some(Value::String(about)) = schema.get_mut("description") {
+            *about += &match dimension.unit_inside().name {
+                "" => ": a ratio, or a text such as \"10 %\"".into(),
+                unit => format!(": a text with its unit, or a number in {unit}"),
+            };
+        }
+        schema.insert("type".into(), json!(["number", "string"]));
+        schema.remove("x-quantity");
     }
 }
 
-/// The first word of a kind, and the rest.
-pub(super) fn words(kind: &str) -> (&str, &str) {
-    kind.split_once(' ').unwrap_or((kind, ""))
+/// What a number measures that may have a unit.
+fn dimension(schema: &Value) -> Option<Dimension> {
+    Dimension::deserialize(schema.get("x-quantity")?).ok()
 }
 
-fn of_measure(measure: &'static Measure) -> Key {
-    let kind = measure
-        .kind
-        .map_or_else(|| name_of(measure.dimension), Cow::Borrowed);
-    let made = Key::made(measure.name(), kind, measure.about);
-    Key {
-        measure: Some(measure),
-        comment: measure.comment,
-        ..made
+/// The keys of a file that is read into a struct.
+pub struct Keys(Value);
+
+impl Keys {
+    /// Those of a struct.
+    pub fn of<T: JsonSchema>() -> Self {
+        Self(generated::<T>().to_value())
+    }
+
+    fn at(&self, dotted: &str) -> Option<&Value> {
+        // All tables of a list have the same keys.
+        let is_key = |part: &&str| !part.is_empty() && part.parse::<usize>().is_err();
+        let mut parts = dotted.split('.').filter(is_key);
+        parts.try_fold(&self.0, |schema, key| properties(schema)?.get(key))
+    }
+
+    /// What the number at a dotted key measures.
+    pub fn dimension(&self, dotted: &str) -> Option<Dimension> {
+        let schema = self.at(dotted)?;
+        let is_plain = || schema["type"].to_string().contains("number");
+        dimension(schema).or_else(|| is_plain().then_some(Dimension::Ratio))
+    }
+
+    /// The error of a file.
+    pub(super) fn error(&self, source: &Source<'_>, wrong: Wrong) -> FileError {
+        let path = wrong.path.unwrap_or_default();
+        match wrong.problem {
+            Wrongness::Said(said) => source.error(&path, said),
+            Wrongness::Expected(given, expected) => {
+                // Some expectations alone do not say what is in a text or a list.
+                let said = match expected.as_str() {
+                    TEXT => self.at(&path),
+                    LIST | PAIR => self.at(&path).map(list),
+                    _ => None,
+                };
+                let about = said.map_or(String::new(), about);
+                let given = given.unwrap_or("something else");
+                source.error(&path, format!("is {given}; expected {expected}{about}"))
+            }
+            Wrongness::Missing(key) => {
+                let mut key = join(&path, key);
+                while let Some(needed) = self.at(&key).and_then(|s| s["required"][0].as_str()) {
+                    key = join(&key, needed);
+                }
+                let expected = self.at(&key).map_or(String::new(), expected);
+                source.error(&path, format!("{key} is missing; expected {expected}"))
+            }
+            Wrongness::Unknown(key) => self.unknown(source, &path, &key),
+        }
+    }
+
+    fn unknown(&self, source: &Source<'_>, path: &str, key: &str) -> FileError {
+        let span = source.key_span(path, key);
+        let law = source.text_at(&join(path, "law"));
+        let is_constant = Law::KINDS.iter().any(|law| law.names().contains(&key));
+        if let Some(law) = law.and_then(Law::kind_named).filter(|_| is_constant) {
+            return source.key_error(&join(path, key), span, foreign(law));
+        }
+        let table = self.at(path).and_then(properties);
+        let known: Vec<&str> = table
+            .into_iter()
+            .flat_map(Map::keys)
+            .map(String::as_str)
+            .collect();
+        let mut all = vec![];
+        dotted("", &self.0, &mut all);
+        let all = || all.iter().map(String::as_str);
+        let last = |dotted: &str| dotted.rsplit('.').next().is_some_and(|last| last == key);
+        // `thickness` in the tube is its `wall_thickness`, not that of the braid.
+        let of_last_word = |k: &&str| k.strip_suffix(key).is_some_and(|k| k.ends_with('_'));
+        let suggestion = known.iter().copied().find(of_last_word);
+        let suggestion = suggestion.or_else(|| all().find(|dotted| last(dotted)));
+        let suggestion = suggestion.or_else(|| nearest(key, known.iter().copied()));
+        let suggestion =
+            suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
+        let problem = format!(
+            "unknown key{}; known here: {}",
+            meant(suggestion),
+            known.join(", ")
+        );
+        source.key_error(&join(path, &shortened(key)), span, problem)
     }
 }
 
-/// Every key of sections with the tables in them, dotted; tells a key in the wrong table from one
+fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+    let own = schema["properties"].as_object();
+    let own = own.or_else(|| properties(schema.get("items")?));
+    own.or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
+}
+
+/// Every key of a table and of the tables in it, dotted; tells a key in the wrong table from one
 /// that means nothing anywhere.
-pub(super) fn dotted(path: &str, keys: Vec<Key>) -> Vec<String> {
-    // Nobody writes the keys of [identified] by hand.
-    let written = keys.into_iter().filter(|key| key.name != "identified");
-    let one = |key: Key| {
-        let name = join(path, key.name);
-        let inner = key
-            .table(None)
-            .map_or_else(Vec::new, |table| dotted(&name, table));
-        std::iter::once(name).chain(inner)
+fn dotted(path: &str, table: &Value, out: &mut Vec<String>) {
+    for (key, schema) in properties(table).into_iter().flatten() {
+        // Nobody writes the keys of [identified] by hand.
+        if key != "identified" {
+            let name = join(path, key);
+            out.push(name.clone());
+            dotted(&name, schema, out);
+        }
+    }
+}
+
+/// What a key needs, where it is missing.
+fn expected(schema: &Value) -> String {
+    let what = match (schema["enum"].as_array(), dimension(schema)) {
+        (Some(words), _) => {
+            let words: Vec<&str> = words.iter().filter_map(Value::as_str).collect();
+            format!("one of {}", words.join(", "))
+        }
+        (None, Some(dimension)) => dimension.expectation().into(),
+        (None, None) if schema["type"] == "number" => PLAIN.into(),
+        (None, None) if schema["type"] == "string" => TEXT.into(),
+        (None, None) => "a value".into(),
     };
-    written.flat_map(one).collect()
+    what + &about(schema)
+}
+
+/// What is said of a list, where something else is possible beside it.
+fn list(schema: &Value) -> &Value {
+    let choices = schema["anyOf"].as_array().into_iter().flatten();
+    let mut lists = choices.filter(|choice| choice["type"] == "array");
+    lists.next().unwrap_or(schema)
+}
+
+fn about(schema: &Value) -> String {
+    let about = schema["description"].as_str();
+    about.map_or(String::new(), |about| format!(" ({about})"))
 }
 
 /// The dotted name of a key in a table.
@@ -175,17 +212,4 @@ pub(super) fn join(path: &str, key: &str) -> String {
     } else {
         format!("{path}.{key}")
     }
-}
-
-/// The dimension of a name such as `angular-stiffness`.
-pub fn dimension(name: &str) -> Option<Dimension> {
-    mckibben_io::named(name)
-}
-
-/// The same the other way.
-fn name_of(dimension: Dimension) -> Cow<'static, str> {
-    let name = serde_json::to_value(dimension).ok();
-    name.and_then(|name| name.as_str().map(str::to_owned))
-        .unwrap_or_default()
-        .into()
 }

@@ -1,44 +1,255 @@
 //! What the tube is made of: `rubber = "name"`, or `[tube.material]` with a law and its constants.
 
 use super::error::{FileError, without_key};
-use super::source::Section;
+use super::source::Source;
+use super::table::Rest;
 use crate::muscle::Rubber;
-use crate::rubber::over_time::{Held, Prony};
-use crate::rubber::{Constant, Law, NEEDS_ALL, library};
+use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
+use crate::rubber::{Bulk, Conditioned, Constant, Law, LawKind, NEEDS_ALL, library, one_of_all};
+use crate::units::typed::{Pressure, text_or_number};
+use crate::units::{Dimension, Positive, parse_quantity};
+use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::{Value, json};
+use std::borrow::Cow;
+use std::fmt;
 
-pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
-    let material = tube.at("material");
-    match tube.get::<&str>("rubber") {
-        Some(_) if material.is_written() => Err(tube.error(
-            "rubber",
-            "give either `rubber` or [tube.material]; both are given",
-        )),
-        Some(name) => library::find(name).map_err(|e| tube.error("rubber", e.to_string())),
-        None if material.is_written() => with_constants(&material),
-        None => Ok(Rubber::paper()),
+/// The keys of `[tube.material]` beside the law and its constants.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Other {
+    /// Where the constants come from
+    name: Option<String>,
+    /// Bulk modulus
+    bulk_modulus: Option<Bulk>,
+    /// Largest stretch of the data behind the constants
+    fitted_to_stretch: Option<Positive<f64>>,
+    /// Softening of rubber that was stretched before (Ogden & Roxburgh 1999)
+    softening: Option<OgdenRoxburgh>,
+    /// What the rubber has seen: a pressure, or a strain such as "50 %"
+    #[serde(default, deserialize_with = "conditioned")]
+    #[schemars(with = "Option<Pressure>")]
+    conditioned: Option<Conditioned>,
+    /// Shares of the stress that relax, each with a time constant: [[0.2, "2 s"]]
+    prony: Option<Prony>,
+    /// How long the rubber was held
+    held: Option<Held>,
+}
+
+fn conditioned<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Conditioned>, D::Error> {
+    let of_text = |text: &str| match text.trim().ends_with('%') {
+        true => parse_quantity(text, Dimension::Ratio).map(|strain| Conditioned::Strain { strain }),
+        false => parse_quantity(text, Dimension::Pressure).map(Conditioned::Pressure),
+    };
+    let expected = Dimension::Pressure.expectation();
+    text_or_number(&expected, of_text, Conditioned::Pressure, from).map(Some)
+}
+
+/// `[tube.material]`.
+#[derive(Debug)]
+pub(super) struct Material {
+    law: &'static LawKind,
+    /// The values of each constant that is written: one, or one a term in a sum.
+    constants: Vec<Option<Vec<f64>>>,
+    other: Other,
+}
+
+impl<'de> Deserialize<'de> for Material {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        // The law comes first: it says how its constants are read.
+        from.deserialize_struct("Material", &["law"], Reader)
     }
 }
 
-fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
-    let mut rubber = Rubber {
-        name: section.get("name"),
-        law: law(section)?,
-        bulk: section.get("bulk_modulus").unwrap_or_default(),
-        fitted_to_stretch: section.get("fitted_to_stretch"),
-        softening: section.get("softening"),
-        conditioned: section.get("conditioned"),
-        prony: section
-            .get("prony")
-            .filter(|series: &Prony| !series.branches.is_empty()),
+struct Reader;
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Material;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a law and its constants")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Material, A::Error> {
+        let first: Option<String> = map.next_key()?;
+        if first.as_deref() != Some("law") {
+            return Err(A::Error::missing_field("law"));
+        }
+        let OneLaw(law) = map.next_value()?;
+        let mut constants = vec![None; law.constants.len()];
+        let take = |key: &str, map: &mut A| {
+            let Some(i) = law.constants.iter().position(|c| c.name == key) else {
+                return Ok(false);
+            };
+            constants[i] = Some(match (law.is_sum, law.constants[i].is_modulus()) {
+                (false, true) => vec![map.next_value::<Pressure>()?.0],
+                (false, false) => vec![map.next_value()?],
+                (true, true) => map
+                    .next_value::<Vec<Pressure>>()?
+                    .iter()
+                    .map(|p| p.0)
+                    .collect(),
+                (true, false) => map.next_value()?,
+            });
+            Ok(true)
+        };
+        let other = Other::deserialize(MapAccessDeserializer::new(Rest { map, take }))?;
+        Ok(Material {
+            law,
+            constants,
+            other,
+        })
+    }
+}
+
+/// A law by its name.
+struct OneLaw(&'static LawKind);
+
+impl<'de> Deserialize<'de> for OneLaw {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(from)?;
+        Law::kind_named(name.trim()).map(Self).ok_or_else(|| {
+            let near = crate::nearest::meant(crate::nearest::nearest(&name, Law::names()));
+            D::Error::custom(format!("is not known{near}; expected {}", one_of_all()))
+        })
+    }
+}
+
+impl JsonSchema for Material {
+    fn schema_name() -> Cow<'static, str> {
+        "Material".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let law = json!({
+            "description": "The law of the rubber (`mckibben parts list rubbers`)",
+            "enum": Law::names(),
+        });
+        // A letter may be another constant in another law.
+        let mut constants: IndexMap<&str, Vec<Value>> = IndexMap::new();
+        for law in Law::KINDS {
+            for constant in law.constants {
+                let schema = of_constant(law, constant, generator);
+                let known = constants.entry(constant.name).or_default();
+                if !known.contains(&schema) {
+                    known.push(schema);
+                }
+            }
+        }
+        let mut properties = serde_json::Map::from_iter([("law".to_owned(), law)]);
+        for (name, mut schemas) in constants {
+            let schema = match &schemas[..] {
+                [_] => schemas.remove(0),
+                _ => json!({ "description": schemas[0]["description"], "anyOf": schemas }),
+            };
+            properties.insert(name.to_owned(), schema);
+        }
+        let mut schema = Other::json_schema(generator);
+        if let Some(Value::Object(other)) = schema.remove("properties") {
+            properties.extend(other);
+        }
+        let rules = Law::KINDS.iter().map(|kind| {
+            json!({
+                "if": { "properties": { "law": { "const": kind.name } }, "required": ["law"] },
+                "then": { "required": kind.names() },
+            })
+        });
+        schema.insert("properties".into(), properties.into());
+        schema.insert("required".into(), json!(["law"]));
+        schema.insert("allOf".into(), rules.collect());
+        schema
+    }
+}
+
+fn of_constant(law: &LawKind, constant: &Constant, generator: &mut SchemaGenerator) -> Value {
+    let one = if constant.is_modulus() {
+        Pressure::json_schema(generator)
+    } else {
+        f64::json_schema(generator)
     };
-    if section.has("held") {
+    let mut schema = if law.is_sum {
+        json_schema!({ "type": "array", "items": one })
+    } else {
+        one
+    };
+    schema.insert("description".into(), constant.doc.into());
+    schema.to_value()
+}
+
+pub(super) fn rubbers(_: &mut SchemaGenerator) -> Schema {
+    // A damaged table of names leaves the key without them.
+    let all = library::entries().unwrap_or_default();
+    named(all.iter().map(|entry| entry.name.as_str()))
+}
+
+/// The schema of a text for which there are names.
+pub fn named<'n>(names: impl Iterator<Item = &'n str>) -> Schema {
+    let names: Vec<&str> = names.collect();
+    json_schema!({ "anyOf": [{ "enum": names }, { "type": "string" }] })
+}
+
+/// The rubber of a name, or that of the table.
+pub(super) fn rubber(
+    source: &Source<'_>,
+    name: Option<String>,
+    material: Option<Material>,
+) -> Result<Rubber, FileError> {
+    match (name, material) {
+        (Some(_), Some(_)) => Err(source.error(
+            "tube.rubber",
+            "give either `rubber` or [tube.material]; both are given",
+        )),
+        (Some(name), None) => {
+            library::find(&name).map_err(|e| source.error("tube.rubber", e.to_string()))
+        }
+        (None, Some(material)) => with_constants(source, material),
+        (None, None) => Ok(Rubber::paper()),
+    }
+}
+
+const TABLE: &str = "tube.material";
+
+fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, FileError> {
+    let Material {
+        law,
+        constants,
+        other,
+    } = material;
+    let values = |(constant, values): (&Constant, Option<Vec<f64>>)| {
+        let key = format!("{TABLE}.{}", constant.name);
+        values.ok_or_else(|| source.missing(&key, "tube.material.law", NEEDS_ALL))
+    };
+    let lists = law.constants.iter().zip(constants).map(values);
+    let lists = lists.collect::<Result<Vec<_>, _>>()?;
+    let law = law.law_of_terms(&lists);
+    let wrong = |key: &str, said: String| source.error(&format!("{TABLE}.{key}"), said);
+    let mut rubber = Rubber {
+        name: other.name,
+        law: law.map_err(|e| wrong(e.fields[0], e.message.clone()))?,
+        bulk: other.bulk_modulus.unwrap_or_default(),
+        fitted_to_stretch: other.fitted_to_stretch.map(f64::from),
+        softening: other.softening,
+        conditioned: other.conditioned,
+        prony: other.prony.filter(|series| !series.branches.is_empty()),
+    };
+    if let Some(held) = other.held {
+        if let Held::For(time_s) = held
+            && time_s < 0.0
+        {
+            let said = format!("is {time_s}\u{a0}s; it must not be below zero");
+            return Err(wrong("held", said));
+        }
         if rubber.prony.is_none() {
-            return Err(section.missing("prony", Some("held"), "it says how the rubber relaxes"));
+            let needs = "it says how the rubber relaxes";
+            return Err(source.missing("tube.material.prony", "tube.material.held", needs));
         }
         // Before its stresses are taken as less, the series must be one.
-        let wrong = |e| section.error("prony", without_key(&e, "tube.material.prony"));
-        rubber.check().map_err(wrong)?;
-        rubber = rubber.held(section.get("held").map_or(Held::Long, Held::For));
+        let checked = rubber.check();
+        checked.map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
+        rubber = rubber.held(held);
     }
     // Constants that are written are those of this muscle, also where they are the library's for
     // another one.
@@ -46,26 +257,4 @@ fn with_constants(section: &Section<'_>) -> Result<Rubber, FileError> {
         rubber.name = None;
     }
     Ok(rubber)
-}
-
-fn law(section: &Section<'_>) -> Result<Law, FileError> {
-    let kind = section
-        .get("law")
-        .and_then(Law::kind_named)
-        .unwrap_or(&Law::KINDS[0]);
-    let list = |c: &Constant| {
-        let read = if kind.is_sum {
-            section.get(c.name)
-        } else {
-            section.get(c.name).map(|v| vec![v])
-        };
-        read.ok_or_else(|| section.missing(c.name, Some("law"), NEEDS_ALL))
-    };
-    let lists = kind
-        .constants
-        .iter()
-        .map(list)
-        .collect::<Result<Vec<Vec<f64>>, _>>()?;
-    kind.law_of_terms(&lists)
-        .map_err(|e| section.error(e.fields[0], e.message.clone()))
 }

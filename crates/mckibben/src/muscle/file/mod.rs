@@ -17,12 +17,13 @@
 //! must not turn into a default.
 
 mod bench;
-mod check;
 mod error;
 mod keys;
 mod material;
 mod read;
+mod reader;
 mod source;
+mod table;
 mod text;
 mod with;
 mod write;
@@ -32,11 +33,12 @@ mod bad_files;
 #[cfg(test)]
 mod tests;
 
-pub use check::OVER_TIME;
 pub use error::{FileError, TextPosition};
-pub use keys::{Key, dimension, keys};
-pub use read::{muscle_of, parse_muscle};
-pub use source::{MAX_BYTES, Section, Source};
+pub use keys::{Keys, schema_of};
+pub use material::named;
+pub use read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, parse_muscle};
+pub use source::{MAX_BYTES, Source};
+pub use table::Table;
 pub use with::with_keys;
 pub use write::to_toml;
 

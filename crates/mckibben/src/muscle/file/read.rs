@@ -1,86 +1,234 @@
 //! Text → muscle.
 
+use super::bench;
 use super::error::{FileError, without_key};
-use super::source::{Section, Source};
-use super::{bench, material};
-use crate::muscle::measures::{
-    CONE_FACTOR, END_FACTOR, OUTER_DIAMETER, SECTIONS, STIFFNESS, WALL, of_section,
-};
-use crate::muscle::{EndFactor, Measure, Muscle, MuscleError, Stated};
+use super::material::{self, Material};
+use super::source::Source;
+use super::table::{Beside, Table};
+use crate::muscle::measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL};
+use crate::muscle::{Bench, BraidStiffness, EndFactor, Muscle, MuscleError, Stated};
 use crate::sleeve::{Sleeve, library};
+use crate::units::Positive;
+use crate::units::typed::Length;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::Deserialize;
 use std::borrow::Cow;
 
-const INNER: &str = "inner_diameter";
+/// A muscle: tube, braid, terminals, friction.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct MuscleFile {
+    /// The rubber tube
+    pub tube: Table<OfTube>,
+    /// The braided sleeve
+    pub braid: Table<OfBraid>,
+    /// The ends
+    pub terminals: Table<OfTerminals>,
+    /// Friction of the braid: half of the width of the hysteresis loop
+    pub friction: Table<OfFriction>,
+    /// What belongs to one model
+    pub model: OfModels,
+    /// What a bench says of this muscle; `identify` writes it
+    pub identified: Option<Bench>,
+    /// Name, for people
+    pub name: Option<String>,
+    /// Notes, for people
+    pub notes: Option<String>,
+}
+
+/// The keys of `[tube]` beside its measures.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct OfTube {
+    /// The bore, in place of the wall or of the outer diameter
+    inner_diameter: Option<Positive<Length>>,
+    /// Name of a rubber (`mckibben parts list rubbers`), a hardness such as "shore:30A", or a
+    /// stress such as "s100:0.6MPa"
+    #[schemars(schema_with = "material::rubbers")]
+    rubber: Option<String>,
+    /// A rubber of one's own: a law and its constants
+    material: Option<Material>,
+}
+
+/// The keys of `[braid]` beside its measures.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct OfBraid {
+    /// Stiffness k of one strand family
+    stiffness: Option<BraidStiffness>,
+    /// Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands
+    #[schemars(schema_with = "sleeves")]
+    name: Option<String>,
+    /// Diameter to which a sleeve of polyester closes, in place of its name
+    least_diameter: Option<Positive<Length>>,
+    /// Diameter to which it opens
+    largest_diameter: Option<Positive<Length>>,
+    /// Diameter of a round strand, in place of its area
+    strand_diameter: Option<Positive<Length>>,
+    /// Whether the strands carry compression
+    compression: Option<bool>,
+}
+
+/// The keys of `[terminals]` beside its measures.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct OfTerminals {
+    /// Empirical end factor k of Tondu & Lopez
+    end_factor: Option<EndFactor>,
+}
+
+/// The keys of `[friction]` beside its measures: none.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct OfFriction {}
+
+/// The tables of models, `[model]`.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub struct OfModels {
+    /// The model tondu-lopez
+    tondu_lopez: OfTonduLopez,
+    /// The model conical-ends
+    conical_ends: OfConicalEnds,
+}
+
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct OfTonduLopez {
+    /// End factor k of Tondu & Lopez: a number, or { a, b } for a·e^(−P) + b with P in bar
+    end_factor: Option<EndFactor>,
+}
+
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct OfConicalEnds {
+    /// Cone factor kc
+    cone_factor: Option<f64>,
+}
+
+impl Beside for OfTube {
+    const TABLE: &'static str = "tube";
+}
+
+impl Beside for OfBraid {
+    const TABLE: &'static str = "braid";
+}
+
+impl Beside for OfTerminals {
+    const TABLE: &'static str = "terminals";
+}
+
+impl Beside for OfFriction {
+    const TABLE: &'static str = "friction";
+}
+
+fn sleeves(_: &mut SchemaGenerator) -> Schema {
+    let all = library::entries().unwrap_or_default();
+    material::named(all.iter().map(|entry| entry.sleeve.name()))
+}
 
 /// Reads the text of a muscle file.
 ///
 /// # Errors
 /// [`FileError`] with line, column, key, what stood there and what is expected.
 pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
-    muscle_of(&Source::read(text, "muscle-file people")?)
+    let source = Source::parse(text)?;
+    source.read::<MuscleFile>()?.muscle(&source)
 }
 
-/// The muscle of a file that may have other tables beside it, as a plan has.
-///
-/// # Errors
-/// [`FileError`], as [`parse_muscle`].
-pub fn muscle_of(source: &Source<'_>) -> Result<Muscle, FileError> {
-    let root = source.root();
-    let (tube, braid) = (root.at("tube"), root.at("braid"));
-    let located = |error: MuscleError| located(source, &error);
-    let mut stated = Stated {
-        rubber: Some(material::read(&tube)?),
-        sleeve: sleeve(&braid)?.transpose().map_err(located)?,
-        stiffness: braid.get("stiffness"),
-        strand_diameter_mm: braid.get("strand_diameter"),
-        ..Stated::default()
-    };
-    // What has special rules is read where these are.
-    let plain = |m: &&Measure| ![&END_FACTOR, &CONE_FACTOR, &STIFFNESS].contains(m);
-    for (name, measure) in SECTIONS
-        .into_iter()
-        .flat_map(|name| of_section(name).map(move |m| (name, m)))
-    {
-        if let Some(value) = root
-            .at(name)
-            .get(measure.name())
-            .filter(|_| plain(&measure))
-        {
+impl MuscleFile {
+    /// The muscle of the file.
+    ///
+    /// # Errors
+    /// [`FileError`], as [`parse_muscle`].
+    pub fn muscle(self, source: &Source<'_>) -> Result<Muscle, FileError> {
+        let located = |error: MuscleError| located(source, &error);
+        let Self {
+            tube,
+            braid,
+            terminals,
+            friction,
+            model,
+            identified,
+            ..
+        } = self;
+        let sleeve = braid.other.sleeve(source)?;
+        let mut stated = Stated {
+            rubber: Some(material::rubber(
+                source,
+                tube.other.rubber,
+                tube.other.material,
+            )?),
+            sleeve: sleeve.transpose().map_err(located)?,
+            stiffness: braid.other.stiffness,
+            strand_diameter_mm: braid.other.strand_diameter.map(f64::from),
+            ..Stated::default()
+        };
+        let all = [
+            tube.measures,
+            braid.measures,
+            terminals.measures,
+            friction.measures,
+        ];
+        for (measure, value) in all.iter().flat_map(MeasureValues::iter) {
             stated.measures.set(measure, value);
         }
+        if let Some(inner) = tube.other.inner_diameter {
+            inner_diameter(inner.into(), &mut stated.measures)
+                .map_err(|problem| source.error("tube.inner_diameter", problem))?;
+        }
+        let mut parts = stated.over(&Muscle::prototype()).map_err(located)?;
+        // What models of their own say of the ends; in the table of the terminals are their keys
+        // of before.
+        for (new, old) in [
+            ("model.tondu-lopez.end_factor", "terminals.end_factor"),
+            ("model.conical-ends.cone_factor", "terminals.cone_factor"),
+        ] {
+            if source.has(new) && source.has(old) {
+                let said = format!("is also given at {new}: leave one of them out");
+                return Err(source.error(old, said));
+            }
+        }
+        let of_model = model.tondu_lopez.end_factor;
+        parts.terminals.end_factor = of_model.or(terminals.other.end_factor);
+        let of_model = model.conical_ends.cone_factor;
+        parts.terminals.cone_factor = of_model.or(stated.measures.get(&CONE_FACTOR));
+        if let Some(compression) = braid.other.compression {
+            parts.braid.compression = compression;
+        }
+        if let Some(bench) = &identified {
+            bench::check(bench, source)?;
+        }
+        let muscle = Muscle::from_parts(parts).map_err(located)?;
+        Ok(match identified {
+            Some(bench) => muscle.with_bench(bench),
+            None => muscle,
+        })
     }
-    inner_diameter(&tube, &mut stated)?;
-    let mut parts = stated.over(&Muscle::prototype()).map_err(located)?;
-    let (end_factor, cone_factor) = factors(&root)?;
-    (parts.terminals.end_factor, parts.terminals.cone_factor) = (end_factor, cone_factor);
-    parts.braid.compression = braid.get("compression").unwrap_or(parts.braid.compression);
-    let bench = bench::read(&root.at("identified"))?;
-    let muscle = Muscle::from_parts(parts).map_err(located)?;
-    Ok(match bench {
-        Some(bench) => muscle.with_bench(bench),
-        None => muscle,
-    })
 }
 
-/// The sleeve of a name, or of the two diameters that one finds by hand.
-fn sleeve(braid: &Section<'_>) -> Result<Option<Result<Sleeve, MuscleError>>, FileError> {
-    const RANGE: (&str, &str) = ("least_diameter", "largest_diameter");
-    let name: Option<&str> = braid.get("name");
-    match (braid.get(RANGE.0), braid.get(RANGE.1)) {
-        (None, None) => Ok(name.map(library::find)),
-        (Some(_), None) => Err(braid.missing(
-            RANGE.1,
-            Some(RANGE.0),
-            "the diameter to which the sleeve opens",
-        )),
-        (None, Some(_)) => {
-            Err(braid.missing(RANGE.0, Some(RANGE.1), "the diameter to which it closes"))
-        }
-        (Some(_), Some(_)) if name.is_some() => {
-            Err(braid.error(RANGE.0, "is that of the named sleeve: leave `name` out"))
-        }
-        (Some(least_mm), Some(largest_mm)) => {
-            Ok(Some(library::between("pet", least_mm, largest_mm)))
+impl OfBraid {
+    /// The sleeve of a name, or of the two diameters that one finds by hand.
+    fn sleeve(
+        &self,
+        source: &Source<'_>,
+    ) -> Result<Option<Result<Sleeve, MuscleError>>, FileError> {
+        const LEAST: &str = "braid.least_diameter";
+        const LARGEST: &str = "braid.largest_diameter";
+        match (self.least_diameter, self.largest_diameter, &self.name) {
+            (None, None, name) => Ok(name.as_deref().map(library::find)),
+            (Some(_), None, _) => {
+                Err(source.missing(LARGEST, LEAST, "the diameter to which the sleeve opens"))
+            }
+            (None, Some(_), _) => {
+                Err(source.missing(LEAST, LARGEST, "the diameter to which it closes"))
+            }
+            (Some(_), Some(_), Some(_)) => {
+                Err(source.error(LEAST, "is that of the named sleeve: leave `name` out"))
+            }
+            (Some(least), Some(largest), None) => {
+                Ok(Some(library::between("pet", least.into(), largest.into())))
+            }
         }
     }
 }
@@ -106,58 +254,20 @@ fn located(source: &Source<'_>, error: &MuscleError) -> FileError {
 
 /// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the
 /// outer diameter.
-fn inner_diameter(section: &Section<'_>, stated: &mut Stated) -> Result<(), FileError> {
-    let Some(inner_mm) = section.get::<f64>(INNER) else {
-        return Ok(());
-    };
-    let values = &mut stated.measures;
-    let problem = match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
+fn inner_diameter(inner_mm: f64, values: &mut MeasureValues) -> Result<(), &'static str> {
+    match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
         (Some(outer_mm), None) if outer_mm > inner_mm => {
             values.set(&WALL, 0.5 * (outer_mm - inner_mm));
-            return Ok(());
+            Ok(())
         }
-        (Some(_), None) => "must lie between 0 and outer_diameter",
+        (Some(_), None) => Err("must lie between 0 and outer_diameter"),
         (None, Some(wall_mm)) => {
             values.set(&OUTER_DIAMETER, inner_mm + 2.0 * wall_mm);
-            return Ok(());
+            Ok(())
         }
         (Some(_), Some(_)) => {
-            "follows from outer_diameter and wall_thickness; leave one of the three out"
+            Err("follows from outer_diameter and wall_thickness; leave one of the three out")
         }
-        (None, None) => "needs outer_diameter or wall_thickness beside it",
-    };
-    Err(section.error(INNER, problem))
-}
-
-/// What models of their own say of the ends; in the table of the terminals are their keys of
-/// before.
-fn factors(root: &Section<'_>) -> Result<(Option<EndFactor>, Option<f64>), FileError> {
-    let (section, models) = (root.at("terminals"), root.at("model"));
-    let (ends, cones) = (models.at("tondu-lopez"), models.at("conical-ends"));
-    for (table, key) in [(&ends, "end_factor"), (&cones, "cone_factor")] {
-        if table.has(key) && section.has(key) {
-            let said = format!(
-                "is also given at {}: leave one of them out",
-                table.dotted(key)
-            );
-            return Err(section.error(key, said));
-        }
+        (None, None) => Err("needs outer_diameter or wall_thickness beside it"),
     }
-    let cone_factor = cones.get("cone_factor").or(section.get("cone_factor"));
-    Ok((end_factor(&ends).or(end_factor(&section)), cone_factor))
-}
-
-/// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.
-fn end_factor(section: &Section<'_>) -> Option<EndFactor> {
-    let table = section.at("end_factor");
-    let of_pressure = || {
-        Some(EndFactor::OfPressure {
-            a: table.get("a")?,
-            b: table.get("b")?,
-        })
-    };
-    section
-        .get("end_factor")
-        .map(EndFactor::Constant)
-        .or_else(of_pressure)
 }

@@ -1,12 +1,15 @@
 //! A parsed file that knows the place of everything, and its values in the units used inside.
 
 use super::error::{FileError, TextPosition};
-use super::keys::{join, keys};
+use super::keys::Keys;
+use super::reader::At;
+use crate::units::Dimension;
+use crate::units::typed::read_number;
+use schemars::JsonSchema;
 use serde::Deserialize;
-use serde_json::Value;
 use std::fmt;
 use std::ops::Range;
-use toml_edit::{Document, Item, TableLike, TomlError};
+use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 
 /// The longest file in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -21,24 +24,14 @@ pub(super) fn place(text: &str, offset: usize) -> TextPosition {
     }
 }
 
-/// The text, its parsed form, and its values once they are checked.
+/// A text and its parsed form.
 #[derive(Debug)]
 pub struct Source<'t> {
     text: &'t str,
-    pub(super) document: Document<&'t str>,
-    values: Value,
+    document: Document<&'t str>,
 }
 
 impl<'t> Source<'t> {
-    /// Parses a text, and checks it against sections of the list of keys: numbers are then in the
-    /// units used inside.
-    ///
-    /// # Errors
-    /// [`FileError`] with line, column, key, what stood there and what is expected.
-    pub fn read(text: &'t str, sections: &str) -> Result<Self, FileError> {
-        Self::parse(text)?.checked(sections)
-    }
-
     /// Parses a text.
     ///
     /// # Errors
@@ -51,43 +44,41 @@ impl<'t> Source<'t> {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match Document::parse(text) {
-            Ok(document) => Ok(Self {
-                text,
-                document,
-                values: Value::Null,
-            }),
+            Ok(document) => Ok(Self { text, document }),
             Err(error) => Err(syntax(text, &error)),
         }
     }
 
-    /// The same with its values, checked against sections of the list of keys.
+    /// What is written, as a struct; its JSON Schema says in messages which keys there are.
     ///
     /// # Errors
-    /// As [`Source::read`].
-    pub fn checked(mut self, sections: &str) -> Result<Self, FileError> {
-        let all = keys(sections);
-        self.values = super::check::table(&self, "", self.document.as_table(), &all, &all)?;
-        Ok(self)
+    /// [`FileError`] with line, column, key, what stood there and what is expected.
+    pub fn read<'s, T: Deserialize<'s> + JsonSchema>(&'s self) -> Result<T, FileError> {
+        let root = At::root(self.document.as_item());
+        T::deserialize(root).map_err(|wrong| Keys::of::<T>().error(self, wrong))
     }
 
-    /// The table of everything.
-    pub fn root(&self) -> Section<'_> {
-        Section {
-            source: self,
-            path: String::new(),
-            values: Some(&self.values),
+    fn table(&self, dotted: &str) -> Option<&dyn TableLike> {
+        if dotted.is_empty() {
+            return Some(self.document.as_table());
         }
+        match self.row(dotted) {
+            Some(row) => Some(row),
+            None => self.find(dotted)?.1.as_table_like(),
+        }
+    }
+
+    /// A table in a list of tables, by its number.
+    fn row(&self, dotted: &str) -> Option<&Table> {
+        let (list, number) = dotted.rsplit_once('.')?;
+        let place = number.parse::<usize>().ok()?.checked_sub(1)?;
+        self.find(list)?.1.as_array_of_tables()?.get(place)
     }
 
     /// Key and value at a dotted key, where it is written.
-    fn find(&self, dotted: &str) -> Option<(Option<Range<usize>>, &Item)> {
-        let mut table: &dyn TableLike = self.document.as_table();
+    fn find(&self, dotted: &str) -> Option<(&Key, &Item)> {
         let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
-        for part in parents.split('.').filter(|p| !p.is_empty()) {
-            table = table.get(part)?.as_table_like()?;
-        }
-        let (key, item) = table.get_key_value(last)?;
-        Some((key.span(), item))
+        self.table(parents)?.get_key_value(last)
     }
 
     /// Whether something is written at a dotted key.
@@ -95,15 +86,59 @@ impl<'t> Source<'t> {
         self.find(dotted).is_some()
     }
 
+    /// Where a key of a table is.
+    pub(super) fn key_span(&self, table: &str, key: &str) -> Option<Range<usize>> {
+        self.table(table)?.key(key)?.span()
+    }
+
+    pub(super) fn text_at(&self, dotted: &str) -> Option<&str> {
+        self.find(dotted)?.1.as_str()
+    }
+
+    /// The texts of a table.
+    pub fn texts(&self, dotted: &str) -> impl Iterator<Item = &str> {
+        let entries = self.table(dotted).into_iter().flat_map(TableLike::iter);
+        entries.filter_map(|(_, item)| item.as_str())
+    }
+
+    /// The number at a dotted key, in the unit inside.
+    pub fn number(&self, dotted: &str, dimension: Dimension) -> Option<f64> {
+        let (_, item) = self.find(dotted)?;
+        read_number(dimension, At::root(item)).ok()
+    }
+
+    /// The value of a key that another part of the program judges.
+    ///
+    /// # Errors
+    /// What it says.
+    pub fn valid<T, E: fmt::Display>(
+        &self,
+        dotted: &str,
+        result: Result<T, E>,
+    ) -> Result<T, FileError> {
+        result.map_err(|error| self.error(dotted, format!("is invalid: {error}")))
+    }
+
+    /// The problem that a key is missing; it is at `at`, which needs it, or is its table.
+    pub fn missing(&self, dotted: &str, at: &str, needs: impl fmt::Display) -> FileError {
+        self.error(at, format!("{dotted} is missing; {needs}"))
+    }
+
     /// The problem with the value of a key that is written.
     pub fn error(&self, dotted: &str, problem: impl Into<String>) -> FileError {
         let entry = self.find(dotted);
+        // The text is before the problem already.
+        let text = entry.as_ref().and_then(|(_, item)| item.as_str());
+        let quoted = text.map_or(String::new(), |text| format!("\"{}\" ", text.trim()));
+        let problem = problem.into();
+        let problem = problem.strip_prefix(&quoted).unwrap_or(&problem);
         let value = entry.as_ref().and_then(|(_, item)| item.as_value()?.span());
         let written = value
             .clone()
             .and_then(|span| self.text.get(span))
             .map(shortened);
-        let span = entry.and_then(|(key, item)| value.or(key).or_else(|| item.span()));
+        let span = entry.and_then(|(key, item)| value.or(key.span()).or_else(|| item.span()));
+        let span = span.or_else(|| self.row(dotted)?.span());
         FileError {
             written,
             ..self.key_error(dotted, span, problem)
@@ -123,80 +158,6 @@ impl<'t> Source<'t> {
             key: Some(dotted.to_owned()),
             ..FileError::new(problem)
         }
-    }
-}
-
-/// A table of the file, which may be missing.
-#[derive(Debug, Clone)]
-pub struct Section<'s> {
-    source: &'s Source<'s>,
-    path: String,
-    values: Option<&'s Value>,
-}
-
-impl<'s> Section<'s> {
-    /// A table in this one.
-    pub fn at(&self, key: &str) -> Section<'s> {
-        Section {
-            source: self.source,
-            path: join(&self.path, key),
-            values: self.value(key),
-        }
-    }
-
-    fn value(&self, key: &str) -> Option<&'s Value> {
-        self.values.and_then(|values| values.get(key))
-    }
-
-    /// Whether the table is written.
-    pub fn is_written(&self) -> bool {
-        self.values.is_some()
-    }
-
-    /// Whether a key is written.
-    pub fn has(&self, key: &str) -> bool {
-        self.value(key).is_some()
-    }
-
-    /// Its value, numbers in the units used inside.
-    pub fn get<T: Deserialize<'s>>(&self, key: &str) -> Option<T> {
-        self.value(key).and_then(|value| T::deserialize(value).ok())
-    }
-
-    /// Everything in it.
-    pub fn all<T: Deserialize<'s>>(&self) -> Result<T, FileError> {
-        let values = self.values.unwrap_or(&Value::Null);
-        T::deserialize(values).map_err(|error| self.source.error(&self.path, error.to_string()))
-    }
-
-    /// The dotted name of a key.
-    pub fn dotted(&self, key: &str) -> String {
-        join(&self.path, key)
-    }
-
-    /// The problem with the value of a key.
-    pub fn error(&self, key: &str, problem: impl Into<String>) -> FileError {
-        self.source.error(&self.dotted(key), problem)
-    }
-
-    /// The value of a key that another part of the program judges.
-    ///
-    /// # Errors
-    /// What it says.
-    pub fn valid<T, E: fmt::Display>(
-        &self,
-        key: &str,
-        result: Result<T, E>,
-    ) -> Result<T, FileError> {
-        result.map_err(|error| self.error(key, format!("is invalid: {error}")))
-    }
-
-    /// The problem that something is missing here; it is at `beside`, which needs it, or at the
-    /// table itself.
-    pub fn missing(&self, key: &str, beside: Option<&str>, needs: impl fmt::Display) -> FileError {
-        let at = beside.map_or_else(|| self.path.clone(), |beside| self.dotted(beside));
-        self.source
-            .error(&at, format!("{} is missing; {needs}", self.dotted(key)))
     }
 }
 

@@ -1,10 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
-use super::keys::{Key, dimension, keys, words};
-use crate::units::Dimension;
 use mckibben_io::clean::is_unseen;
-use serde::Serialize;
-use serde_json::Value;
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -41,63 +37,19 @@ impl Text {
         }
     }
 
-    /// The values of a table that are stated, in the order of its keys.
-    pub(super) fn values(&mut self, keys: &[Key], values: &impl Serialize) {
-        // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
-        let values = serde_json::to_value(values).unwrap_or_default();
-        for key in keys {
-            if let Some(value) = values.get(key.name).filter(|value| !value.is_null()) {
-                self.key(key.name, &written(&key.kind, value), key.comment);
-            }
-        }
-    }
-
     pub(super) fn into_string(self) -> String {
         self.0
     }
 }
 
-/// A value of a kind as a file has it.
-fn written(kind: &str, value: &Value) -> String {
-    let (word, rest) = words(kind);
-    let (one, other) = rest.split_once(' ').unwrap_or_default();
-    let list = |items: Vec<String>| format!("[{}]", items.join(", "));
-    match (word, value) {
-        (_, Value::String(word)) => text(word),
-        ("pair", Value::Array(pair)) => list(
-            pair.iter()
-                .zip([one, other])
-                .map(|(value, kind)| written(kind, value))
-                .collect(),
-        ),
-        (_, Value::Array(items)) => list(items.iter().map(|item| written(rest, item)).collect()),
-        ("conditioned", _) => match value.get("strain").and_then(Value::as_f64) {
-            Some(strain) => percent(strain),
-            None => written("pressure", value),
-        },
-        (_, Value::Object(table)) => {
-            let keys = keys(rest)
-                .into_iter()
-                .filter_map(|key| Some((key.name, key.kind, table.get(key.name)?)));
-            let items =
-                keys.map(|(name, kind, value)| format!("{name} = {}", written(&kind, value)));
-            format!("{{ {} }}", items.collect::<Vec<_>>().join(", "))
-        }
-        (">0" | ">=0", _) => written(rest, value),
-        ("or", _) => written(other, value),
-        (name, _) => match (
-            dimension(name).filter(|d| *d != Dimension::Ratio),
-            value.as_f64(),
-        ) {
-            (Some(dimension), Some(v)) => quantity(v, dimension.unit_inside().name),
-            (None, Some(v)) if value.is_f64() => number(v),
-            _ => value.to_string(),
-        },
-    }
+/// A list of values.
+pub(super) fn list<T>(values: &[T], one: impl Fn(&T) -> String) -> String {
+    let all: Vec<String> = values.iter().map(one).collect();
+    format!("[{}]", all.join(", "))
 }
 
 /// A ratio in percent that reads back as the same number, where there is one.
-fn percent(ratio: f64) -> String {
+pub(super) fn percent(ratio: f64) -> String {
     let usual = 100.0 * ratio;
     let exact = [usual, usual.next_up(), usual.next_down()]
         .into_iter()

@@ -1,10 +1,12 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
-use super::keys::{Key, keys};
-use super::text::{Text, number, quantity, text};
+use super::text::{Text, list, number, percent, quantity, text};
 use crate::muscle::measures::of_section;
-use crate::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Rubber};
+use crate::muscle::{
+    Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
+};
 use crate::rubber::library;
+use crate::rubber::over_time::{Branch, OgdenRoxburgh};
 use crate::sleeve::{self, Sleeve};
 use crate::units::Dimension;
 
@@ -56,8 +58,7 @@ pub fn to_toml(muscle: &Muscle) -> String {
         }
     }
     if let Some(bench) = muscle.bench() {
-        out.table("identified");
-        out.values(&keys("identified"), bench);
+        out.bench(bench);
     }
     out.into_string()
 }
@@ -86,16 +87,122 @@ impl Text {
             return;
         }
         self.table("tube.material");
-        let material = Key::material(std::slice::from_ref(rubber.law.kind()));
-        let rubber = Rubber {
-            fitted_to_stretch: rubber.fitted_to_stretch.filter(|stretch| *stretch > 0.0),
-            prony: rubber
-                .prony
-                .clone()
-                .filter(|series| !series.branches.is_empty()),
-            ..rubber.clone()
+        let name = rubber.name.as_deref().map(text);
+        self.stated("name", name, "where the constants come from");
+        let (kind, values) = (rubber.law.kind(), rubber.law.values());
+        self.key("law", &text(kind.name), "");
+        for (i, constant) in kind.constants.iter().enumerate() {
+            let one = |v: &f64| match constant.is_modulus() {
+                true => quantity(*v, "MPa"),
+                false => number(*v),
+            };
+            let terms: Vec<f64> = values
+                .iter()
+                .copied()
+                .skip(i)
+                .step_by(kind.constants.len())
+                .collect();
+            let value = match kind.is_sum {
+                true => list(&terms, one),
+                false => terms.iter().map(one).collect(),
+            };
+            self.key(constant.name, &value, constant.doc);
+        }
+        let bulk = match rubber.bulk {
+            Bulk::Incompressible => text("incompressible"),
+            Bulk::Modulus(modulus_mpa) => quantity(modulus_mpa, "MPa"),
         };
-        self.values(&material, &rubber);
+        self.key("bulk_modulus", &bulk, "\"incompressible\", or a pressure");
+        let stretch = rubber.fitted_to_stretch.filter(|stretch| *stretch > 0.0);
+        self.stated(
+            "fitted_to_stretch",
+            stretch.map(number),
+            "largest stretch of the data behind the constants",
+        );
+        let softening = rubber.softening.map(|OgdenRoxburgh { r, m_mpa, beta }| {
+            let (r, m, beta) = (number(r), quantity(m_mpa, "MPa"), number(beta));
+            format!("{{ r = {r}, m = {m}, beta = {beta} }}")
+        });
+        self.stated(
+            "softening",
+            softening,
+            "of rubber that was stretched before (Ogden & Roxburgh 1999)",
+        );
+        let conditioned = rubber.conditioned.map(|seen| match seen {
+            Conditioned::Pressure(pressure_mpa) => quantity(pressure_mpa, "MPa"),
+            Conditioned::Strain { strain } => percent(strain),
+        });
+        self.stated(
+            "conditioned",
+            conditioned,
+            "pressure of its cycles, or largest strain that all of it has seen",
+        );
+        let branch = |b: &Branch| {
+            format!(
+                "[{}, {}]",
+                number(b.share),
+                quantity(b.time_constant_s, "s")
+            )
+        };
+        let series = rubber.prony.as_ref().filter(|s| !s.branches.is_empty());
+        self.stated(
+            "prony",
+            series.map(|series| list(&series.branches, branch)),
+            "shares of the stress that relax, and their time constants",
+        );
+    }
+
+    fn bench(&mut self, bench: &Bench) {
+        let numbers = |row: &Vec<f64>| list(row, |v| number(*v));
+        self.table("identified");
+        self.stated(
+            "laboratory",
+            bench.laboratory.as_deref().map(text),
+            "who measured it; the ± includes that yours is another specimen",
+        );
+        self.key(
+            "model",
+            &text(&bench.model),
+            "the ± inside of these ranges is that of the fit to them",
+        );
+        let lengths = Some(&bench.lengths_mm).filter(|lengths| !lengths.is_empty());
+        self.stated(
+            "lengths",
+            lengths.map(|lengths| list(lengths, |l| quantity(*l, "mm"))),
+            "of the muscles that were measured, this one first",
+        );
+        self.key("points", &bench.points.to_string(), "");
+        self.key(
+            "branches",
+            &list(&bench.branches, |branch| text(branch.name())),
+            "of the hysteresis loop that the points state; [] where they state none",
+        );
+        let (low, high) = bench.pressure_mpa;
+        let pressure = list(&[low, high], |p| quantity(*p, "MPa"));
+        self.key("pressure", &pressure, "");
+        let (low, high) = bench.contraction;
+        self.key("contraction", &numbers(&vec![low, high]), "");
+        self.key(
+            "scatter",
+            &quantity(bench.scatter_n, "N"),
+            "95 % half-width of a point about the fit",
+        );
+        self.key(
+            "fit",
+            &list(&bench.fit_n, numbers),
+            "that of the fitted pull in N: rows by pressure, columns by contraction",
+        );
+        self.key("parameters", &list(&bench.parameters, |p| text(p)), "");
+        self.key(
+            "covariance",
+            &list(&bench.covariance, numbers),
+            "in the units of the parameters",
+        );
+        self.key(
+            "of",
+            &text(&bench.of),
+            "checksum of the muscle and of this table: it is not valid with other values",
+        );
     }
 
     fn braid(&mut self, muscle: &Muscle, outer_diameter_mm: f64) {

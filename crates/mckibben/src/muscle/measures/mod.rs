@@ -1,9 +1,9 @@
 //! The measures of a muscle, each declared once: every number of tube, braid, terminals and
 //! friction.
 //!
-//! `data/measures.json` has an entry for each ([`Facts`]): the key in the muscle file, the field in
-//! requests, the unit, the bounds, how it is identified, and sentences about it; [`MEASURES`] how
-//! its number is read from and written to the parts of a muscle. From them follow the reader and
+//! A [`Measure`] of the table says all of it: the key in the muscle file, the field in requests, the
+//! unit, the bounds, how it is identified, sentences about it, and how its number is read from and
+//! written to the parts of a muscle. From them follow the reader and
 //! the writer of muscle files, the bounds that [`Muscle::new`](super::Muscle::new) checks, the
 //! fields of requests with their schema, the flags of the command line, the arguments in Python,
 //! and what can be identified from measured points. Relations between measures (a wall thinner than
@@ -19,11 +19,10 @@ use super::error::{must, not_negative, positive};
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::model::Ideal;
 use crate::units::Dimension;
-use serde::Deserialize;
+use crate::units::typed::read_number;
+use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
-use std::ops::Deref;
-use std::sync::{LazyLock, OnceLock};
 
 /// What a muscle is made of, before its parts are checked against each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,11 +65,9 @@ impl Parts {
 }
 
 /// The values that a measure may have by itself.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bounds {
     /// Above zero.
-    #[default]
     Positive,
     /// Zero and above.
     NotNegative,
@@ -96,10 +93,8 @@ impl Bounds {
 }
 
 /// What the numbers of [`Identify`] are multiples of.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy)]
 enum Scale {
-    #[default]
     One,
     /// D0
     Diameter,
@@ -123,24 +118,31 @@ impl Scale {
 }
 
 /// How a measure is identified from measured points.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug)]
 pub struct Identify {
     /// Other spellings of its name.
-    #[serde(borrow, default)]
-    pub also: Vec<&'static str>,
-    #[serde(default)]
+    pub also: &'static [&'static str],
     scale: Scale,
     start: Option<f64>,
     bounds: Option<(f64, f64)>,
     limit: Option<f64>,
     share: Option<f64>,
     /// Whether it is a size of the muscle, as a ruler measures it.
-    #[serde(default)]
     pub is_geometry: bool,
 }
 
 impl Identify {
+    /// Of a measure of which nothing is known.
+    const UNKNOWN: Self = Self {
+        also: &[],
+        scale: Scale::One,
+        start: None,
+        bounds: None,
+        limit: None,
+        share: None,
+        is_geometry: false,
+    };
+
     /// Start of the search for a muscle that does not state it.
     pub fn start(&self, muscle: &Muscle) -> Option<f64> {
         self.start.map(|start| self.scale.times(start, muscle))
@@ -162,11 +164,10 @@ impl Identify {
     }
 }
 
-/// What is known of a measure.
-#[derive(Debug, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Facts {
-    key: &'static str,
+/// A measure of the muscle.
+pub struct Measure {
+    /// Key in the muscle file: `tube.outer_diameter`.
+    pub key: &'static str,
     /// Field in requests and answers, with its unit: `outer_diameter_mm`.
     pub field: Option<&'static str>,
     /// Its symbol.
@@ -184,8 +185,8 @@ pub struct Facts {
     pub short: Option<char>,
     /// What it measures.
     pub dimension: Dimension,
-    /// Its kind in the list of keys of muscle files, where that is not the name of its dimension.
-    pub kind: Option<&'static str>,
+    /// Whether a file may have it in percent, as few of the plain numbers.
+    pub is_share: bool,
     /// Whether muscle files write it by special rules, in the code of its table.
     pub has_rules: bool,
     /// Its unit, where that is not the one of its dimension.
@@ -197,44 +198,17 @@ pub struct Facts {
     /// Whether `check` has a line for it where it is stated; others have special rules.
     pub is_shown: bool,
     /// Models that use it, where not all of them may.
-    pub models: Vec<&'static str>,
+    pub models: &'static [&'static str],
     /// A measure that must be given with it, and the sentence that says so.
-    pub beside: Option<(&'static str, &'static str)>,
+    pub beside: Option<(&'static Self, &'static str)>,
     /// Whether the muscle's digest has a line for it.
     pub digested: bool,
     /// How it is identified, where it can be.
     pub identify: Option<Identify>,
-}
-
-static FACTS: LazyLock<Vec<Facts>> = LazyLock::new(|| {
-    serde_json::from_str(include_str!("../../../data/measures.json")).unwrap_or_default()
-});
-
-/// Of a measure that the list has not, which no released program has.
-static NOTHING: LazyLock<Facts> = LazyLock::new(Facts::default);
-
-/// A measure of the muscle.
-pub struct Measure {
-    /// Key in the muscle file: `tube.outer_diameter`.
-    pub key: &'static str,
     /// Its value; none where it is not stated.
     pub get: fn(&Parts) -> Option<f64>,
     /// Puts a value in.
     pub set: fn(&mut Parts, f64),
-    facts: OnceLock<&'static Facts>,
-}
-
-impl Deref for Measure {
-    type Target = Facts;
-
-    fn deref(&self) -> &Facts {
-        self.facts.get_or_init(|| {
-            FACTS
-                .iter()
-                .find(|facts| facts.key == self.key)
-                .unwrap_or(&NOTHING)
-        })
-    }
 }
 
 /// The tables of a muscle file that hold measures, in their order.
@@ -256,18 +230,30 @@ pub fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
 }
 
 impl Measure {
-    const fn new(
-        key: &'static str,
-        get: fn(&Parts) -> Option<f64>,
-        set: fn(&mut Parts, f64),
-    ) -> Self {
-        Self {
-            key,
-            get,
-            set,
-            facts: OnceLock::new(),
-        }
-    }
+    /// What most measures have not.
+    const NONE: Self = Self {
+        key: "",
+        field: None,
+        symbol: "",
+        label: "",
+        about: "",
+        comment: "",
+        has_flag: false,
+        short: None,
+        dimension: Dimension::Ratio,
+        is_share: false,
+        has_rules: false,
+        unit: None,
+        bounds: Bounds::Positive,
+        default: None,
+        is_shown: false,
+        models: &[],
+        beside: None,
+        digested: false,
+        identify: None,
+        get: |_| None,
+        set: |_, _| {},
+    };
 
     /// The measure of a key in the muscle file.
     pub fn of_key(key: &str) -> Option<&'static Self> {
@@ -363,10 +349,19 @@ impl Measure {
     }
 
     fn for_models(&self) -> String {
-        match &self.models[..] {
+        match self.models {
             [] => String::new(),
             [one] => format!(", for the model {one}"),
             many => format!(", for the models {}", many.join(" and ")),
+        }
+    }
+
+    /// Reads its value in a file.
+    pub fn read<'de, D: Deserializer<'de>>(&self, from: D) -> Result<f64, D::Error> {
+        if self.is_plain() && !self.is_share {
+            f64::deserialize(from)
+        } else {
+            read_number(self.dimension, from)
         }
     }
 
@@ -529,11 +524,6 @@ mod tests {
             );
             assert!(SECTIONS.contains(&m.section()), "{}", m.key);
             assert!(!m.about.is_empty() && !m.label.is_empty(), "{}", m.key);
-            assert!(
-                m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()),
-                "{}",
-                m.key
-            );
             if let Some(field) = m.field {
                 let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);
                 assert_eq!(

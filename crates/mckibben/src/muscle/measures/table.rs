@@ -1,109 +1,691 @@
-//! The table: how each measure is read from and written to the parts of a muscle.
+//! The table: every measure, and how it is read from and written to the parts of a muscle.
 
-use super::Measure;
+use super::{Bounds, Identify, Measure, Scale};
 use crate::muscle::{BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Parts, Strands};
+use crate::units::Dimension;
 
-/// A static for each measure, and the list of all.
-macro_rules! measures {
-    ($($(#[$about:meta])* $name:ident $key:literal: $get:expr, $set:expr;)*) => {
-        $($(#[$about])* pub static $name: Measure = Measure::new($key, $get, $set);)*
+/// All of them: fields of requests are in this order, keys of a muscle file in this order within
+/// their table.
+pub static MEASURES: &[&Measure] = &[
+    &OUTER_DIAMETER,
+    &WALL,
+    &LENGTH,
+    &DENSITY,
+    &PRESTRETCH,
+    &TEMPERATURE,
+    &ANGLE,
+    &INSERTION,
+    &SEATING,
+    &SLIP,
+    &GRIP,
+    &PLUG_DIAMETER,
+    &PULL_OFF,
+    &RATED_PRESSURE,
+    &END_FACTOR,
+    &CONE_FACTOR,
+    &STIFFNESS,
+    &STIFFNESS_FACTOR,
+    &STRANDS,
+    &STRAND_AREA,
+    &STRAND_MODULUS,
+    &STRAND_STRENGTH,
+    &STRANDS_PER_CARRIER,
+    &STRAND_LENGTH,
+    &TURNS,
+    &THICKNESS,
+    &SLEEVE_DIAMETER,
+    &CRIMP,
+    &CRIMP_STIFFNESS,
+    &FRICTION_COEFFICIENT,
+    &FRICTION_EXPONENT,
+    &FRICTION_LEVER,
+    &FRICTION_PRESLIDING,
+];
 
-        /// All of them: fields of requests are in this order, keys of a muscle file in this order
-        /// within their table.
-        pub static MEASURES: &[&Measure] = &[$(&$name),*];
-    };
-}
+/// D0
+pub static OUTER_DIAMETER: Measure = Measure {
+    key: "tube.outer_diameter",
+    field: Some("outer_diameter_mm"),
+    symbol: "D0",
+    label: "outer diameter",
+    about: "Outer diameter D0 of the tube at rest",
+    has_flag: true,
+    short: Some('D'),
+    dimension: Dimension::Length,
+    identify: Some(Identify {
+        share: Some(0.1),
+        is_geometry: true,
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.tube.outer_diameter_mm),
+    set: |p, v| p.tube.outer_diameter_mm = v,
+    ..Measure::NONE
+};
 
-measures! {
-    /// D0
-    OUTER_DIAMETER "tube.outer_diameter":
-        |p| Some(p.tube.outer_diameter_mm), |p, v| p.tube.outer_diameter_mm = v;
-    /// s
-    WALL "tube.wall_thickness": |p| Some(p.tube.wall_mm), |p, v| p.tube.wall_mm = v;
-    /// L0
-    LENGTH "tube.length": |p| Some(p.tube.length_mm), |p, v| p.tube.length_mm = v;
-    /// ρ
-    DENSITY "tube.density": |p| p.tube.density_kg_per_m3, |p, v| p.tube.density_kg_per_m3 = Some(v);
-    /// λp
-    PRESTRETCH "tube.prestretch":
-        |p| Some(p.tube.prestretch).filter(|v| *v != 1.0), |p, v| p.tube.prestretch = v;
-    /// T
-    TEMPERATURE "tube.temperature": |p| p.tube.temperature_degc, |p, v| p.tube.temperature_degc = Some(v);
-    /// θ0
-    ANGLE "braid.angle": |p| Some(p.braid.angle_deg), |p, v| p.braid.angle_deg = v;
-    /// Tube and braid on each plug
-    INSERTION "terminals.insertion": |p| p.terminals.insertion_mm, |p, v| p.terminals.insertion_mm = Some(v);
-    /// δ
-    SEATING "terminals.seating": |p| p.terminals.seating_mm, |p, v| p.terminals.seating_mm = Some(v);
-    /// c
-    SLIP "terminals.slip": |p| p.terminals.slip_mm_per_n, |p, v| p.terminals.slip_mm_per_n = Some(v);
-    /// h
-    GRIP "terminals.grip": |p| p.terminals.grip_mm, |p, v| p.terminals.grip_mm = Some(v);
-    /// Diameter of the plugs
-    PLUG_DIAMETER "terminals.plug_diameter":
-        |p| p.terminals.plug_diameter_mm, |p, v| p.terminals.plug_diameter_mm = Some(v);
-    /// Pull-off force of a clamp
-    PULL_OFF "terminals.pull_off": |p| p.terminals.pull_off_n, |p, v| p.terminals.pull_off_n = Some(v);
-    /// Rated pressure of the fittings
-    RATED_PRESSURE "terminals.rated_pressure":
-        |p| p.terminals.rated_pressure_mpa, |p, v| p.terminals.rated_pressure_mpa = Some(v);
-    /// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
-    END_FACTOR "terminals.end_factor":
-        |p| p.terminals.end_factor.map(|k| k.at(0.0)),
-        |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v));
-    /// kc of Tondu 2012
-    CONE_FACTOR "terminals.cone_factor":
-        |p| p.terminals.cone_factor, |p, v| p.terminals.cone_factor = Some(v);
-    /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
-    /// measure is
-    STIFFNESS "braid.stiffness":
-        |p| p.braid.family_stiffness_n_per_mm(&p.tube),
-        |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v);
-    /// fk
-    STIFFNESS_FACTOR "braid.stiffness_factor":
-        |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0), |p, v| p.braid.stiffness_factor = v;
-    /// N
-    STRANDS "braid.strands":
-        |p| p.braid.strands.map(|s| f64::from(s.count)), |p, v| strands(p).count = v as u32;
-    /// A of one strand
-    STRAND_AREA "braid.strand_area":
-        |p| Some(p.braid.strands?.section?.0), |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v;
-    /// E of the strands; its flag is beside those of named sleeves
-    STRAND_MODULUS "braid.strand_modulus":
-        |p| Some(p.braid.strands?.section?.1), |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v;
-    /// Strength of one strand
-    STRAND_STRENGTH "braid.strand_strength":
-        |p| p.braid.strands?.strength_n, |p, v| strands(p).strength_n = Some(v);
-    /// b
-    STRANDS_PER_CARRIER "braid.strands_per_carrier":
-        |p| p.braid.strands_per_carrier, |p, v| p.braid.strands_per_carrier = Some(v);
-    /// b of Belforte
-    STRAND_LENGTH "braid.strand_length":
-        |p| Some(p.braid.measured?.strand_length_mm), |p, v| measured(p).strand_length_mm = v;
-    /// n of Belforte
-    TURNS "braid.turns": |p| Some(p.braid.measured?.turns), |p, v| measured(p).turns = v;
-    /// t
-    THICKNESS "braid.thickness":
-        |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0), |p, v| p.braid.thickness_mm = v;
-    /// Ds
-    SLEEVE_DIAMETER "braid.diameter": |p| p.braid.diameter_mm, |p, v| p.braid.diameter_mm = Some(v);
-    /// c1
-    CRIMP "braid.crimp": |p| Some(p.braid.crimp?.strain), |p, v| crimp(p).strain = v;
-    /// κ
-    CRIMP_STIFFNESS "braid.crimp_stiffness":
-        |p| Some(p.braid.crimp?.stiffness_ratio), |p, v| crimp(p).stiffness_ratio = v;
-    /// C
-    FRICTION_COEFFICIENT "friction.coefficient":
-        |p| Some(power_law(p)?.coefficient), |p, v| friction(p).coefficient = v;
-    /// β
-    FRICTION_EXPONENT "friction.exponent": |p| Some(power_law(p)?.exponent), |p, v| friction(p).exponent = v;
-    /// μw
-    FRICTION_LEVER "friction.lever":
-        |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0), |p, v| friction(p).lever_mm = v;
-    /// xs
-    FRICTION_PRESLIDING "friction.presliding":
-        |p| p.friction?.presliding_mm, |p, v| friction(p).presliding_mm = Some(v);
-}
+/// s
+pub static WALL: Measure = Measure {
+    key: "tube.wall_thickness",
+    field: Some("wall_mm"),
+    symbol: "s",
+    label: "wall",
+    about: "Wall thickness s of the tube at rest",
+    has_flag: true,
+    short: Some('s'),
+    dimension: Dimension::Length,
+    identify: Some(Identify {
+        scale: Scale::Diameter,
+        bounds: Some((0.0, 0.5)),
+        is_geometry: true,
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.tube.wall_mm),
+    set: |p, v| p.tube.wall_mm = v,
+    ..Measure::NONE
+};
+
+/// L0
+pub static LENGTH: Measure = Measure {
+    key: "tube.length",
+    field: Some("length_mm"),
+    symbol: "L0",
+    label: "length",
+    about: "Length L0 between the terminals at rest",
+    comment: "between the terminals",
+    has_flag: true,
+    short: Some('L'),
+    dimension: Dimension::Length,
+    identify: Some(Identify {
+        is_geometry: true,
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.tube.length_mm),
+    set: |p, v| p.tube.length_mm = v,
+    ..Measure::NONE
+};
+
+/// ρ
+pub static DENSITY: Measure = Measure {
+    key: "tube.density",
+    field: Some("density_kg_per_m3"),
+    symbol: "ρ",
+    label: "density of the rubber",
+    about: "Density ρ of the rubber",
+    comment: "of the rubber; only its mass follows from it",
+    has_flag: true,
+    dimension: Dimension::Density,
+    is_shown: true,
+    get: |p| p.tube.density_kg_per_m3,
+    set: |p, v| p.tube.density_kg_per_m3 = Some(v),
+    ..Measure::NONE
+};
+
+/// λp
+pub static PRESTRETCH: Measure = Measure {
+    key: "tube.prestretch",
+    field: Some("prestretch"),
+    symbol: "λp",
+    label: "prestretch",
+    about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those \
+        of the mounted muscle",
+    comment: "mounted length over free length; D0, wall and length are the mounted ones",
+    has_flag: true,
+    bounds: Bounds::Between(0.5, 2.0),
+    default: Some(1.0),
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        also: &["prestretch"],
+        start: Some(1.02),
+        bounds: Some((0.5, 2.0)),
+        limit: Some(0.05),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
+    set: |p, v| p.tube.prestretch = v,
+    ..Measure::NONE
+};
+
+/// T
+pub static TEMPERATURE: Measure = Measure {
+    key: "tube.temperature",
+    field: Some("temperature_degc"),
+    symbol: "T",
+    label: "temperature of the rubber",
+    about: "Temperature T of the rubber; its moduli change like the absolute temperature, from \
+        23 °C on",
+    comment: "of the rubber, whose constants are those at 23 °C",
+    dimension: Dimension::Temperature,
+    bounds: Bounds::Between(-20.0, 120.0),
+    is_shown: true,
+    digested: true,
+    get: |p| p.tube.temperature_degc,
+    set: |p, v| p.tube.temperature_degc = Some(v),
+    ..Measure::NONE
+};
+
+/// θ0
+pub static ANGLE: Measure = Measure {
+    key: "braid.angle",
+    field: Some("angle_deg"),
+    symbol: "θ0",
+    label: "braid angle",
+    about: "Angle θ0 of the strands to the axis at rest",
+    comment: "strands to the muscle's axis, at rest",
+    has_flag: true,
+    dimension: Dimension::Angle,
+    has_rules: true,
+    bounds: Bounds::OfPart,
+    identify: Some(Identify {
+        bounds: Some((1.0, 54.23561031724535)),
+        limit: Some(3.0),
+        is_geometry: true,
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.braid.angle_deg),
+    set: |p, v| p.braid.angle_deg = v,
+    ..Measure::NONE
+};
+
+/// Tube and braid on each plug
+pub static INSERTION: Measure = Measure {
+    key: "terminals.insertion",
+    field: Some("insertion_mm"),
+    label: "insertion of each plug",
+    about: "Length of tube and braid clamped on each plug",
+    comment: "tube and braid clamped on each plug",
+    dimension: Dimension::Length,
+    bounds: Bounds::NotNegative,
+    get: |p| p.terminals.insertion_mm,
+    set: |p, v| p.terminals.insertion_mm = Some(v),
+    ..Measure::NONE
+};
+
+/// δ
+pub static SEATING: Measure = Measure {
+    key: "terminals.seating",
+    field: Some("seating_mm"),
+    label: "seating of both ends",
+    about: "Seating: total displacement of both ends under load",
+    comment: "total displacement of both ends under load",
+    has_flag: true,
+    dimension: Dimension::Length,
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        also: &["seating"],
+        scale: Scale::Length,
+        start: Some(0.002),
+        bounds: Some((0.0, 0.2)),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.terminals.seating_mm,
+    set: |p, v| p.terminals.seating_mm = Some(v),
+    ..Measure::NONE
+};
+
+/// c
+pub static SLIP: Measure = Measure {
+    key: "terminals.slip",
+    field: Some("slip_mm_per_n"),
+    label: "slip of both ends",
+    about: "Slip of both ends together per newton of clamp load",
+    comment: "slip of both ends together per newton of clamp load",
+    has_flag: true,
+    dimension: Dimension::Compliance,
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        also: &["slip"],
+        scale: Scale::LengthPerPull,
+        start: Some(0.002),
+        bounds: Some((0.0, 0.2)),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.terminals.slip_mm_per_n,
+    set: |p, v| p.terminals.slip_mm_per_n = Some(v),
+    ..Measure::NONE
+};
+
+/// h
+pub static GRIP: Measure = Measure {
+    key: "terminals.grip",
+    field: Some("grip_mm"),
+    label: "clamped length",
+    about: "Length at each end, within L0, in which tube and braid are clamped",
+    comment: "clamped at each end, within the length",
+    has_flag: true,
+    dimension: Dimension::Length,
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        also: &["grip"],
+        scale: Scale::Length,
+        start: Some(0.005),
+        bounds: Some((0.0, 0.2)),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.terminals.grip_mm,
+    set: |p, v| p.terminals.grip_mm = Some(v),
+    ..Measure::NONE
+};
+
+/// Diameter of the plugs
+pub static PLUG_DIAMETER: Measure = Measure {
+    key: "terminals.plug_diameter",
+    field: Some("plug_diameter_mm"),
+    symbol: "Dp",
+    label: "diameter of the plugs",
+    about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the \
+        tube where none is stated",
+    comment: "on which the tube is drawn; its bore where none is stated",
+    dimension: Dimension::Length,
+    is_shown: true,
+    models: &["fe", "fe3d", "universal"],
+    digested: true,
+    identify: Some(Identify {
+        also: &["plug-diameter"],
+        scale: Scale::Bore,
+        start: Some(1.0),
+        bounds: Some((0.5, 2.0)),
+        share: Some(0.1),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.terminals.plug_diameter_mm,
+    set: |p, v| p.terminals.plug_diameter_mm = Some(v),
+    ..Measure::NONE
+};
+
+/// Pull-off force of a clamp
+pub static PULL_OFF: Measure = Measure {
+    key: "terminals.pull_off",
+    field: Some("pull_off_n"),
+    label: "pull-off force of a clamp",
+    about: "Axial load at which a clamp lets go of tube and braid",
+    comment: "axial load at which a clamp lets go; the burst pressure follows from it",
+    has_flag: true,
+    dimension: Dimension::Force,
+    is_shown: true,
+    get: |p| p.terminals.pull_off_n,
+    set: |p, v| p.terminals.pull_off_n = Some(v),
+    ..Measure::NONE
+};
+
+/// Rated pressure of the fittings
+pub static RATED_PRESSURE: Measure = Measure {
+    key: "terminals.rated_pressure",
+    field: Some("rated_pressure_mpa"),
+    label: "rated pressure of the fittings",
+    about: "Pressure for which plugs and fittings are rated",
+    comment: "of plugs and fittings; the allowed pressure is at most this",
+    has_flag: true,
+    dimension: Dimension::Pressure,
+    is_shown: true,
+    get: |p| p.terminals.rated_pressure_mpa,
+    set: |p, v| p.terminals.rated_pressure_mpa = Some(v),
+    ..Measure::NONE
+};
+
+/// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
+pub static END_FACTOR: Measure = Measure {
+    key: "terminals.end_factor",
+    field: Some("end_factor"),
+    symbol: "k",
+    label: "end factor",
+    about: "Empirical end factor k of Tondu & Lopez",
+    has_flag: true,
+    has_rules: true,
+    bounds: Bounds::OfPart,
+    models: &["tondu-lopez", "thick-wall"],
+    identify: Some(Identify {
+        also: &["end-factor"],
+        start: Some(1.0),
+        share: Some(0.2),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
+    set: |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v)),
+    ..Measure::NONE
+};
+
+/// kc of Tondu 2012
+pub static CONE_FACTOR: Measure = Measure {
+    key: "terminals.cone_factor",
+    field: Some("cone_factor"),
+    symbol: "kc",
+    label: "cone factor",
+    about: "Cone factor kc",
+    has_flag: true,
+    has_rules: true,
+    bounds: Bounds::NotNegative,
+    models: &["conical-ends"],
+    digested: true,
+    get: |p| p.terminals.cone_factor,
+    set: |p, v| p.terminals.cone_factor = Some(v),
+    ..Measure::NONE
+};
+
+/// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
+/// measure is
+pub static STIFFNESS: Measure = Measure {
+    key: "braid.stiffness",
+    symbol: "k",
+    label: "stiffness of a strand family",
+    about: "Stiffness k of one strand family",
+    has_flag: true,
+    dimension: Dimension::Stiffness,
+    has_rules: true,
+    bounds: Bounds::OfPart,
+    get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
+    set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
+    ..Measure::NONE
+};
+
+/// fk
+pub static STIFFNESS_FACTOR: Measure = Measure {
+    key: "braid.stiffness_factor",
+    field: Some("stiffness_factor"),
+    symbol: "fk",
+    label: "stiffness known within a factor of",
+    about: "Factor within which the stiffness of the strands is known",
+    comment: "the stiffness is known within this factor; the ± of the pull carries it",
+    has_rules: true,
+    bounds: Bounds::Between(1.0, 10.0),
+    default: Some(1.0),
+    get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
+    set: |p, v| p.braid.stiffness_factor = v,
+    ..Measure::NONE
+};
+
+/// N
+pub static STRANDS: Measure = Measure {
+    key: "braid.strands",
+    field: Some("strands"),
+    symbol: "N",
+    label: "number of strands",
+    about: "Number N of strands, both families together",
+    has_rules: true,
+    bounds: Bounds::Even,
+    get: |p| p.braid.strands.map(|s| f64::from(s.count)),
+    set: |p, v| strands(p).count = v as u32,
+    ..Measure::NONE
+};
+
+/// A of one strand
+pub static STRAND_AREA: Measure = Measure {
+    key: "braid.strand_area",
+    field: Some("strand_area_mm2"),
+    symbol: "A",
+    label: "cross-section of a strand",
+    about: "Cross-section A of one strand",
+    dimension: Dimension::Area,
+    has_rules: true,
+    get: |p| Some(p.braid.strands?.section?.0),
+    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v,
+    ..Measure::NONE
+};
+
+/// E of the strands; its flag is beside those of named sleeves
+pub static STRAND_MODULUS: Measure = Measure {
+    key: "braid.strand_modulus",
+    field: Some("strand_modulus_mpa"),
+    symbol: "E",
+    label: "Young's modulus of a strand",
+    about: "Young's modulus E of the strands",
+    has_flag: true,
+    dimension: Dimension::Pressure,
+    has_rules: true,
+    get: |p| Some(p.braid.strands?.section?.1),
+    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v,
+    ..Measure::NONE
+};
+
+/// Strength of one strand
+pub static STRAND_STRENGTH: Measure = Measure {
+    key: "braid.strand_strength",
+    field: Some("strand_strength_n"),
+    label: "strength of a strand",
+    about: "Force at which one strand breaks",
+    comment: "force at which one strand breaks",
+    dimension: Dimension::Force,
+    has_rules: true,
+    get: |p| p.braid.strands?.strength_n,
+    set: |p, v| strands(p).strength_n = Some(v),
+    ..Measure::NONE
+};
+
+/// b
+pub static STRANDS_PER_CARRIER: Measure = Measure {
+    key: "braid.strands_per_carrier",
+    field: Some("strands_per_carrier"),
+    symbol: "b",
+    label: "strands per carrier",
+    about: "Strands that lie side by side on a carrier of the braiding machine",
+    has_rules: true,
+    bounds: Bounds::Between(1.0, 100.0),
+    get: |p| p.braid.strands_per_carrier,
+    set: |p, v| p.braid.strands_per_carrier = Some(v),
+    ..Measure::NONE
+};
+
+/// b of Belforte
+pub static STRAND_LENGTH: Measure = Measure {
+    key: "braid.strand_length",
+    field: Some("strand_length_mm"),
+    symbol: "b",
+    label: "measured length of a strand",
+    about: "Length of one strand measured on the muscle",
+    comment: "measured on the muscle, rounded ends included",
+    has_flag: true,
+    dimension: Dimension::Length,
+    models: &["belforte"],
+    beside: Some((
+        &TURNS,
+        "a strand measured on the muscle has both its length and its \
+        turns",
+    )),
+    get: |p| Some(p.braid.measured?.strand_length_mm),
+    set: |p, v| measured(p).strand_length_mm = v,
+    ..Measure::NONE
+};
+
+/// n of Belforte
+pub static TURNS: Measure = Measure {
+    key: "braid.turns",
+    field: Some("turns"),
+    symbol: "n",
+    label: "measured turns of a strand",
+    about: "Turns of that strand",
+    has_flag: true,
+    models: &["belforte"],
+    beside: Some((
+        &STRAND_LENGTH,
+        "a strand measured on the muscle has both its length \
+        and its turns",
+    )),
+    get: |p| Some(p.braid.measured?.turns),
+    set: |p, v| measured(p).turns = v,
+    ..Measure::NONE
+};
+
+/// t
+pub static THICKNESS: Measure = Measure {
+    key: "braid.thickness",
+    field: Some("braid_thickness_mm"),
+    symbol: "t",
+    label: "thickness of the braid",
+    about: "Thickness t of the braid, both layers of strands",
+    comment: "both layers: the midline of the strands is half of it above the tube",
+    dimension: Dimension::Length,
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    is_shown: true,
+    identify: Some(Identify {
+        scale: Scale::Diameter,
+        start: Some(0.02),
+        bounds: Some((1e-6, 0.3)),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
+    set: |p, v| p.braid.thickness_mm = v,
+    ..Measure::NONE
+};
+
+/// Ds
+pub static SLEEVE_DIAMETER: Measure = Measure {
+    key: "braid.diameter",
+    field: Some("braid_diameter_mm"),
+    symbol: "Ds",
+    label: "inner diameter of the sleeve",
+    about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
+    comment: "inside, at the angle above: a sleeve wider than the tube",
+    dimension: Dimension::Length,
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        scale: Scale::Diameter,
+        start: Some(1.01),
+        bounds: Some((1.0, 1.5)),
+        share: Some(0.1),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.braid.diameter_mm,
+    set: |p, v| p.braid.diameter_mm = Some(v),
+    ..Measure::NONE
+};
+
+/// c1
+pub static CRIMP: Measure = Measure {
+    key: "braid.crimp",
+    field: Some("crimp"),
+    symbol: "c1",
+    label: "crimp of the strands",
+    about: "Strain c1 at which the strands are straight",
+    comment: "strain at which the strands are straight",
+    is_shown: true,
+    identify: Some(Identify {
+        start: Some(0.005),
+        bounds: Some((1e-6, 0.1)),
+        ..Identify::UNKNOWN
+    }),
+    is_share: true,
+    get: |p| Some(p.braid.crimp?.strain),
+    set: |p, v| crimp(p).strain = v,
+    ..Measure::NONE
+};
+
+/// κ
+pub static CRIMP_STIFFNESS: Measure = Measure {
+    key: "braid.crimp_stiffness",
+    field: Some("crimp_stiffness"),
+    symbol: "κ",
+    label: "stiffness share in the crimp",
+    about: "Share κ of their stiffness that the strands have before they are straight",
+    comment: "before that, as a share of their stiffness",
+    is_shown: true,
+    beside: Some((
+        &CRIMP,
+        "the strain at which the strands are straight, such as '1%'",
+    )),
+    get: |p| Some(p.braid.crimp?.stiffness_ratio),
+    set: |p, v| crimp(p).stiffness_ratio = v,
+    ..Measure::NONE
+};
+
+/// C
+pub static FRICTION_COEFFICIENT: Measure = Measure {
+    key: "friction.coefficient",
+    field: Some("friction_coefficient"),
+    symbol: "C",
+    label: "friction coefficient",
+    about: "Coefficient C of the friction C·P^β, P in MPa",
+    comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
+    unit: Some("N/MPa^β"),
+    bounds: Bounds::NotNegative,
+    beside: Some((
+        &FRICTION_EXPONENT,
+        "friction is C·P^β: coefficient C in N/MPa^β and exponent \
+        β",
+    )),
+    identify: Some(Identify {
+        also: &["friction.c"],
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(power_law(p)?.coefficient),
+    set: |p, v| friction(p).coefficient = v,
+    ..Measure::NONE
+};
+
+/// β
+pub static FRICTION_EXPONENT: Measure = Measure {
+    key: "friction.exponent",
+    field: Some("friction_exponent"),
+    symbol: "β",
+    label: "friction exponent",
+    about: "Exponent β of the friction C·P^β",
+    comment: "β",
+    bounds: Bounds::NotNegative,
+    beside: Some((
+        &FRICTION_COEFFICIENT,
+        "friction is C·P^β: coefficient C in N/MPa^β and \
+        exponent β",
+    )),
+    identify: Some(Identify {
+        also: &["friction.beta"],
+        start: Some(0.6),
+        bounds: Some((0.0, 3.0)),
+        limit: Some(0.5),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(power_law(p)?.exponent),
+    set: |p, v| friction(p).exponent = v,
+    ..Measure::NONE
+};
+
+/// μw
+pub static FRICTION_LEVER: Measure = Measure {
+    key: "friction.lever",
+    field: Some("friction_lever_mm"),
+    symbol: "μw",
+    label: "friction lever",
+    about: "Coefficient of friction times lever of the strands' crossings, μw",
+    comment: "μw: coefficient of friction times lever of the strands' crossings",
+    dimension: Dimension::Length,
+    bounds: Bounds::NotNegative,
+    identify: Some(Identify {
+        start: Some(1.0),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0),
+    set: |p, v| friction(p).lever_mm = v,
+    ..Measure::NONE
+};
+
+/// xs
+pub static FRICTION_PRESLIDING: Measure = Measure {
+    key: "friction.presliding",
+    field: Some("friction_presliding_mm"),
+    symbol: "xs",
+    label: "presliding length",
+    about: "Presliding length xs, over which the friction builds up after a reversal",
+    comment: "length over which the friction builds up after a reversal",
+    dimension: Dimension::Length,
+    default: Some(0.5),
+    is_shown: true,
+    identify: Some(Identify {
+        start: Some(0.5),
+        bounds: Some((0.001, 100.0)),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.friction?.presliding_mm,
+    set: |p, v| friction(p).presliding_mm = Some(v),
+    ..Measure::NONE
+};
 
 fn strands(p: &mut Parts) -> &mut Strands {
     p.braid.strands.get_or_insert(Strands {

@@ -103,6 +103,36 @@ impl Measure {
     }
 }
 
+impl Measure {
+    /// The schema of its key in a muscle file.
+    pub fn file_schema(&self) -> Value {
+        let mut key = json!({
+            "description": self.sentence().trim_end_matches('.'), "type": "number",
+        });
+        if !self.is_plain() || self.is_share {
+            key["x-quantity"] = json!(self.dimension);
+        }
+        if !self.unit().is_empty() {
+            key["x-unit"] = self.unit().into();
+        }
+        if !self.symbol.is_empty() {
+            key["x-symbol"] = self.symbol.into();
+        }
+        for (end, value) in self.bounds.ends() {
+            let end = if end == "above" {
+                "exclusiveMinimum"
+            } else {
+                end
+            };
+            key[end] = value.into();
+        }
+        if let Some(usual) = self.usual() {
+            key["default"] = usual.into();
+        }
+        key
+    }
+}
+
 impl schemars::JsonSchema for MeasureValues {
     fn schema_name() -> Cow<'static, str> {
         "MeasureValues".into()

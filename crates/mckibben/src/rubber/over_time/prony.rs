@@ -3,7 +3,9 @@
 use super::constant;
 use crate::refused::Refused;
 use crate::rubber::Law;
-use serde::{Deserialize, Serialize};
+use crate::units::typed::Time;
+use crate::units::{Dimension, Words};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// One branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,11 +30,19 @@ pub struct Branch {
 /// Held at a stretch that came at once, S = S0 [1 − Σ gᵢ (1 − e^(−t/τᵢ))], at last (1 − Σ gᵢ) S0.
 /// Linear in the stress: good where loops at different rates are alike in shape. Source:
 /// `simo1987`, without its damage. As data (serde): a list of pairs, gᵢ and τᵢ in s.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(from = "Vec<(f64, f64)>", into = "Vec<(f64, f64)>")]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(from = "Vec<(f64, Time)>", into = "Vec<(f64, f64)>")]
+#[schemars(with = "Vec<(f64, Time)>")]
 pub struct Prony {
     /// The branches; none is a rubber without memory.
     pub branches: Vec<Branch>,
+}
+
+impl From<Vec<(f64, Time)>> for Prony {
+    fn from(pairs: Vec<(f64, Time)>) -> Self {
+        let pairs: Vec<(f64, f64)> = pairs.into_iter().map(|(g, time)| (g, time.0)).collect();
+        pairs.into()
+    }
 }
 
 impl From<Vec<(f64, f64)>> for Prony {
@@ -58,12 +68,27 @@ impl From<Prony> for Vec<(f64, f64)> {
 }
 
 /// How long a muscle has been held as it is, after it came there at once.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// As data (serde): a time in s, or `"long"`.
+#[derive(Debug, Clone, Copy, PartialEq, schemars::JsonSchema)]
+#[schemars(rename_all = "lowercase")]
 pub enum Held {
-    /// For a time in s.
-    For(f64),
     /// So long that all branches have relaxed.
     Long,
+    /// For a time in s.
+    #[schemars(untagged)]
+    For(#[schemars(with = "Time")] f64),
+}
+
+const HELD: Words<Held> = Words {
+    words: &[("long", Held::Long)],
+    dimension: Dimension::Time,
+    quantity: Held::For,
+};
+
+impl<'de> Deserialize<'de> for Held {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        HELD.read(from)
+    }
 }
 
 impl Prony {

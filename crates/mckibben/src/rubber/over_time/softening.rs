@@ -5,6 +5,7 @@ use super::constant;
 use super::erf::{erf, erf_integral};
 use crate::refused::Refused;
 use crate::rubber::{Biaxial, Principal, RubberLaw};
+use crate::units::typed::{Pressure, one};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -25,13 +26,14 @@ use std::f64::consts::PI;
 /// permanent set, no rate: reloading goes back along the unloading. β = 0 is the law as it was
 /// published; β and the name `s` follow its form in finite-element programs. Source: `ogden1999`.
 /// As data (serde): `r`, `m` in MPa, `beta`, as in muscle files.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OgdenRoxburgh {
     /// r (–).
     pub r: f64,
     /// m in MPa.
-    #[serde(rename = "m")]
+    #[serde(rename = "m", deserialize_with = "one::<Pressure, _>")]
+    #[schemars(with = "Pressure")]
     pub m_mpa: f64,
     /// β (–).
     #[serde(default)]

@@ -1,39 +1,25 @@
 //! JSON Schemas of the files that people write: muscle, joint, drive and plan. Editors complete and
 //! check TOML with them.
 //!
-//! They follow from the list of keys by which the readers check a file
-//! ([`keys()`](mckibben::muscle::file::keys)).
-
-mod keys;
+//! They follow from the structs that files are read into.
 
 use crate::problem::{Problem, ProblemKind};
+use mckibben::joint::JointKeys;
+use mckibben::muscle::file::{MuscleFile, schema_of};
 use mckibben::nearest::nearest;
+use mckibben_campaign::campaign::PlanKeys;
+use mckibben_motion::DriveKeys;
 use serde_json::Value;
 
-/// A kind of file with a schema: its name, what it is, and its sections of the list of keys.
-type Kind = (&'static str, &'static str, &'static str);
+/// A kind of file: its name, and its schema.
+type Kind = (&'static str, fn() -> Value);
 
+/// The kinds of files with a schema: the name of each, and its schema.
 const KINDS: [Kind; 4] = [
-    (
-        "muscle",
-        "A muscle: tube, braid, terminals, friction",
-        "muscle-file people",
-    ),
-    (
-        "joint",
-        "A joint with one muscle and a spring, or with two muscles",
-        "joint-file people",
-    ),
-    (
-        "drive",
-        "A muscle or a joint with valve, air, load and command, for its motion",
-        "drive-file drive-of-muscle people",
-    ),
-    (
-        "plan",
-        "A campaign: a muscle, what varies, and the points of each",
-        "muscle-file plan-file people",
-    ),
+    ("muscle", schema_of::<MuscleFile>),
+    ("joint", schema_of::<JointKeys>),
+    ("drive", schema_of::<DriveKeys>),
+    ("plan", schema_of::<PlanKeys>),
 ];
 
 /// Names of the kinds of files that have a schema.
@@ -50,7 +36,7 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
-    let Some((name, about, sections)) = KINDS.iter().find(|known| known.0 == kind) else {
+    let Some((name, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
         let names: Vec<&str> = file_kinds().collect();
         let hint = nearest(kind, file_kinds())
             .map_or_else(String::new, |name| format!("did you mean {name}?"));
@@ -60,8 +46,7 @@ pub fn file_schema(kind: &str) -> Result<Value, Problem> {
         );
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     };
-    let mut schema = keys::table(&mckibben::muscle::file::keys(sections), about);
-    schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
+    let mut schema = schema();
     schema["title"] = format!("{name} file of mckibben").into();
     Ok(schema)
 }

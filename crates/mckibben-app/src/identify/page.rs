@@ -1,0 +1,159 @@
+//! Identified constants as people read them.
+
+use super::{IdentifiedPoint, IdentifyAnswer, LawRow, with_error_bar};
+use crate::print::{Csv, Page, Rows, Show, Table};
+use crate::units::NUMBER;
+use crate::{UnderstoodTable, Units, percent, words::in_a_row};
+use mckibben::muscle::Bench;
+use mckibben_fit::identify::{Identification, Identified};
+
+impl Show for IdentifyAnswer {
+    fn page(&self, u: &Units) -> Page {
+        let (model, data, points) = (&self.model, &self.data, self.points.len());
+        let mut page = Page::default();
+        page.lines(self.understood.iter().map(UnderstoodTable::line));
+        page.line(format!("model {model}, {points} points of {data}"));
+        page.line(self.muscle.line(u));
+        page.gap();
+        page.table(constants(&self.identified.parameters));
+        correlation(&self.identified, &mut page);
+        page.gap();
+        page.rows(self.residuals(u));
+        let force = u.force.digits(3);
+        page.table(
+            Table::of(&self.identified.spreads)
+                .text("", |s| &s.label)
+                .text("points", |s| s.points)
+                .quantity("rms", &force, |s| s.rms_n)
+                .quantity("largest", &force, |s| s.max_n)
+                .quantity("mean", &force, |s| s.mean_n),
+        );
+        if !self.laws.is_empty() {
+            self.laws_onto(&mut page, u);
+        }
+        if !self.warnings.is_empty() {
+            page.gap();
+        }
+        page.lines(self.warnings.iter().map(|note| format!("- {note}")));
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(self.points.iter().map(IdentifiedPoint::from))
+    }
+}
+
+impl IdentifyAnswer {
+    fn residuals(&self, u: &Units) -> Rows {
+        let (identified, force) = (&self.identified, u.force.digits(3));
+        let pulls = self.points.iter().map(|p| p.point.at.force_n);
+        let largest_n = pulls.fold(0.0, f64::max);
+        let bench = identified.bench.as_ref();
+        let bench = bench.filter(|_| self.muscle_file.contains("\n[identified]"));
+        Rows::default()
+            .quantity("rms of the residuals", &force, identified.rms_n)
+            .quantity("at the start", &force, identified.rms_before_n)
+            .quantity("largest", &force, identified.max_n)
+            .quantity(
+                "largest force",
+                &u.force,
+                Some(largest_n).filter(|n| *n > 0.0),
+            )
+            .text("this bench", bench.map(|bench| bench_text(bench, u)))
+    }
+
+    /// Law by law, the preferred one first.
+    fn laws_onto(&self, page: &mut Page, u: &Units) {
+        page.gap();
+        page.table(
+            Table::of(&self.laws)
+                .text("law", |l| &l.law)
+                .text("constants", LawRow::constants)
+                .unaligned("rms", &u.force.digits(3), |l| l.rms_n)
+                .unaligned("ΔAICc", &NUMBER.digits(3), |l| l.aicc_difference)
+                .unaligned("neighbours", &NUMBER.digits(2), |l| l.neighbour_correlation),
+        );
+        let doubts = self.laws.iter().filter_map(|row| {
+            let doubt = row.doubt.as_ref()?;
+            Some(format!("  {}: {doubt}", row.law))
+        });
+        page.lines(doubts);
+        let mut correlations = self.laws.iter().filter_map(|row| row.neighbour_correlation);
+        if correlations.any(|r| r > 0.5) {
+            page.line(
+                "  the residuals of neighbouring points are correlated: differences of AICc are \
+                 less significant than their values suggest",
+            );
+        }
+    }
+}
+
+impl LawRow {
+    /// Its constants of the rubber, each with its ±.
+    fn constants(&self) -> String {
+        let constants = self.parameters.iter().filter_map(|p| {
+            let name = p.name.strip_prefix("tube.material.")?;
+            let (value, bar) = with_error_bar(p);
+            Some(format!("{name} {value} ± {bar}"))
+        });
+        in_a_row(constants)
+    }
+}
+
+/// Identified constants, each with its ±.
+pub(crate) fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
+    Table::of(parameters)
+        .text("", |p| &p.name)
+        .text("value", |p| with_error_bar(p).0)
+        .text("± 95 %", |p| with_error_bar(p).1)
+        .unaligned("std. error", &NUMBER.digits(2), |p| p.standard_error)
+        .text("unit", |p| p.unit)
+        .unaligned("start", &NUMBER, |p| p.start)
+        .text("identifiable", |p| match p {
+            p if p.identifiable => "yes",
+            p if p.at_bound => "no (on its bound)",
+            p if p.implausible => "no (too much)",
+            p if !p.matters => "no (no effect)",
+            _ => "no",
+        })
+}
+
+/// The lower triangle of the correlations, where there are any.
+fn correlation(identified: &Identification, page: &mut Page) {
+    let parameters = &identified.parameters;
+    let rows: Vec<usize> = (1..parameters.len()).collect();
+    if rows.is_empty() {
+        return;
+    }
+    let mut table = Table::of(&rows).text("correlation", |&i| &parameters[i].name);
+    for (j, column) in parameters.iter().enumerate().take(rows.len()) {
+        table = table.text(&column.name, |&i| {
+            if j < i {
+                format!("{:.2}", identified.correlation[i][j])
+            } else {
+                String::new()
+            }
+        });
+    }
+    page.gap();
+    page.table(table);
+}
+
+/// Where a bench was, and how far its pulls are known.
+fn bench_text(bench: &Bench, u: &Units) -> String {
+    let fits = bench.fit_n.iter().flatten();
+    let half = fits.map(|fit| fit.hypot(bench.scatter_n));
+    let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+    let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
+    let [p, q] = [p, q].map(|v| u.pressure.show(v));
+    let [least, most] = [least, most].map(|n| u.force.half_width(n));
+    let beside = if bench.saw_the_loop() {
+        ""
+    } else {
+        ", and the part for friction beside it"
+    };
+    let (e, f, unit) = (percent(e), percent(f), &u.force.name);
+    format!(
+        "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
+    )
+}

@@ -1,0 +1,145 @@
+//! A motion as people read it.
+
+use super::{MotionAnswer, MotionRun};
+use crate::print::{Csv, Page, Rows, Show, Table, sentences};
+use crate::units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale};
+use crate::{Units, number};
+
+const SECONDS: Scale = Scale::fixed("s");
+/// Most events of a run that are shown.
+const SHOWN: usize = 12;
+
+impl Show for MotionAnswer {
+    fn warnings(&self) -> Vec<String> {
+        sentences(&self.warnings)
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        if let Some(identified) = &self.identified {
+            return identified.page(&self.model);
+        }
+        let mut page = Page::default();
+        page.line(format!("model {}", self.model));
+        page.lines(
+            self.muscles
+                .iter()
+                .map(|muscle| format!("muscle: {}", muscle.line(u))),
+        );
+        page.lines(self.limits.lines(u));
+        if let Some(c) = self.sonic_conductance_l_per_s_bar {
+            let conductance = number(c, 4);
+            page.paragraph(format!("the smallest valve has {conductance} L/(s bar)"));
+        }
+        for run in self.runs() {
+            page.gap();
+            page.rows(run.end_rows(u).and(run.rows(u)));
+            run.events(&mut page);
+        }
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::columns(&self.motion.motion.series)
+    }
+}
+
+impl MotionRun {
+    /// Where it ends; the ± belongs to where it rests.
+    fn end_rows(&self, u: &Units) -> Rows {
+        let (run, end) = (&self.motion, &self.end);
+        let last = |list: &[f64]| list.last().copied();
+        let degrees = run.series.degrees();
+        let angle_deg = degrees.as_ref().and_then(|[angle, _]| last(angle));
+        let muscle = run.series.muscles.first().filter(|_| degrees.is_none());
+        let contraction = muscle.and_then(|muscle| last(&muscle.contraction));
+        let rows = if run.at_rest() == Some(true) {
+            Rows::default()
+                .quantity(
+                    "ends at",
+                    &DEGREES,
+                    (angle_deg, end.end_angle_uncertainty_deg),
+                )
+                .quantity(
+                    "ends at",
+                    &PERCENT,
+                    (contraction, end.end_contraction_uncertainty),
+                )
+        } else {
+            let is_at_rest = run.at_rest().map(|_| "no");
+            Rows::default()
+                .quantity("ends at", &DEGREES, angle_deg)
+                .quantity("ends at", &PERCENT, contraction)
+                .text("at rest", is_at_rest)
+                .quantity(
+                    "its equilibrium",
+                    &DEGREES,
+                    (run.equilibrium_angle_deg, end.end_angle_uncertainty_deg),
+                )
+                .quantity(
+                    "its equilibrium",
+                    &PERCENT,
+                    (run.equilibrium_contraction, end.end_contraction_uncertainty),
+                )
+        };
+        let pressure_mpa = muscle.and_then(|muscle| last(&muscle.pressure_mpa));
+        rows.quantity("with a pressure of", &u.pressure, pressure_mpa)
+            .text("uncertainty", self.uncertainty_in(u))
+    }
+
+    fn rows(&self, u: &Units) -> Rows {
+        let run = &self.motion;
+        Rows::default()
+            .text("with", self.value.as_deref())
+            .quantity("rise time (10–90 %)", &SECONDS, run.rise_time_s)
+            .quantity("settling time (2 %)", &SECONDS, run.settling_time_s)
+            .quantity("fill time", &SECONDS, run.fill_time_s)
+            .quantity("vent time", &SECONDS, run.vent_time_s)
+            .quantity("overshoot", &PERCENT, run.overshoot)
+            .quantity(
+                "largest velocity",
+                &Scale::fixed("°/s"),
+                run.largest_velocity_deg_per_s,
+            )
+            .quantity(
+                "largest velocity",
+                &u.speed(),
+                run.largest_velocity_mm_per_s,
+            )
+            .quantity("largest power", &Scale::fixed("W"), run.largest_power_w)
+            .quantity("liquid pushed in", &u.volume, run.liquid_volume_mm3)
+            .quantity("air from the supply", &NORMAL_LITRES, run.air_normal_litres)
+            .quantity(
+                "air of a cycle",
+                &NORMAL_LITRES,
+                run.air_normal_litres_per_cycle,
+            )
+            .quantity("work", &JOULES, run.energies.work_j)
+            .quantity(
+                "exergy of the air, or work on the liquid",
+                &JOULES,
+                run.energies.exergy_j,
+            )
+            .quantity("work over exergy", &PERCENT, run.efficiency)
+            .quantity("bandwidth (−3 dB)", &Scale::fixed("Hz"), run.bandwidth_hz)
+    }
+
+    fn events(&self, page: &mut Page) {
+        let all = &self.motion.events;
+        let shown = &all[..all.len().min(SHOWN)];
+        let table = Table::of(shown)
+            .text("time [s]", |event| number(event.time_s, 4))
+            .text("kind", |event| event.kind.to_string());
+        page.table_under(
+            "events",
+            if self.motion.series.degrees().is_some() {
+                table.text("muscle", |event| event.muscle)
+            } else {
+                table
+            },
+        );
+        if all.len() > SHOWN {
+            let more = all.len() - SHOWN;
+            page.line(format!("and {more} more (JSON has them all)"));
+        }
+    }
+}

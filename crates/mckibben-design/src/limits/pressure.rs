@@ -1,0 +1,147 @@
+//! Limits that lower the pressure up to which a muscle is used.
+
+use super::check::Show;
+use crate::Relaxation;
+use crate::relaxation::{Change, three_digits};
+use crate::trial::Trial;
+use mckibben::analysis::{FailureMode, FailurePressure, NoBurst, bisect};
+use mckibben::model::{ModelError, Result};
+use mckibben::units::Dimension;
+
+/// Why a muscle is not used up to the pressure of the supply.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Below {
+    /// It keeps its distance from a failure at this pressure in MPa.
+    Failure(FailureMode, f64),
+    /// Its fittings are rated for no more.
+    Rated,
+    /// Its strands are strained to their limit.
+    Strained,
+    /// No model answers beyond this pressure in MPa.
+    Unanswered(f64),
+}
+
+impl Below {
+    /// Why more is not allowed, with pressures written by `show`.
+    pub fn describe(&self, show: Show<'_>) -> String {
+        let mpa = |p| show(Dimension::Pressure, p);
+        match self {
+            Self::Failure(by, at_mpa) => {
+                format!("more is not allowed, because {by} at {}", mpa(*at_mpa))
+            }
+            Self::Rated => "its fittings are rated for no more".into(),
+            Self::Strained => "there its strands are stretched to their limit".into(),
+            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", mpa(*up_to_mpa)),
+        }
+    }
+}
+
+/// Halvings towards the pressure at which strands are strained to their limit.
+const HALVINGS: usize = 40;
+
+/// Lowers the highest pressure of a muscle to the least of its limits.
+pub fn lower(trial: &mut Trial<'_>) -> Result<()> {
+    let (burst, safety) = (&trial.burst, trial.burst.safety);
+    let allowed = burst.allowed().map(|(mpa, by)| match by {
+        Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
+        None => (mpa, Below::Rated),
+    });
+    // Where no model answers, nothing fails up to the last answer.
+    let answered = match burst.strands {
+        FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa)) if safety.strands > 0.0 => {
+            Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
+        }
+        _ => None,
+    };
+    for (mpa, below) in allowed.into_iter().chain(answered) {
+        if mpa < trial.highest_mpa {
+            (trial.highest_mpa, trial.below) = (mpa, Some(below));
+        }
+    }
+    strained(trial)
+}
+
+/// The strands are strained by no more than their limit, not shortened and at the operating points.
+fn strained(trial: &mut Trial<'_>) -> Result<()> {
+    let Some(bound) = trial.spec.limits.strand_strain else {
+        return Ok(());
+    };
+    for contraction in contractions(trial) {
+        let high = trial.highest_mpa;
+        let mut bears = |p: f64| match trial.strand_strain(p, contraction) {
+            Ok(strain) => Ok(strain.is_none_or(|strain| strain <= bound)),
+            // Where they stretch further there is no answer at all.
+            Err(ModelError::Overstretched { .. } | ModelError::NoEquilibrium(_)) => Ok(false),
+            Err(error) => Err(error),
+        };
+        if bears(high)? {
+            continue;
+        }
+        let (high, _) = bisect(0.0, high, HALVINGS, |p| bears(p).unwrap_or(false));
+        (trial.highest_mpa, trial.below) = (high, Some(Below::Strained));
+    }
+    Ok(())
+}
+
+/// Where the strands are held against their limit: not shortened and at the operating points.
+fn contractions(trial: &Trial<'_>) -> Vec<f64> {
+    let points = trial.spec.points(trial.muscle);
+    std::iter::once(0.0)
+        .chain(points.iter().map(|q| q.contraction))
+        .collect()
+}
+
+/// A limit of the pressure that may be moved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PressureLimit {
+    Supply,
+    Safety,
+    StrandStrain,
+}
+
+impl PressureLimit {
+    /// What limits the pressure of a muscle, where it may be moved.
+    pub fn of(trial: &Trial<'_>) -> Option<Self> {
+        match trial.below {
+            None => Some(Self::Supply),
+            Some(Below::Failure(..)) => Some(Self::Safety),
+            Some(Below::Strained) => Some(Self::StrandStrain),
+            Some(Below::Rated | Below::Unanswered(_)) => None,
+        }
+    }
+
+    /// The change that allows a pressure.
+    pub fn allow(self, needed_mpa: f64, trial: &mut Trial<'_>) -> Option<Change> {
+        let (limits, supply_mpa) = (&trial.spec.limits, trial.spec.max_pressure_mpa);
+        if self != Self::Supply && needed_mpa > supply_mpa {
+            return None;
+        }
+        Some(match self {
+            Self::Supply => {
+                let pressure_mpa = three_digits(needed_mpa, true);
+                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
+                let change = Relaxation::MaxPressure {
+                    pressure_mpa,
+                    extrapolated,
+                };
+                ((pressure_mpa / supply_mpa).ln(), change)
+            }
+            Self::Safety => {
+                let failures = trial.burst.modes();
+                let margins = failures
+                    .iter()
+                    .filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
+                let burst_margin = three_digits(margins.reduce(f64::min)?, false);
+                let change = Relaxation::MinBurstMargin { burst_margin };
+                ((limits.burst_margin? / burst_margin).ln(), change)
+            }
+            Self::StrandStrain => {
+                let places = contractions(trial).into_iter();
+                let strains = places.filter_map(|e| trial.strand_strain(needed_mpa, e).ok()?);
+                let strand_strain = three_digits(strains.reduce(f64::max)?, true);
+                let change = Relaxation::MaxStrandStrain { strand_strain };
+                ((strand_strain / limits.strand_strain?).ln(), change)
+            }
+        })
+    }
+}
