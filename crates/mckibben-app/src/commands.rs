@@ -81,8 +81,7 @@ impl CommandEntry {
     /// The JSON Schema of its request, made once.
     #[cfg(feature = "schema")]
     pub fn request_schema(&self) -> &Value {
-        self.request
-            .get_or_init(|| self.schema()["request"].take())
+        self.request.get_or_init(|| self.schema()["request"].take())
     }
 }
 
