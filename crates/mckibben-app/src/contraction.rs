@@ -96,18 +96,7 @@ impl FromStr for Contractions {
             };
             Problem::new(kind, error.to_string(), "")
         })?;
-        let wrong = values.iter().find(|e| !in_mm && e.abs() >= 1.0);
-        let Some(&e) = wrong else {
-            return Ok(Self { values, in_mm });
-        };
-        let hint = if values.len() == 1 && e > 1.0 && e < 100.0 && !text.contains('%') {
-            format!("write {e}% or {}", e / 100.0)
-        } else {
-            "write 15% or 0.15".to_owned()
-        };
-        let message =
-            format!("\"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
-        Err(Problem::new(ProblemKind::Quantity, message, hint))
+        Ok(Self { values, in_mm })
     }
 }
 
@@ -173,9 +162,9 @@ pub(crate) fn is_ratio(e: f64) -> bool {
 pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
     let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
     let hint = if e > 1.0 && e < 100.0 {
-        format!("for {e} % write {}", e / 100.0)
+        format!("write {e}% or {}", e / 100.0)
     } else {
-        "for 15 % write 0.15".to_owned()
+        "write 15% or 0.15".to_owned()
     };
     Problem::new(ProblemKind::Quantity, message, hint).in_field(field)
 }
@@ -193,7 +182,8 @@ mod tests {
         }
         let curve: Contractions = "0..22:11mm".parse().unwrap();
         assert_eq!(curve.of_length(220.0), Ok(vec![0.0, 0.05, 0.1]));
-        let refused = "15".parse::<Contraction>().unwrap_err();
+        let fifteen: Contraction = "15".parse().unwrap();
+        let refused = fifteen.of_length(220.0).unwrap_err();
         assert_eq!(refused.hint, "write 15% or 0.15");
     }
 }

@@ -36,7 +36,12 @@ use serde::{Deserialize, Serialize, Serializer};
 #[command(next_help_heading = "Question")]
 pub struct CurveRequest {
     /// Which test
-    #[arg(value_parser = flags::word::<Test>())]
+    #[arg(
+        value_parser = flags::word::<Test>(),
+        required = false,
+        required_unless_present = "study",
+        default_value_if("study", clap::builder::ArgPredicate::IsPresent, "isobaric")
+    )]
     pub test: Test,
     /// Gauge pressures [isobaric 0.05..0.25:0.05, else 0..0.25:0.01]
     #[arg(short, long)]

@@ -224,7 +224,7 @@ pub struct MeshFields {
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly
     #[serde(rename = "match")]
-    #[arg(long = "match", value_name = "WHAT", value_parser = flags::word::<Match>(), default_value = "length", hide_short_help = true)]
+    #[arg(id = "match", long = "match", value_name = "WHAT", value_parser = flags::word::<Match>(), default_value = "length", hide_short_help = true)]
     pub keep: Match,
     /// Terminal of `fe3d` that is a body [none, a rigid plane]
     ///

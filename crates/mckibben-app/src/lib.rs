@@ -6,7 +6,11 @@
 //! ```
 //! use mckibben_app::{ForceRequest, force};
 //!
-//! let request = ForceRequest { pressure_mpa: Some(0.25), contraction: Some(0.10), ..Default::default() };
+//! let request = ForceRequest {
+//!     pressure_mpa: Some(0.25.into()),
+//!     contraction: Some("10%".parse()?),
+//!     ..Default::default()
+//! };
 //! let answer = force(&request)?;
 //! assert_eq!(answer.point.model, "fe");
 //! assert!((answer.point.response.force_n - 491.43).abs() < 0.01);
@@ -66,7 +70,6 @@ pub mod print;
 mod problem;
 mod quantities;
 mod report;
-pub mod rows;
 mod rubber;
 mod rubber_fit;
 #[cfg(feature = "schema")]
@@ -122,7 +125,7 @@ pub use report::{TitleBlock, body};
 pub use rubber::*;
 pub use rubber_fit::*;
 #[cfg(feature = "schema")]
-pub use schemas::{answer_schema, bundle, schema};
+pub use schemas::{bundle, schema};
 pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;

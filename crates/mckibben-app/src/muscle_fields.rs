@@ -41,13 +41,13 @@ pub struct MuscleFields {
     /// Tube as it is sold, such as 8x12mm: bore and outer diameter
     #[arg(long, value_name = "BORExOUTER", conflicts_with_all = ["outer_diameter_mm", "wall_mm"], hide_short_help = true)]
     pub tube: Option<TubeSize>,
-    /// Rubber (`mckibben parts list rubbers`) [paper]
+    /// Rubber: `mckibben parts list rubbers` [paper]
     ///
     /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 %
     /// (s100:0.6MPa), or the rubber of a muscle file.
     #[arg(long, value_name = "NAME", value_parser = flags::rubber(), hide_possible_values = true)]
     pub rubber: Option<NameOrFile>,
-    /// Sleeve (`mckibben parts list sleeves`) [none]
+    /// Sleeve: `mckibben parts list sleeves` [none]
     ///
     /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
     /// and largest diameter.
@@ -56,15 +56,15 @@ pub struct MuscleFields {
     /// Diameter of one strand of a named sleeve, if its source does not state it
     #[arg(long, value_name = "DIAMETER", hide_short_help = true)]
     pub strand_diameter_mm: Option<Length>,
-    /// Stiffness of one strand family, in N/mm [paper]
+    /// Stiffness of one strand family [paper]
     ///
-    /// Or `inextensible`, or `paper`.
+    /// In N/mm, or `inextensible`, or `paper`.
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]
     #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness)]
     pub stiffness: Option<Stiffness>,
-    /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
+    /// Any key of a muscle file; may be repeated
     ///
-    /// `mckibben schema --file muscle` has all keys.
+    /// Such as terminals.seating=1.6mm; `mckibben schema --file muscle` has all keys.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[arg(long, value_name = "KEY=VALUE")]
     pub with: Vec<String>,

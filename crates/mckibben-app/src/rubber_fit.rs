@@ -367,7 +367,13 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
             )
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
-        let mode = mckibben_io::named(mode.trim()).ok_or_else(|| bad("names no mode"))?;
+        let mode = mckibben_io::named(mode.trim()).ok_or_else(|| {
+            let modes = Mode::ALL.map(|mode| format!("`{}`", mode.name()));
+            bad(&format!(
+                "names no mode; expected one of {}",
+                modes.join(", ")
+            ))
+        })?;
         let weight = weight.parse::<Ratio>();
         let weight = weight.map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
         if out.insert(mode, weight.0).is_some() {

@@ -11,10 +11,6 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
     Ok(find(command)?.schema())
 }
 
-pub fn answer_schema<A: JsonSchema>() -> Value {
-    schema_of(root::<A>(), SchemaSettings::draft2020_12().for_serialize()).to_value()
-}
-
 pub(crate) fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     schemas_of(root::<Q>(), root::<A>())
 }

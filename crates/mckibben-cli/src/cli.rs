@@ -169,6 +169,11 @@ fn with_usual_name(arg: Arg) -> Arg {
         arg
     };
     let id = arg.get_id().to_string();
+    // Its values are a list behind one flag.
+    let arg = match arg.get_value_delimiter().is_some() && id != "set" {
+        true => arg.action(ArgAction::Set),
+        false => arg,
+    };
     let of_field = arg.get_long() == Some(&*id.replace('_', "-"));
     let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
         return arg;

@@ -20,12 +20,9 @@ use clap::FromArgMatches;
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
-use output::keyed::{each, headed, listed, said, tabled, value};
-use output::text::{Units, number, pairs, place};
-use output::{Output, print_text};
-use output::{
-    burst_first, check_ending, emit, ending, overwrite, save, save_all, save_inside, warn,
-};
+use output::text::place;
+use output::{Output, print_page};
+use output::{check_ending, emit, ending, overwrite, save, save_all, save_inside, warn};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;

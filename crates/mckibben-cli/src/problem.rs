@@ -44,7 +44,9 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     if error.kind() != ErrorKind::UnknownArgument {
         return None;
     }
-    let is_force = std::env::args().nth(1).as_deref() == Some("force");
+    let is_force = std::env::args_os()
+        .nth(1)
+        .is_some_and(|word| word == "force");
     if is_force && ["-F", "--force"].contains(&&**flag) {
         let message = "`mckibben force` gives the force at a pressure and a contraction";
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";

@@ -1,9 +1,9 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::{Problem, number};
+use crate::Problem;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::{cancel::Cancel, progress::Progress};
-use mckibben_app::ProblemKind;
+use mckibben_app::{ProblemKind, words::number};
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};

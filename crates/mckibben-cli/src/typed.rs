@@ -21,9 +21,11 @@ static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 /// Takes the flags of the command that runs, for its messages and units; of a command line that
 /// clap refuses their names alone.
 pub fn take(root: &Command, matches: Option<&ArgMatches>) {
+    let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
+    let typed: Vec<String> = args.collect();
     let (mut command, mut leaf) = (root, matches);
-    for word in std::env::args().skip(1) {
-        if let Some(sub) = command.find_subcommand(&word) {
+    for word in &typed[1..] {
+        if let Some(sub) = command.find_subcommand(word) {
             command = sub;
             leaf = leaf.and_then(ArgMatches::subcommand).map(|(_, sub)| sub);
         }
@@ -43,9 +45,13 @@ pub fn take(root: &Command, matches: Option<&ArgMatches>) {
     };
     let flags = command.get_arguments().filter_map(|arg| {
         let id = arg.get_id().as_str();
+        // The name under which it was typed.
+        let is_typed = |name: &&str| typed.contains(&format!("--{name}"));
+        let alias = arg.get_all_aliases().into_iter().flatten().find(is_typed);
+        let long = arg.get_long()?;
         Some(Flag {
             field: id.to_owned(),
-            name: format!("--{}", arg.get_long()?),
+            name: format!("--{}", alias.unwrap_or(long)),
             texts: texts(id),
         })
     });
@@ -59,7 +65,20 @@ pub fn flags() -> &'static [Flag] {
 
 /// The flag of a request's field.
 pub fn flag_of(field: &str) -> Option<String> {
-    let fills = |flag: &&Flag| flag.field == field;
+    let both = || {
+        flags()
+            .iter()
+            .any(|flag| flag.field == "both" && !flag.texts.is_empty())
+    };
+    let field = match field {
+        // Of every command.
+        "overwrite" => return Some("--overwrite".into()),
+        // It selects a branch as well.
+        "direction" if both() => "both",
+        field => field,
+    };
+    let fills =
+        |flag: &&Flag| flag.field == field || field == "direction" && flag.field == "branch";
     let flag = flags().iter().find(fills).map(|flag| flag.name.clone());
     flag.or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))
 }

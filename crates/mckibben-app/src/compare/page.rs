@@ -33,7 +33,9 @@ impl Show for CompareAnswer {
                 .quantity("mean", &force, |m| m.errors.mean_n)
                 .text("points", |m| m.errors.points)
                 .text("fitted", |m| match m.fitted() {
-                    none if none.is_empty() && self.is_fitted => "no constant of --fit".into(),
+                    none if none.is_empty() && self.is_fitted => {
+                        "none of the constants to fit".into()
+                    }
                     fitted => fitted,
                 }),
         );

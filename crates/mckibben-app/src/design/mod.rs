@@ -5,6 +5,7 @@ mod assumed;
 mod bought;
 mod bundle;
 mod decision;
+mod page;
 mod remedies;
 mod request;
 

@@ -12,9 +12,7 @@ use crate::{
 use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
 use mckibben::muscle::{Braid, Direction, Muscle, Tube};
 use mckibben::sleeve::SleeveEntry;
-use mckibben::units::typed::{
-    Angle, Choice, Force, Length, List, Pressure, Quantity, Ratio, Volume,
-};
+use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
 use mckibben::{units::Values, warning::strand_strength_n};
@@ -38,7 +36,7 @@ pub struct DesignRequest {
     #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// Contraction ratio ΔL/L0 with that pull; below zero: an extension
-    #[arg(short = 'e', long)]
+    #[arg(short = 'e', long, value_parser = contraction)]
     pub contraction: Option<Ratio>,
     /// Several operating points: 700N@15%,1200N@5%
     #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point, conflicts_with_all = ["force_n", "contraction"])]
@@ -232,7 +230,7 @@ pub struct DesignRequest {
         hide_short_help = true,
         help_heading = "Muscle"
     )]
-    pub strand_length_per_turn_mm: Option<List<Length>>,
+    pub strand_length_per_turn_mm: Option<Choice<Length>>,
     /// Radii of the pulley [searched]
     #[arg(
         long = "radius",
@@ -316,8 +314,8 @@ impl DesignRequest {
             }
         };
         let sleeves = self.sleeves(&base, free.is_none())?;
-        let turns = self.strand_length_per_turn_mm.as_deref();
-        let braid = match (turns.unwrap_or_default(), &sleeves[..], &self.angle_deg) {
+        let turns = self.turns_mm()?;
+        let braid = match (&turns[..], &sleeves[..], &self.angle_deg) {
             ([], [], None) if extends && !base.is_extensile() => {
                 BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
             }
@@ -414,6 +412,22 @@ impl DesignRequest {
                 Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
             }
             share => Ok(share),
+        }
+    }
+
+    /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
+    fn turns_mm(&self) -> Result<Vec<f64>> {
+        const FIELD: &str = "strand_length_per_turn_mm";
+        let Some(choice) = &self.strand_length_per_turn_mm else {
+            return Ok(vec![]);
+        };
+        match values(choice, FIELD)? {
+            Values::List(list) => Ok(list),
+            Values::Interval(..) => {
+                let message = "give the sleeves that are sold as a list";
+                let hint = "such as 90,110,130mm";
+                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
+            }
         }
     }
 
@@ -619,7 +633,11 @@ impl DesignRequest {
             return self
                 .points
                 .iter()
-                .map(|w| Ok((w.force_n, Some(ratio(w.contraction)?))))
+                .map(|w| {
+                    let contraction = ratio(w.contraction);
+                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
+                    Ok((w.force_n, Some(contraction)))
+                })
                 .collect();
         }
         let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
@@ -727,12 +745,23 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
     })
 }
 
+/// A contraction ratio; a shortening in mm is a stroke.
+#[cfg(feature = "clap")]
+fn contraction(text: &str) -> Result<Ratio> {
+    text.parse().map_err(|error: QuantityError| {
+        let hint = match text.parse::<Length>() {
+            Ok(_) => "give a ratio such as 15%, or a stroke with `stroke_mm`",
+            Err(_) => "",
+        };
+        Problem::new(ProblemKind::Quantity, error.to_string(), hint)
+    })
+}
+
 /// A required pull at a contraction: `700N@15%`.
 #[cfg(feature = "clap")]
 fn operating_point(text: &str) -> Result<OperatingPoint> {
     let expected = "operating point; expected a pull at a contraction such as 700N@15%";
     let (Force(force_n), Ratio(contraction)) = at(text, expected)?;
-    let contraction = ratio(contraction)?;
     Ok(OperatingPoint {
         force_n,
         contraction,

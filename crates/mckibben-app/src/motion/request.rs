@@ -184,7 +184,7 @@ impl FromStr for MotionSweep {
     fn from_str(text: &str) -> Result<Self> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let message = format!("\"{text}\" has no = followed by values");
-            let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
+            let hint = "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
             Problem::new(ProblemKind::Usage, message, hint)
         })?;
         Ok(Self {

@@ -237,15 +237,14 @@ impl RubberDetails {
                 }),
         );
         page.line(format!(
-            "→: --rubber {} means it, for a muscle that stretches its rubber up to the reach \
+            "→: the name {} means it, for a muscle that stretches its rubber up to the reach \
              (`mckibben check`); between two reaches it means constants between theirs, beyond the \
              last those of the last.",
             self.rubber
         ));
         page.line(
             "standing: equal where the data do not distinguish a law from the recommended one. \
-             differs: at most so much from it in planar tension. Laws that fit less well: --format \
-             json.",
+             differs: at most so much from it in planar tension. Laws that fit less well: in JSON.",
         );
     }
 }

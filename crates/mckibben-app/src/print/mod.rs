@@ -26,6 +26,16 @@
 //! its place. The [`Scale`](crate::Scale) says the unit and the digits; `u.length.digits(4)` is the
 //! same unit with other digits. A sentence is `format!`.
 //!
+//! A field that an answer does not have does not compile:
+//!
+//! ```compile_fail,E0609
+//! use mckibben_app::{BuildAnswer, Units, print::Rows};
+//!
+//! fn rows(answer: &BuildAnswer, u: &Units) -> Rows {
+//!     Rows::default().quantity("bolt", &u.length, answer.bolt)
+//! }
+//! ```
+//!
 //! A [`Csv`] is made of the rows themselves, `Csv::rows(&self.points)`; the schema of their type
 //! says the columns.
 

@@ -2,6 +2,7 @@
 
 use super::amount::{Amount, plain};
 use crate::Scale;
+use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -31,12 +32,18 @@ impl Rows {
         self
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = &(String, String)> {
-        self.0.iter()
+    pub(super) fn rename(&mut self, name: impl Fn(&str) -> String) {
+        self.0
+            .iter_mut()
+            .for_each(|(_, value)| *value = name(value));
     }
+}
 
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+impl Deref for Rows {
+    type Target = [(String, String)];
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
     }
 }
 

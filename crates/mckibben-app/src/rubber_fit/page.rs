@@ -145,7 +145,7 @@ impl RubberFitAnswer {
             }
         }
         let Some(law) = self.taken() else {
-            page.line("None of these laws is stable over the stretches of a muscle; use --stable.");
+            page.line("None of these laws is stable over the stretches of a muscle; use `stable`.");
             return;
         };
         let lower =

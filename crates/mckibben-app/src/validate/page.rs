@@ -66,7 +66,7 @@ impl Show for ValidateAnswer {
         let failed = self.cases.iter().filter(|c| !c.ok);
         page.lines(failed.map(|c| format!("  FAILS: {}", c.name)));
         if !self.has_sources {
-            page.paragraph("Sources of the cases: mckibben validate --format csv");
+            page.paragraph("Sources of the cases: the table in CSV");
         }
         page
     }

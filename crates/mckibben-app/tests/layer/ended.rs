@@ -84,19 +84,17 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             json!({ "points": points(3), "angle_deg": { "low": 20, "high": 35 }, "length_mm": { "low": 200, "high": 400 },
                     "model": "fe", "max_pressure_mpa": 0.5 }),
         ],
-        "pressure" | "contraction" | "force" | "shape" => {
-            let kept: &[&str] = if command == "shape" {
-                &["length_mm", "mesh"]
-            } else {
-                &["model", "length_mm", "mesh"]
-            };
+        "shape" => vec![
+            json!({ "muscle": { "length_mm": 30000 }, "mesh": "2x1024", "pressure_mpa": 0.2, "force_n": 300 }),
+        ],
+        "pressure" | "contraction" | "force" => {
             let taken: &[&str] = match command {
                 "pressure" => &["force_n", "contraction"],
-                "contraction" | "shape" => &["force_n", "pressure_mpa"],
+                "contraction" => &["force_n", "pressure_mpa"],
                 _ => &["pressure_mpa", "contraction"],
             };
             let is = |(key, _): &(&String, &Value)| {
-                kept.contains(&key.as_str()) || taken.contains(&key.as_str())
+                ["model", "muscle"].contains(&key.as_str()) || taken.contains(&key.as_str())
             };
             vec![
                 slim.as_object()

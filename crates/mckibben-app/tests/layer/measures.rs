@@ -8,7 +8,7 @@ use mckibben_app::{MeasuresRequest, measures};
 fn measures_are_the_fields_of_requests() {
     let entries = measures(&MeasuresRequest {}).unwrap().measures;
     let force = mckibben_app::schema("force").unwrap();
-    let fields = &force["request"]["properties"];
+    let fields = &force["request"]["$defs"]["MuscleFields"]["properties"];
     for entry in &entries {
         let field = entry
             .field

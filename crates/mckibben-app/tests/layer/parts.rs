@@ -109,7 +109,7 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
             ("strand_length_mm", 323.0),
             ("turns", 1.5),
         ] {
-            request[key] = value.into();
+            request["muscle"][key] = value.into();
         }
         reply("force", request);
     }

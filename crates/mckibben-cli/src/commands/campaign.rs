@@ -2,11 +2,12 @@
 
 use crate::output::{Output, json, print};
 use crate::{
-    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean, emit, number, overwrite, place,
+    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean, emit, overwrite, place,
     progress::INTERRUPTED, warn,
 };
 use clap::Subcommand;
 use mckibben::progress::{Progress, Silent};
+use mckibben_app::words::number;
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
     campaign_merge, campaign_show, campaign_status,

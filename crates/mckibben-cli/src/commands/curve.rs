@@ -22,7 +22,7 @@ pub struct Curve {
     #[arg(
         long,
         value_parser = ["thickness"],
-        conflicts_with_all = ["pressures_mpa", "contractions", "forces_n", "load", "both"],
+        conflicts_with_all = ["test", "pressures_mpa", "contractions", "forces_n", "load", "both"],
         help_heading = "Question"
     )]
     study: Option<String>,

@@ -32,7 +32,7 @@ pub struct Fit {
         long,
         conflicts_with_all = [
             "method", "hold_out_mm", "thin_rule", "slack_rule", "name", "rubber", "stiffness",
-            "muscle", "table_folder", "plots"
+            "muscle", "tables", "plots"
         ],
         help_heading = "Question"
     )]
@@ -41,7 +41,7 @@ pub struct Fit {
     request: FitRequest,
     /// Write the intermediate tables of the paper's method (CSV and JSON) into a folder
     #[arg(
-        id = "table_folder",
+        id = "tables",
         long = "tables",
         value_name = "DIR",
         help_heading = "Output"

@@ -1,23 +1,20 @@
 //! Results as text, JSON and CSV, and where they go.
 
-pub mod keyed;
 mod table;
 pub mod text;
 pub mod width;
 mod write;
 
-pub use table::FLAT;
 use table::Table;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
     save_all, save_inside, warn, warn_behind,
 };
 
-use crate::{Format, Problem, Units, clean, quantities::unit_hint, shown, unprinted};
+use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
 use mckibben::warning::is_of_burst;
 use mckibben_app::print::{Page, Show};
-use mckibben_app::{ProblemKind, answer_schema};
-use schemars::JsonSchema;
+use mckibben_app::{ProblemKind, Units};
 use serde::Serialize;
 use serde_json::Value;
 use std::io::{BufWriter, Error, Write};
@@ -101,17 +98,6 @@ impl Output {
     }
 }
 
-/// Prints an answer beside the file that `--output` names.
-pub fn print_text<T: Serialize + JsonSchema>(
-    format: Format,
-    answer: &T,
-    rows: &str,
-    text: impl FnOnce(&T, &Units) -> String,
-) -> Result<u8, Problem> {
-    show(answer, format, rows, || text(answer, &shown::units()), None)?;
-    Ok(0)
-}
-
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
@@ -123,55 +109,28 @@ pub fn print<T: Show>(
     add: impl FnOnce(&mut Page),
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    let text = || {
-        let first = burst_first(&answer.warnings());
-        let mut page = answer.page(&shown::units());
+    let page = |u: &Units| {
+        let mut page = answer.page(u);
         add(&mut page);
-        first + &text::laid_out(&page)
+        page
     };
+    print_page(answer, format, page, target)
+}
+
+/// The same with a page of its own.
+pub fn print_page<T: Show>(
+    answer: &T,
+    format: Format,
+    page: impl FnOnce(&Units) -> Page,
+    target: Target<'_>,
+) -> Result<(), Problem> {
+    let text = || burst_first(&answer.warnings()) + &text::laid_out(&page(&shown::units()));
     let csv = || {
         let csv = answer.csv();
         let warnings = answer.warnings();
         let all = warnings.iter().chain(&csv.warnings);
         all.filter(|w| is_of_burst(w)).for_each(warn);
         table::csv(&Table::of(csv)?)
-    };
-    made(&|| json(answer), &csv, format, Box::new(text), target)
-}
-
-/// Prints an answer in the requested form: as text for people, as JSON, or as a table with a row
-/// for each element of the list named `rows` (for the answer itself where the name is empty or
-/// [`FLAT`]).
-pub fn show<T: Serialize + JsonSchema>(
-    answer: &T,
-    format: Format,
-    rows: &str,
-    text: impl FnOnce() -> String,
-    target: Target<'_>,
-) -> Result<(), Problem> {
-    let csv = || {
-        let mut value = json(answer)?;
-        // A table has no place for it.
-        let all = value
-            .get("warnings")
-            .and_then(Value::as_array)
-            .into_iter()
-            .flatten();
-        all.filter_map(Value::as_str)
-            .filter(|w| is_of_burst(w))
-            .for_each(warn);
-        let list = match value.get_mut(rows).map(Value::take) {
-            Some(Value::Array(list)) => list,
-            Some(Value::Object(columns)) => table::of_columns(&columns),
-            _ if rows == FLAT => vec![table::flat(value)],
-            _ if rows.is_empty() => vec![value],
-            _ => vec![],
-        };
-        let columns = table::with_others(table::columns(&answer_schema::<T>(), rows), &list);
-        table::csv(&Table {
-            columns,
-            rows: list,
-        })
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)
 }

@@ -7,34 +7,18 @@ use mckibben_app::print::{Csv, Form};
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 
-/// The name of rows for an answer that is one row, with the values of its objects beside the
-/// others.
-pub const FLAT: &str = "*";
-
-/// The columns of an answer's rows by its schema: those of its list or object of lists `rows`, or
-/// of the answer itself where the name is empty.
-pub fn columns(root: &Value, rows: &str) -> Vec<String> {
+/// The columns of an answer's rows by their schema.
+fn known(schema: &Value, form: Form) -> Vec<String> {
     let mut out = vec![];
-    if rows.is_empty() || rows == FLAT {
-        scalars(root, root, false, &mut out);
-        if rows == FLAT {
-            properties(root, root).for_each(|(_, value)| scalars(root, value, false, &mut out));
-        }
-        return out;
-    }
-    for (_, list) in properties(root, root).filter(|(name, _)| *name == rows) {
-        for node in variants(root, list) {
-            match node.get("items") {
-                Some(item) => scalars(root, item, false, &mut out),
-                None => scalars(root, node, true, &mut out),
-            }
-        }
+    scalars(schema, schema, form == Form::Columns, &mut out);
+    if form == Form::Flat {
+        properties(schema, schema).for_each(|(_, value)| scalars(schema, value, false, &mut out));
     }
     out
 }
 
 /// What a table has beyond the columns that are known, by the values in it.
-pub fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
+fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
     for (key, value) in list.iter().filter_map(Value::as_object).flatten() {
         if !matches!(value, Value::Array(_) | Value::Object(_) | Value::Null)
             && !columns.contains(key)
@@ -132,29 +116,23 @@ impl Table {
     pub fn of(answer: Csv) -> Result<Self, Problem> {
         let schema = answer.schema();
         let rows = answer.rows.map_err(|e| broken(&e))?;
-        let mut known = vec![];
-        scalars(&schema, &schema, answer.form == Form::Columns, &mut known);
         let rows: Vec<Value> = match answer.form {
             Form::Rows => rows,
-            Form::Flat => {
-                properties(&schema, &schema)
-                    .for_each(|(_, value)| scalars(&schema, value, false, &mut known));
-                rows.into_iter().map(flat).collect()
-            }
+            Form::Flat => rows.into_iter().map(flat).collect(),
             Form::Columns => {
                 let lists = rows.iter().filter_map(Value::as_object);
                 lists.flat_map(of_columns).collect()
             }
         };
         Ok(Self {
-            columns: with_others(known, &rows),
+            columns: with_others(known(&schema, answer.form), &rows),
             rows,
         })
     }
 }
 
 /// An object with the values of its objects beside the others.
-pub fn flat(value: Value) -> Value {
+fn flat(value: Value) -> Value {
     let mut out = Map::new();
     let Value::Object(object) = value else {
         return value;
@@ -169,7 +147,7 @@ pub fn flat(value: Value) -> Value {
 }
 
 /// The rows of an object of lists.
-pub fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
+fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
     let lists: Vec<(&String, &Vec<Value>)> = columns
         .iter()
         .filter_map(|(name, list)| Some((name, list.as_array()?)))
@@ -218,11 +196,13 @@ pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben_app::{CurveAnswer, MotionAnswer, PointAnswer, answer_schema};
+    use mckibben_app::{PointAnswer, PointRow, schema};
+    use serde_json::json;
 
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
-        let point = columns(&answer_schema::<PointAnswer>(), "");
+        let of = |csv: Csv| Table::of(csv).unwrap().columns;
+        let point = of(Csv::rows::<PointAnswer>([]));
         for name in ["force_n", "slack", "model", "start_pressure_mpa"] {
             assert!(point.iter().any(|c| c == name), "{name}: {point:?}");
         }
@@ -231,11 +211,15 @@ mod tests {
                 .iter()
                 .all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.as_str()))
         );
-        let curve = columns(&answer_schema::<CurveAnswer>(), "points");
+        let curve = of(Csv::rows::<PointRow>([]));
         for name in ["force_n", "status", "cause", "wanted_force_n"] {
             assert!(curve.iter().any(|c| c == name), "{name}: {curve:?}");
         }
-        let motion = columns(&answer_schema::<MotionAnswer>(), "series");
+        let defs = &schema("motion").unwrap()["answer"]["$defs"];
+        let motion = known(
+            &json!({ "$ref": "#/$defs/MotionSeries", "$defs": defs }),
+            Form::Columns,
+        );
         assert!(motion.iter().any(|c| c == "time_s") && motion.iter().any(|c| c == "contraction"));
     }
 }

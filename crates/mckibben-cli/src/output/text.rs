@@ -2,10 +2,9 @@
 
 use super::width::{self, fold};
 use crate::clean::line;
+use crate::typed::in_flags;
 use comfy_table::{CellAlignment, Table, presets};
-use mckibben_app::print::{Block, Page};
-pub use mckibben_app::units::Units;
-pub use mckibben_app::words::{aligned, number};
+use mckibben_app::print::{Block, Column, Page};
 use std::path::Path;
 
 /// The name of a file.
@@ -19,17 +18,14 @@ const GAP: usize = 2;
 
 /// A table without borders: a header, aligned columns (numbers to the right). One that is wider
 /// than the text may be has narrower text columns, or goes on below, with its first column again.
-pub fn table<S: AsRef<str>>(header: &[S], rows: Vec<Vec<String>>) -> String {
-    let header: Vec<&str> = header.iter().map(AsRef::as_ref).collect();
-    table_within(width::of_tables(), &header, &rows)
-}
-
-fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
-    let rows: Vec<Vec<String>> = rows
-        .iter()
-        .map(|row| row.iter().map(|cell| line(cell).into_owned()).collect())
-        .collect();
-    let cells = |i: usize| rows.iter().filter_map(move |row| row.get(i));
+fn table_within(room: usize, list: &[Column]) -> String {
+    let header = |i: usize| &*list[i].heading;
+    let all_cells = list.iter().map(|column| {
+        let cells = column.cells.iter().map(|cell| line(cell).into_owned());
+        cells.collect()
+    });
+    let all_cells: Vec<Vec<String>> = all_cells.collect();
+    let cells = |i: usize| all_cells[i].iter();
     let numeric = |i: usize| {
         let number = |c: &String| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
@@ -37,13 +33,13 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         };
         cells(i).all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
     };
-    let numeric: Vec<bool> = (0..header.len()).map(numeric).collect();
+    let numeric: Vec<bool> = (0..list.len()).map(numeric).collect();
     let length = |text: &str| text.chars().count();
-    let widths: Vec<usize> = (0..header.len())
+    let widths: Vec<usize> = (0..list.len())
         .map(|i| {
             cells(i)
                 .map(|cell| length(cell))
-                .chain([length(header[i])])
+                .chain([length(header(i))])
                 .max()
                 .unwrap_or(0)
         })
@@ -58,7 +54,7 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         };
         columns.iter().map(one).sum::<usize>() + GAP * columns.len().saturating_sub(1)
     };
-    let all: Vec<usize> = (0..header.len()).collect();
+    let all: Vec<usize> = (0..list.len()).collect();
     // The widest text columns for which a list of columns fits.
     let fits = |columns: &[usize]| {
         (NARROW..=room.max(NARROW))
@@ -102,9 +98,9 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
         let mut table = Table::new();
         table
             .load_preset(presets::NOTHING)
-            .set_header(columns.iter().map(|&i| cut(header[i], i)));
-        for row in &rows {
-            let cell = |&i: &usize| row.get(i).map_or_else(String::new, |cell| cut(cell, i));
+            .set_header(columns.iter().map(|&i| cut(header(i), i)));
+        for at in 0..all_cells.first().map_or(0, Vec::len) {
+            let cell = |&i: &usize| all_cells[i].get(at).map_or_else(String::new, |c| cut(c, i));
             table.add_row(columns.iter().map(cell));
         }
         let last = columns.len().saturating_sub(1);
@@ -126,55 +122,39 @@ fn table_within(room: usize, header: &[&str], rows: &[Vec<String>]) -> String {
 /// A page of an answer.
 pub fn laid_out(page: &Page) -> String {
     let block = |block: &Block| match block {
-        Block::Text(text) => format!("{text}\n"),
-        Block::Rows(rows) => {
-            let rows: Vec<_> = rows.iter().cloned().collect();
-            pairs(&rows)
-        }
-        Block::Table(list) => columns(
-            list.iter()
-                .map(|column| (column.heading.clone(), column.cells.clone())),
-        ),
+        Block::Text(text) => in_flags(text) + "\n",
+        Block::Rows(rows) => pairs_within(width::of_tables(), rows),
+        Block::Table(columns) => table_within(width::of_tables(), columns),
     };
     page.blocks.iter().map(block).collect()
 }
 
 /// Aligned `name   value` lines; a long value goes on below.
-pub fn pairs<S: AsRef<str>>(list: &[(S, String)]) -> String {
-    pairs_within(width::of_tables(), list)
-}
-
-fn pairs_within<S: AsRef<str>>(room: usize, list: &[(S, String)]) -> String {
+fn pairs_within(room: usize, list: &[(String, String)]) -> String {
     let width = list
         .iter()
-        .map(|(name, _)| name.as_ref().chars().count())
+        .map(|(name, _)| name.chars().count())
         .max()
         .unwrap_or(0);
     let room = room.saturating_sub(width + 5).max(NARROW);
-    let one = |(name, value): &(S, String)| {
-        let name = name.as_ref();
+    let one = |(name, value): &(String, String)| {
         let value = fold(&line(value), room).join(&format!("\n{:1$}", "", width + 5));
         format!("  {name:<width$}   {value}\n")
     };
     list.iter().map(one).collect()
 }
 
-/// A table of columns, each with its heading.
-pub fn columns(list: impl IntoIterator<Item = (String, Vec<String>)>) -> String {
-    let (header, columns): (Vec<String>, Vec<Vec<String>>) = list.into_iter().unzip();
-    let count = columns.first().map_or(0, Vec::len);
-    let row = |i: usize| {
-        columns
-            .iter()
-            .map(|c| c.get(i).cloned().unwrap_or_default())
-            .collect()
-    };
-    table(&header, (0..count).map(row).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn columns(header: &[&str], rows: &[Vec<String>]) -> Vec<Column> {
+        let column = |(i, heading): (usize, &&str)| Column {
+            heading: (*heading).into(),
+            cells: rows.iter().map(|row| row[i].clone()).collect(),
+        };
+        header.iter().enumerate().map(column).collect()
+    }
 
     fn rows() -> Vec<Vec<String>> {
         let row = |i: usize| {
@@ -190,9 +170,9 @@ mod tests {
     #[test]
     fn a_wide_table_goes_on_below_with_its_first_column_again() {
         let header = ["", "one", "two", "three", "four", "five", "six", "what"];
-        let whole = table_within(80, &header, &rows());
+        let whole = table_within(80, &columns(&header, &rows()));
         assert_eq!(whole.lines().count(), 3, "{whole}");
-        let narrow = table_within(40, &header, &rows());
+        let narrow = table_within(40, &columns(&header, &rows()));
         assert!(narrow.lines().all(|l| l.chars().count() <= 40), "{narrow}");
         assert_eq!(
             narrow.lines().filter(|l| l.starts_with("1.")).count(),
@@ -210,7 +190,7 @@ mod tests {
     fn a_table_of_texts_has_narrower_columns() {
         let long = "words and words and words and words and words and words and words and words"
             .to_owned();
-        let text = table_within(60, &["n", "case"], &[vec!["1".into(), long]]);
+        let text = table_within(60, &columns(&["n", "case"], &[vec!["1".into(), long]]));
         assert!(
             text.lines().count() > 2 && text.lines().all(|l| l.chars().count() <= 60),
             "{text}"
@@ -222,7 +202,7 @@ mod tests {
         let text = pairs_within(
             40,
             &[(
-                "name",
+                "name".into(),
                 "value and value and value and value and value".into(),
             )],
         );

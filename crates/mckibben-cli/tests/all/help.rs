@@ -109,7 +109,7 @@ fn every_command_has_a_manual_page_that_is_not_written_over_an_older_one() {
         ".SH ADVANCED",
         ".SH EXAMPLES",
         "mckibben force \\-D 50",
-        "Density of the rubber",
+        "Any key of a muscle file",
         "Muscle file, same as",
     ] {
         assert!(page.contains(part), "{part}: {page}");
