@@ -63,13 +63,13 @@ pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
 pub(crate) fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
     let mut out = format!(
-        "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N) in each row; leave rows \
-         out that you do not measure.\n\
-         # Set the distance between the clamps, then the pressure, row by row, without going back: \
-         contraction is while the pressure rises,\n\
-         # elongation while it falls. The pressure stays at or below {}.\n\
-         # Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-         pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n",
+        concat!(
+            "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N) in each row; leave rows out that you do not measure.\n",
+            "# Set the distance between the clamps, then the pressure, row by row, without going back: contraction is while the pressure rises,\n",
+            "# elongation while it falls. The pressure stays at or below {}.\n",
+            "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n",
+            "pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n"
+        ),
         crate::MARK,
         mm(length_mm),
         plan.operating.pressure(plan.operating.pressure_mpa)

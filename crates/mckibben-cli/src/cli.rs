@@ -222,6 +222,31 @@ fn names(command: &clap::Command) -> Vec<String> {
     names.map(str::to_owned).collect()
 }
 
+/// Examples of a command, each without the name of the program; a long one goes on below.
+pub fn examples(list: &[&str]) -> String {
+    let one = |example: &&str| {
+        let mut out = "\n  mckibben".to_owned();
+        let mut width = out.len();
+        for (i, word) in example.split(' ').enumerate() {
+            width += word.len() + 1;
+            // A flag stays beside its value.
+            if width > 72 && (i == 0 || word.starts_with('-')) {
+                out += " \\\n   ";
+                width = word.len() + 4;
+            }
+            out.extend([" ", word]);
+        }
+        out
+    };
+    let all: String = list.iter().map(one).collect();
+    let heading = if list.len() > 1 {
+        "Examples:"
+    } else {
+        "Example:"
+    };
+    heading.to_owned() + &all
+}
+
 /// Examples up to the second one.
 fn first_example(all: &str) -> String {
     let starts = |line: &&str| line.starts_with("  mckibben ");

@@ -48,19 +48,25 @@ pub enum Part {
 
 const STYLE: &str = include_str!("document.css");
 
+/// What every page begins with: it loads nothing.
+const HEAD: &str = concat!(
+    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
+    "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
+);
+
 impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each
     /// body's data in an element `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String> {
         let title = escape(&self.title);
-        let mut out = format!(
-            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src \
-             'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
-             <title>{title}</title><style>{STYLE}</style></head>\n<body>\n<header><h1>{title}</h1>{}</header>\n<p class=\"lead\">{}</p>\n",
-            title_block(&self.title_block),
-            escape(&self.lead)
+        let mut out = HEAD.to_owned();
+        let (block, lead) = (title_block(&self.title_block), escape(&self.lead));
+        let _ = writeln!(
+            out,
+            "<title>{title}</title><style>{STYLE}</style></head>\n<body>\n\
+             <header><h1>{title}</h1>{block}</header>\n<p class=\"lead\">{lead}</p>"
         );
         for part in &self.parts {
             part.write(&mut out)?;

@@ -2,6 +2,7 @@
 
 mod pdf;
 
+use crate::cli::examples;
 use crate::output::{ShownUnits, print};
 use crate::{Bar, Format, Problem, check_ending, ending, place, save, save_all, shown};
 use mckibben_app::print::Page;
@@ -10,11 +11,11 @@ use std::path::PathBuf;
 
 /// The folder for a workshop.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben build examples/prototype.toml -o build
-  mckibben build --rubber latex --braid flexo-overexpanded-0.25in \\
-    -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build
-  mckibben build examples/prototype.toml -e 15% --report muscle.html")]
+#[command(after_long_help = examples(&[
+    "build examples/prototype.toml -o build",
+    "build --rubber latex --braid flexo-overexpanded-0.25in -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build",
+    "build examples/prototype.toml -e 15% --report muscle.html"
+]))]
 pub struct Build {
     #[command(flatten)]
     request: BuildRequest,

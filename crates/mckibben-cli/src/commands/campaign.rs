@@ -1,5 +1,6 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
+use crate::cli::examples;
 use crate::output::{Output, json, print};
 use crate::{
     Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean, emit, overwrite, place,
@@ -32,10 +33,11 @@ fn no_csv(format: Format) -> Result<(), Problem> {
 #[command(
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,
-    after_long_help = "Examples:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/2
-  mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1"
+    after_long_help = examples(&[
+    "campaign plans/paper.toml -o campaign.parquet",
+    "campaign plans/paper.toml -o parts/ --shard 1/2",
+    "campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1"
+])
 )]
 pub struct Campaign {
     #[command(subcommand)]
@@ -51,9 +53,10 @@ pub struct Campaign {
 #[derive(Debug, Subcommand)]
 enum About {
     /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
-    #[command(after_long_help = "Example:
-  mckibben campaign plans/paper.toml -o campaign.parquet
-  mckibben campaign show campaign.parquet")]
+    #[command(after_long_help = examples(&[
+    "campaign plans/paper.toml -o campaign.parquet",
+    "campaign show campaign.parquet"
+]))]
     Show {
         #[command(flatten)]
         request: CampaignShowRequest,
@@ -61,19 +64,21 @@ enum About {
         output: Output,
     },
     /// Join folders of parts into one file, identical to that of a single run
-    #[command(after_long_help = "Example:
-  mckibben campaign plans/paper.toml -o one/ --shard 1/2
-  mckibben campaign plans/paper.toml -o other/ --shard 2/2
-  mckibben campaign merge one/ other/ -o merged.parquet")]
+    #[command(after_long_help = examples(&[
+    "campaign plans/paper.toml -o one/ --shard 1/2",
+    "campaign plans/paper.toml -o other/ --shard 2/2",
+    "campaign merge one/ other/ -o merged.parquet"
+]))]
     Merge {
         #[command(flatten)]
         request: CampaignMergeRequest,
     },
     /// How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a
     /// shard is missing
-    #[command(after_long_help = "Example:
-  mckibben campaign plans/paper.toml -o parts/ --shard 1/1
-  mckibben campaign status parts/")]
+    #[command(after_long_help = examples(&[
+    "campaign plans/paper.toml -o parts/ --shard 1/1",
+    "campaign status parts/"
+]))]
     Status {
         #[command(flatten)]
         request: CampaignStatusRequest,

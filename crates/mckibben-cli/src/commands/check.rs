@@ -1,6 +1,7 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
+use crate::cli::examples;
 use crate::{Format, Output, Problem, emit};
 use mckibben_app::{
     CheckFormulaRequest, CheckRequest, ProblemKind, TextFile, check, check_formula,
@@ -9,10 +10,11 @@ use std::path::Path;
 
 /// What is known of a muscle, or of a formula.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben check examples/prototype.toml -p 2bar
-  mckibben check -D 40 -s 2 --rubber dragon-skin-30
-  mckibben check universal --latex")]
+#[command(after_long_help = examples(&[
+    "check examples/prototype.toml -p 2bar",
+    "check -D 40 -s 2 --rubber dragon-skin-30",
+    "check universal --latex"
+]))]
 pub struct Check {
     #[command(flatten)]
     request: CheckRequest,

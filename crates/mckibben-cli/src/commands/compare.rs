@@ -1,14 +1,15 @@
 //! `compare`: models, and measured points.
 
+use crate::cli::examples;
 use crate::{Bar, Format, Output, Plot, Problem};
 use mckibben_app::CompareRequest;
 
 /// Models, and measured points.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben compare --models ideal,paper,thick-wall -p 1,2bar
-  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
-    --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor")]
+#[command(after_long_help = examples(&[
+    "compare --models ideal,paper,thick-wall -p 1,2bar",
+    "compare --models ideal,thick-wall --muscle examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor"
+]))]
 pub struct Compare {
     #[command(flatten)]
     request: CompareRequest,

@@ -1,5 +1,6 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
+use crate::cli::examples;
 use crate::{Bar, Format, Output, Plot, Problem, exit_code, output::emit_json, output::form};
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
@@ -7,12 +8,12 @@ use mckibben_app::{CurveRequest, StudyRequest, study};
 #[derive(Debug, clap::Args)]
 #[command(
     args_conflicts_with_subcommands = true,
-    after_long_help = "Examples:
-  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
-    --plot f.svg
-  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
-  mckibben curve isotonic -F 20,80,150N --model thick-wall
-  mckibben curve --study thickness --model thick-wall --plot study.svg"
+    after_long_help = examples(&[
+    "curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 --plot f.svg",
+    "curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv",
+    "curve isotonic -F 20,80,150N --model thick-wall",
+    "curve --study thickness --model thick-wall --plot study.svg"
+])
 )]
 pub struct Curve {
     #[command(flatten)]

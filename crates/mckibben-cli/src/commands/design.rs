@@ -1,5 +1,6 @@
 //! `design`: the main job.
 
+use crate::cli::examples;
 use crate::output::ShownUnits;
 use crate::typed::in_flags;
 use crate::{Bar, Format, NO_ANSWER, Plot, Problem, check_ending, emit, place, print_page, save};
@@ -9,22 +10,16 @@ use std::path::{Path, PathBuf};
 
 /// The main job.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar
-  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar \\
-    --max-bulged-diameter 80mm --plot muscle.svg
-  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
-    -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
-    -o winner.toml
-  mckibben design --load mass:20kg --stroke 40mm --length 285 \\
-    --max-pressure 3bar
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
-    --count 7 --max-envelope 80mm
-  mckibben design -F 50N -e 15% --max-pressure 2.5bar --length 200 \\
-    --liquid water --max-liquid 20mL
-  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
-    --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30")]
+#[command(after_long_help = examples(&[
+    "design --force 700N --contraction 15% --max-pressure 2.5bar",
+    "design --at 700N@15%,1200N@5% --max-pressure 2.5bar --max-bulged-diameter 80mm --plot muscle.svg",
+    "design -F 300N --stroke 40mm --length 285 --max-pressure 3bar -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30",
+    "design --force 700N --contraction 15% --max-pressure 2.5bar -o winner.toml",
+    "design --load mass:20kg --stroke 40mm --length 285 --max-pressure 3bar",
+    "design --force 700N --contraction 15% --max-pressure 2.5bar --count 7 --max-envelope 80mm",
+    "design -F 50N -e 15% --max-pressure 2.5bar --length 200 --liquid water --max-liquid 20mL",
+    "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30"
+]))]
 pub struct Design {
     #[command(flatten)]
     request: DesignRequest,

@@ -1,5 +1,6 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
+use crate::cli::examples;
 use crate::output::{ShownUnits, print};
 use crate::{Format, Problem, place, save_all};
 use mckibben_app::print::Page;
@@ -10,11 +11,12 @@ use std::path::{Path, PathBuf};
 
 /// A folder for a controller or a simulator.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben export --list
-  mckibben export examples/prototype.toml --as c -o muscle_model
-  mckibben export -D 20 -s 2 --as mjcf -p 4bar -o scene
-  mckibben export examples/elbow.toml --as c -p 3bar -o elbow")]
+#[command(after_long_help = examples(&[
+    "export --list",
+    "export examples/prototype.toml --as c -o muscle_model",
+    "export -D 20 -s 2 --as mjcf -p 4bar -o scene",
+    "export examples/elbow.toml --as c -p 3bar -o elbow"
+]))]
 pub struct Export {
     #[command(flatten)]
     request: ExportRequest,

@@ -1,5 +1,6 @@
 //! `fit`: from a table of points to a formula.
 
+use crate::cli::examples;
 use crate::output::print;
 use crate::{Bar, Format, NO_ANSWER, Problem, check_ending, overwrite, place, save, save_inside};
 use mckibben_app::print::Page;
@@ -11,13 +12,12 @@ use std::path::{Path, PathBuf};
 
 /// A formula from a table of points.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
-    -o formula.json --tables tables --plots plots
-  mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
-    -o global.json
-  mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
-  mckibben fit --report")]
+#[command(after_long_help = examples(&[
+    "fit data/campaign/paper.csv --method paper --hold-out 35 -o formula.json --tables tables --plots plots",
+    "fit data/campaign/paper.csv --method global --hold-out 35 -o global.json",
+    "force -D 35 -s 2 -p 2bar -e 10% --model global.json",
+    "fit --report"
+]))]
 pub struct Fit {
     /// Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg,
     /// pressure_mpa, contraction, force_n, status)

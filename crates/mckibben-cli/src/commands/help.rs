@@ -1,5 +1,6 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
+use crate::cli::examples;
 use crate::{Problem, cli::command, emit, overwrite, save_inside, unprinted};
 use clap::{Args, Command};
 use clap_complete::Shell;
@@ -9,9 +10,10 @@ use std::path::PathBuf;
 
 /// Prints the help of a command.
 #[derive(Debug, Args)]
-#[command(after_long_help = "Examples:
-  mckibben help force
-  mckibben help parts show")]
+#[command(after_long_help = examples(&[
+    "help force",
+    "help parts show"
+]))]
 pub struct Help {
     /// Command, such as `force` or `parts show` [mckibben]
     command: Vec<String>,
@@ -69,8 +71,9 @@ impl ManPages {
 
 /// Prints the completions of a shell.
 #[derive(Debug, Args)]
-#[command(after_long_help = "Example:
-  mckibben completions bash")]
+#[command(after_long_help = examples(&[
+    "completions bash"
+]))]
 pub struct Completions {
     /// The shell
     #[arg(value_enum)]

@@ -1,5 +1,6 @@
 //! `identify`: constants of a muscle from points.
 
+use crate::cli::examples;
 use crate::output::{ShownUnits, print};
 use crate::{Bar, Format, Plot, Problem, check_ending, place, save};
 use mckibben_app::print::Page;
@@ -8,15 +9,12 @@ use std::path::{Path, PathBuf};
 
 /// Constants of a muscle, or of a drive.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben identify examples/bench.toml --data examples/bench.csv
-  mckibben identify examples/tondu2012.toml \\
-    --data data/tondu2012/static_force_20deg.csv --model thick-wall \\
-    --free mu,terminals.end_factor,friction.c,friction.beta \\
-    --plot fit.svg -o found.toml
-  mckibben motion examples/drive.toml --model universal -o log.csv
-  mckibben identify examples/drive.toml --motion log.csv --model universal \\
-    -o drive.toml")]
+#[command(after_long_help = examples(&[
+    "identify examples/bench.toml --data examples/bench.csv",
+    "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --model thick-wall --free mu,terminals.end_factor,friction.c,friction.beta --plot fit.svg -o found.toml",
+    "motion examples/drive.toml --model universal -o log.csv",
+    "identify examples/drive.toml --motion log.csv --model universal -o drive.toml"
+]))]
 pub struct Identify {
     #[command(flatten)]
     request: IdentifyRequest,

@@ -1,17 +1,18 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
+use crate::cli::examples;
 use crate::{Bar, Format, Output, Plot, Problem, output::form};
 use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
 use std::path::PathBuf;
 
 /// A joint.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
-  mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
-  mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
-  mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
-    --model universal --plot map.svg")]
+#[command(after_long_help = examples(&[
+    "joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg",
+    "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar",
+    "joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12",
+    "joint examples/elbow.toml --map 25 --max-pressure 4bar --model universal --plot map.svg"
+]))]
 pub struct Joint {
     /// Joint file
     #[arg(value_name = "JOINT.toml", help_heading = "Question")]

@@ -1,21 +1,20 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
+use crate::cli::examples;
 use crate::{Bar, Format, Output, Plot, Problem, exit_code, shown};
 use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
 use std::path::PathBuf;
 
 /// Motion of a drive.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben motion examples/drive.toml --plot step.svg
-  mckibben motion examples/drive.toml --model universal -o step.csv
-  mckibben motion examples/drive.toml --model universal \\
-    --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'
-  mckibben motion examples/drive.toml --model universal --size valve \\
-    --rise-time 0.5s
-  mckibben motion examples/elbow-drive.toml --model universal
-  mckibben motion --muscle examples/prototype.toml --load mass:10kg -p 3bar \\
-    --valve '0.5 L/(s bar)' --damping '200 N s/m'")]
+#[command(after_long_help = examples(&[
+    "motion examples/drive.toml --plot step.svg",
+    "motion examples/drive.toml --model universal -o step.csv",
+    "motion examples/drive.toml --model universal --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'",
+    "motion examples/drive.toml --model universal --size valve --rise-time 0.5s",
+    "motion examples/elbow-drive.toml --model universal",
+    "motion --muscle examples/prototype.toml --load mass:10kg -p 3bar --valve '0.5 L/(s bar)' --damping '200 N s/m'"
+]))]
 pub struct Motion {
     /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
     #[arg(

@@ -1,5 +1,6 @@
 //! `parts list|show`.
 
+use crate::cli::examples;
 use crate::{Format, Output, Problem};
 use clap::Subcommand;
 use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
@@ -8,8 +9,9 @@ use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
 #[derive(Debug, Subcommand)]
 pub enum Parts {
     /// All of them, or those of one kind
-    #[command(after_long_help = "Example:
-  mckibben parts list tubes")]
+    #[command(after_long_help = examples(&[
+    "parts list tubes"
+]))]
     List {
         #[command(flatten)]
         request: PartsListRequest,
@@ -17,10 +19,11 @@ pub enum Parts {
         output: Output,
     },
     /// What has a name: its data, source and terms
-    #[command(after_long_help = "Examples:
-  mckibben parts show latex-1/4x3/8in
-  mckibben parts show dragon-skin-30
-  mckibben design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in")]
+    #[command(after_long_help = examples(&[
+    "parts show latex-1/4x3/8in",
+    "parts show dragon-skin-30",
+    "design -F 60N -e 15% -p 4bar --tube latex-1/4x3/8in"
+]))]
     Show {
         #[command(flatten)]
         request: PartShowRequest,

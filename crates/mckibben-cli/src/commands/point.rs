@@ -1,13 +1,15 @@
 //! `force`, `pressure`, `contraction`: one point.
 
+use crate::cli::examples;
 use crate::{Format, Output, Problem};
 use clap::Args;
 use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
 /// F(P, ε).
 #[derive(Debug, Args)]
-#[command(after_long_help = "Example:
-  mckibben force -D 50 -s 1 -p 0.25 -e 0.1 --model paper")]
+#[command(after_long_help = examples(&[
+    "force -D 50 -s 1 -p 0.25 -e 0.1 --model paper"
+]))]
 pub struct Force {
     #[command(flatten)]
     request: ForceRequest,
@@ -17,8 +19,9 @@ pub struct Force {
 
 /// P(F, ε).
 #[derive(Debug, Args)]
-#[command(after_long_help = "Example:
-  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar")]
+#[command(after_long_help = examples(&[
+    "pressure -D 40 -s 2 -F 300N -e 10% --units bar"
+]))]
 pub struct Pressure {
     #[command(flatten)]
     request: PressureRequest,
@@ -28,8 +31,9 @@ pub struct Pressure {
 
 /// ε(F, P).
 #[derive(Debug, Args)]
-#[command(after_long_help = "Example:
-  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
+#[command(after_long_help = examples(&[
+    "contraction -D 40 -s 2 -F 600N -p 2.5bar"
+]))]
 pub struct Contraction {
     #[command(flatten)]
     request: ContractionRequest,

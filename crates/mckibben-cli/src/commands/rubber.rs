@@ -1,5 +1,6 @@
 //! `rubber`: laws from tension tests.
 
+use crate::cli::examples;
 use crate::output::print;
 use crate::{Format, Plot, Problem, check_ending, place, save};
 use mckibben::progress::Silent;
@@ -9,11 +10,11 @@ use std::path::{Path, PathBuf};
 
 /// Laws from tension tests.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben rubber data/treloar/tension.csv --law yeoh --relative
-  mckibben rubber data/silicones/dragon_skin_30.csv --up-to 200% \\
-    --plot rubber.svg -o silicone.toml
-  mckibben force --muscle silicone.toml -p 2bar -e 10%")]
+#[command(after_long_help = examples(&[
+    "rubber data/treloar/tension.csv --law yeoh --relative",
+    "rubber data/silicones/dragon_skin_30.csv --up-to 200% --plot rubber.svg -o silicone.toml",
+    "force --muscle silicone.toml -p 2bar -e 10%"
+]))]
 pub struct Rubber {
     /// Tension tests: a table of stretches, strains or extensions and of stresses or forces, with
     /// units; several are fitted together

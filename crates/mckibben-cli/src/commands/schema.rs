@@ -1,14 +1,16 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
+use crate::cli::examples;
 use crate::{Problem, check_ending, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 use std::path::PathBuf;
 
 /// The JSON Schema of a command, or of a file.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben schema force
-  mckibben schema --file muscle -o muscle.schema.json")]
+#[command(after_long_help = examples(&[
+    "schema force",
+    "schema --file muscle -o muscle.schema.json"
+]))]
 pub struct Schema {
     /// Command, its words joined by a hyphen (force, parts-list) [all commands in one document with
     /// shared `$defs`]

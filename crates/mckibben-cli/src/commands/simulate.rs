@@ -1,5 +1,6 @@
 //! `simulate`: one finite-element test with everything it knows.
 
+use crate::cli::examples;
 use crate::{
     Bar, Format, Output, Plot, Problem, check_ending, exit_code, output, output::check, place,
     save, save_all,
@@ -10,15 +11,13 @@ use std::path::PathBuf;
 
 /// One finite-element test.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
-  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
-    --plot shape.svg
-  mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
-    --export-inp muscle.inp
-  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
-    -p 0.25 --vtu out/
-  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv")]
+#[command(after_long_help = examples(&[
+    "simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/",
+    "simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar --plot shape.svg",
+    "simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 --export-inp muscle.inp",
+    "simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% -p 0.25 --vtu out/",
+    "simulate --of-largest -e 0,45%,90% -p 0.25 --format csv"
+]))]
 pub struct Simulate {
     #[command(flatten)]
     request: SimulateRequest,

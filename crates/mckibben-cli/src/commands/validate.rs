@@ -1,5 +1,6 @@
 //! `validate`: verification and validation, each with its table.
 
+use crate::cli::examples;
 use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, output::width};
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
@@ -12,11 +13,12 @@ const WITH_SOURCES: usize = 160;
 
 /// Verification and validation.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Examples:
-  mckibben validate
-  mckibben validate --measured --only dmsp-20-300
-  mckibben validate --measured --only dmsp-10-hose --model thick-wall
-  mckibben validate --measured --only rubber-treloar")]
+#[command(after_long_help = examples(&[
+    "validate",
+    "validate --measured --only dmsp-20-300",
+    "validate --measured --only dmsp-10-hose --model thick-wall",
+    "validate --measured --only rubber-treloar"
+]))]
 pub struct Validate {
     #[command(flatten)]
     request: ValidateRequest,
