@@ -6500,15 +6500,15 @@ class MuscleFields:
         friction_presliding_mm : mm
             Presliding length xs, over which the friction builds up after a reversal, mm.
         rubber
-            Rubber (`mckibben parts list rubbers`) [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
+            Rubber: `mckibben parts list rubbers` [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
             rubber of a muscle file. Or a :class:`Rubber`.
         braid
-            Sleeve (`mckibben parts list sleeves`) [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
+            Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
             largest diameter.
         strand_diameter_mm : mm
             Diameter of one strand of a named sleeve, if its source does not state it.
         stiffness : N/mm
-            Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.
+            Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`.
 
         Raises
         ------
@@ -6770,7 +6770,7 @@ class MuscleFields:
 
     @property
     def stiffness(self) -> float | str | None:
-        """Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`."""
+        """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`."""
         found: float | str | None = self._field("stiffness")
         return found
 
@@ -7965,7 +7965,7 @@ def design(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | None = None,
-    strand_length_per_turn_mm: Numbers | None = None,
+    strand_length_per_turn_mm: Choice | None = None,
     radius_mm: Choice | None = None,
     model: FormulaLike | None = None,
     extrapolate: bool = False,
