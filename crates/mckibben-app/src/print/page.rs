@@ -58,18 +58,6 @@ impl Page {
         }
     }
 
-    /// With what `name` makes of its sentences.
-    pub fn renamed(mut self, name: impl Fn(&str) -> String) -> Self {
-        for block in &mut self.blocks {
-            match block {
-                Block::Text(text) => *text = name(text),
-                Block::Rows(rows) => rows.rename(&name),
-                Block::Table(_) => {}
-            }
-        }
-        self
-    }
-
     pub fn and(&mut self, other: Self) {
         self.blocks.extend(other.blocks);
     }

@@ -31,12 +31,6 @@ impl Rows {
         self.0.retain(|(label, _)| wanted(label));
         self
     }
-
-    pub(super) fn rename(&mut self, name: impl Fn(&str) -> String) {
-        self.0
-            .iter_mut()
-            .for_each(|(_, value)| *value = name(value));
-    }
 }
 
 impl Deref for Rows {

@@ -2,10 +2,8 @@
 
 use crate::cli::examples;
 use crate::output::ShownUnits;
-use crate::typed::in_flags;
 use crate::{Bar, Format, NO_ANSWER, Plot, Problem, check_ending, emit, place, print_page, save};
 use mckibben_app::DesignRequest;
-use mckibben_app::Units;
 use std::path::{Path, PathBuf};
 
 /// The main job.
@@ -48,10 +46,7 @@ impl Design {
         }
         let name = target.and_then(Path::file_name);
         let name = name.map(|name| place(Path::new(name)));
-        let page = |u: &Units| {
-            let page = answer.page_with(u, self.all, name.as_deref());
-            page.renamed(in_flags)
-        };
+        let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
         print_page(&answer, format, page, None)?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
             emit(format!("\nThe winner is in {}.\n", place(path)), None)?;

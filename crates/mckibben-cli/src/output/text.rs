@@ -138,7 +138,7 @@ fn pairs_within(room: usize, list: &[(String, String)]) -> String {
         .unwrap_or(0);
     let room = room.saturating_sub(width + 5).max(NARROW);
     let one = |(name, value): &(String, String)| {
-        let value = fold(&line(value), room).join(&format!("\n{:1$}", "", width + 5));
+        let value = fold(&in_flags(&line(value)), room).join(&format!("\n{:1$}", "", width + 5));
         format!("  {name:<width$}   {value}\n")
     };
     list.iter().map(one).collect()
