@@ -186,8 +186,8 @@ fn with_usual_name(arg: Arg) -> Arg {
     let arg = arg.allow_hyphen_values(true);
     let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
     let value = one.map_or_else(|| noun.to_uppercase(), |_| "RANGE".to_owned());
-    let is_usual = |names: &[clap::builder::Str]| names == [&*id.to_uppercase()];
-    let arg = match arg.get_value_names().is_some_and(is_usual) {
+    let is_usual = |names: &[clap::builder::Str]| names == [&*id.to_uppercase()] || names == [&*id];
+    let arg = match arg.get_value_names().is_none_or(is_usual) {
         true => arg.value_name(value),
         false => arg,
     };
@@ -225,16 +225,17 @@ fn names(command: &clap::Command) -> Vec<String> {
 /// Examples of a command, each without the name of the program; a long one goes on below.
 pub fn examples(list: &[&str]) -> String {
     let one = |example: &&str| {
-        let mut out = "\n  mckibben".to_owned();
-        let mut width = out.len();
-        for (i, word) in example.split(' ').enumerate() {
-            width += word.len() + 1;
-            // A flag stays beside its value.
-            if width > 72 && (i == 0 || word.starts_with('-')) {
-                out += " \\\n   ";
-                width = word.len() + 4;
-            }
-            out.extend([" ", word]);
+        let mut out = String::new();
+        let mut width = 0;
+        // A flag stays beside its value.
+        for (i, part) in format!("mckibben {example}").split(" -").enumerate() {
+            let space = match i {
+                0 => "\n  ",
+                _ if width + part.len() > 74 => " \\\n    -",
+                _ => " -",
+            };
+            width = if space.contains('\n') { 5 } else { width + 2 } + part.len();
+            out.extend([space, part]);
         }
         out
     };
