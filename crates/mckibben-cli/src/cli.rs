@@ -106,7 +106,7 @@ pub enum Command {
     Fit(Box<fit::Fit>),
     /// Everything with a name: tubes, sleeves, rubbers, muscles, models
     #[command(subcommand, arg_required_else_help = true)]
-    Parts(parts::Parts),
+    Parts(Box<parts::Parts>),
     /// Rubber laws from tension tests: constants with their errors, range of stability
     Rubber(Box<rubber::Rubber>),
     /// Local web server: the workbench in a browser, and every command over HTTP
