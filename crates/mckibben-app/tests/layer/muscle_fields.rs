@@ -7,8 +7,10 @@ use serde_json::{Map, Value};
 /// An identity: what is written is read, and in the order of the schema.
 #[test]
 fn fields_are_written_and_read_again_with_all_measures_among_them() {
-    let mut fields = MuscleFields::default();
-    fields.rubber = Some("paper".into());
+    let mut fields = MuscleFields {
+        rubber: Some("paper".into()),
+        ..MuscleFields::default()
+    };
     for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
         fields.measures.set(measure, 1.0 + i as f64);
     }
