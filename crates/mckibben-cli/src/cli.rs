@@ -155,8 +155,16 @@ impl Command {
 
 /// The command line: `-h` shows the first example and where the other flags are, `--help` all.
 pub fn command() -> clap::Command {
-    let root = Cli::command().arg_required_else_help(true);
-    with_short_help("mckibben", root)
+    with_short_help("mckibben", root(), &|_| true)
+}
+
+/// The command line, complete for the commands among these words.
+pub fn command_of(words: &[String]) -> clap::Command {
+    with_short_help("mckibben", root(), &|name| words.iter().any(|w| w == name))
+}
+
+fn root() -> clap::Command {
+    Cli::command().arg_required_else_help(true)
 }
 
 /// A quantity's flag is its field without the unit, and of a list in the singular: `pressures_mpa` is
@@ -197,11 +205,15 @@ fn with_usual_name(arg: Arg) -> Arg {
     }
 }
 
-/// Gives the commands below one their names and their short help.
-fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
-    for name in names(&command) {
+/// Gives a command, and those below it that are wanted, the names of their flags and their short help.
+fn with_short_help(
+    path: &str,
+    mut command: clap::Command,
+    wanted: &dyn Fn(&str) -> bool,
+) -> clap::Command {
+    for name in names(&command).into_iter().filter(|name| wanted(name)) {
         let path = format!("{path} {name}");
-        command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
+        command = command.mut_subcommand(name, |sub| with_short_help(&path, sub, wanted));
     }
     command = command.mut_args(with_usual_name);
     let Some(examples) = command.get_after_long_help().map(ToString::to_string) else {

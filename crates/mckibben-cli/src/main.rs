@@ -37,10 +37,9 @@ fn main() -> ExitCode {
         return report(problem, asked_format());
     }
     progress::no_signal_for_long_files();
-    let root = cli::command();
+    let mut root = cli::command_of(&args);
     let parsed = root
-        .clone()
-        .try_get_matches()
+        .try_get_matches_from_mut(&args)
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,

@@ -71,8 +71,6 @@ pub fn flag_of(field: &str) -> Option<String> {
             .any(|flag| flag.field == "both" && !flag.texts.is_empty())
     };
     let field = match field {
-        // Of every command.
-        "overwrite" => return Some("--overwrite".into()),
         // It selects a branch as well.
         "direction" if both() => "both",
         field => field,
