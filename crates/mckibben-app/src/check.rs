@@ -371,8 +371,8 @@ fn unknown(burst: &Burst) -> Vec<String> {
         FailurePressure::Unknown(why) => Some(format!("the pressure at which {mode}: {why}")),
         _ => None,
     };
-    let rated = "the pressure for which plugs and fittings are rated; give `rated_pressure` in \
-        [terminals] of the muscle file";
+    let rated = "the pressure for which plugs and fittings are rated; give \
+        `terminals.rated_pressure` in the muscle file";
     let rated = burst.rated_mpa.is_none().then(|| rated.to_owned());
     burst
         .modes()

@@ -37,13 +37,13 @@ pub struct CompareRequest {
     #[command(flatten)]
     pub tables: DataFields,
     /// Constants to fit to the points, for each model
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>(), requires = "data")]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>())]
     pub fit: Vec<FitConstant>,
     /// Pressures, where there are no measured points [0.05..0.25:0.05]
-    #[arg(short, long, conflicts_with = "data")]
+    #[arg(short, long)]
     pub pressures_mpa: Option<List<Pressure>>,
     /// Contraction ratios ΔL/L0, likewise [0..0.2:0.01]
-    #[arg(short = 'e', long, conflicts_with = "data")]
+    #[arg(short = 'e', long)]
     pub contractions: Option<Contractions>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
@@ -178,8 +178,27 @@ impl Compared {
     }
 }
 
+impl CompareRequest {
+    /// Which fields exclude each other, and which ones need others.
+    fn validate(&self) -> Result<()> {
+        if self.tables.data.is_empty() {
+            let fit = [("fit", !self.fit.is_empty())];
+            return Problem::refuse_unused(
+                &fit,
+                "it needs measured points, and no `data` are given",
+            );
+        }
+        let grid = [
+            ("pressures_mpa", self.pressures_mpa.is_some()),
+            ("contractions", self.contractions.is_some()),
+        ];
+        Problem::refuse_unused(&grid, "`data` have their own")
+    }
+}
+
 /// Models compared with measured points, or with the first model.
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer> {
+    request.validate()?;
     let muscle = request.muscle.resolve()?;
     let mut asking = AskFields {
         extrapolate: request.extrapolate,
@@ -210,9 +229,6 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         return Err(Problem::new(ProblemKind::Data, message, hint));
     }
     let measured = is_measured.then_some(measured);
-    if measured.is_none() && !request.fit.is_empty() {
-        return Err(Problem::missing("data", "measured points to fit to"));
-    }
     let (pressures, contractions) = grid(request, &muscle, measured.as_deref())?;
     let mut reference = measured.clone();
     let (mut compared, mut skipped, mut first) = (vec![], vec![], None);

@@ -38,10 +38,10 @@ pub struct IdentifyRequest {
     pub tables: DataFields,
     /// Pressures over time of another instrument, where the data have times, contractions and
     /// pulls: joined by time
-    #[arg(long, value_name = "FILE.csv", value_parser = flags::table, requires = "data", hide_short_help = true)]
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table, hide_short_help = true)]
     pub log: Option<TextFile>,
     /// Seconds to add to the times of the log [found where the pull follows the pressure]
-    #[arg(long, requires = "log", hide_short_help = true)]
+    #[arg(long, hide_short_help = true)]
     pub log_offset_s: Option<Time>,
     /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and
     /// friction if the data determine them]
@@ -390,13 +390,14 @@ pub(crate) fn measured_points(
 
 impl IdentifyRequest {
     fn pressure_log(&self) -> Result<Option<PressureLog>> {
+        let Some(file) = &self.log else {
+            let offset = [("log_offset_s", self.log_offset_s.is_some())];
+            return Problem::refuse_unused(&offset, "it belongs to `log`").map(|()| None);
+        };
         Problem::refuse_unused(
-            &[("log", self.log.is_some() && self.tables.data.is_empty())],
+            &[("log", self.tables.data.is_empty())],
             "it belongs to `data`",
         )?;
-        let Some(file) = &self.log else {
-            return Ok(None);
-        };
         let points = read_over_time(&file.text, OverTime::Pressure, 1.0);
         let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
         Ok(Some(PressureLog {

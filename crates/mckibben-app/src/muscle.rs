@@ -47,6 +47,7 @@ impl MuscleFields {
 
     /// What the fields state of a muscle, with the parts that they name.
     fn stated(&self) -> Result<Stated, Problem> {
+        self.validate()?;
         let mut measures = self.measures.0.clone();
         if let Some(tube) = self.tube {
             measures.set(&OUTER_DIAMETER, tube.outer_mm);

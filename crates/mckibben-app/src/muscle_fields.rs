@@ -32,14 +32,14 @@ pub struct MuscleFields {
     pub file: Option<TextFile>,
     /// Muscle file, same as [MUSCLE.toml]
     #[serde(skip)]
-    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "file", hide_short_help = true)]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, hide_short_help = true)]
     pub also_file: Option<TextFile>,
     /// Measures in place of what the file says.
     #[serde(flatten)]
     #[command(flatten)]
     pub measures: Measures,
     /// Tube as it is sold, such as 8x12mm: bore and outer diameter
-    #[arg(long, value_name = "BORExOUTER", conflicts_with_all = ["outer_diameter_mm", "wall_mm"], hide_short_help = true)]
+    #[arg(long, value_name = "BORExOUTER", hide_short_help = true)]
     pub tube: Option<TubeSize>,
     /// Rubber: `mckibben parts list rubbers` [paper]
     ///
@@ -83,6 +83,18 @@ impl MuscleFields {
     /// The muscle file.
     pub fn file(&self) -> Option<&TextFile> {
         self.file.as_ref().or(self.also_file.as_ref())
+    }
+
+    /// Which fields exclude each other.
+    pub(crate) fn validate(&self) -> Result<(), Problem> {
+        let again = self.file.is_some() && self.also_file.is_some();
+        Problem::refuse_unused(&[("also_file", again)], "a muscle file is given already")?;
+        let has = |measure| self.tube.is_some() && self.measures.get(measure).is_some();
+        let of_tube = [
+            ("outer_diameter_mm", has(&OUTER_DIAMETER)),
+            ("wall_mm", has(&WALL)),
+        ];
+        Problem::refuse_unused(&of_tube, "`tube` has its own")
     }
 
     /// A muscle file alone.

@@ -2,9 +2,9 @@
 
 use crate::limits::check::probe;
 use crate::line::{Merit, Sample, along, best_of, least, refine};
+use crate::models::THICK_WALL;
 use crate::run::searched;
 use crate::search::{COARSE_STEPS, Pick, Search, nice_steps};
-use crate::spec::THICK_WALL;
 use crate::{Build, Demand, Models, Outcome, Spec, SpecError, design_with};
 use mckibben::cancel::Cancelled;
 use mckibben::muscle::Muscle;

@@ -20,21 +20,27 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod bought;
 pub mod bundle;
 mod candidate;
 mod demand;
 mod joint;
 mod limits;
 mod line;
+mod models;
+mod other_parts;
 mod reason;
 mod relax;
 mod relaxation;
 mod run;
 mod search;
 mod spec;
+mod task;
 mod trial;
 pub mod tubes;
 
+pub use bought::Bought;
+pub use bundle::{Bundle, BundlePoint};
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
@@ -42,8 +48,10 @@ pub use limits::check::{Check, Show, fits};
 pub use limits::pressure::Below;
 pub use limits::{Limit, Limits, SAFETY};
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
+pub use models::{Build, Models, SearchedMuscles, near_the_box};
 pub use reason::{Reason, Rejected};
 pub use relaxation::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
-pub use spec::{BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, SpecError};
+pub use spec::{BraidChoice, Objective, Spec, SpecError};
+pub use task::{Design, Open, Task};
 pub use tubes::{TubeError, TubePart};

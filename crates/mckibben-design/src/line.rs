@@ -4,7 +4,7 @@
 //! their intersection may be much narrower than the step from sample to sample. Between
 //! neighbouring roots nothing changes: one muscle in the middle tells.
 
-use super::limits::check::{Check, Probe, Score};
+use crate::limits::check::{Check, NO_SCORE, Probe, Score};
 use mckibben::analysis::{Abscissa, find_root, golden};
 use std::cmp::Ordering;
 
@@ -21,9 +21,6 @@ pub const STEPS: usize = 12;
 const STEPS_TO_LEAST: usize = 30;
 /// Halvings towards the edge of where there is an answer at all.
 const HALVINGS: usize = 14;
-
-/// Of a muscle that was not ranked.
-pub const NO_SCORE: Score = [f64::INFINITY; 2];
 
 /// A muscle of the line.
 #[derive(Debug, Clone)]

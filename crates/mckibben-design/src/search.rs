@@ -6,9 +6,9 @@
 //! leads on, so that a narrow window is found as well. The innermost axis, the diameter, is
 //! searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limits::check::{Score, probe_with};
-use crate::line::{self, Found, Merit, NO_SCORE, Sample};
-use crate::spec::THICK_WALL;
+use crate::limits::check::{NO_SCORE, Score, probe_with};
+use crate::line::{self, Found, Merit, Sample};
+use crate::models::THICK_WALL;
 use crate::trial::Trial;
 use crate::{BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, TubePart};
 use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};

@@ -4,21 +4,11 @@ use crate::{Demand, Limits, OperatingPoint, TubePart};
 use mckibben::analysis::{Options, bisect};
 use mckibben::cancel::Cancelled;
 use mckibben::liquid::LiquidSupply;
-use mckibben::model::{ForceModel, ModelError, ModelKind};
-use mckibben::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
+use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber};
 use mckibben::rubber::over_time::erf;
 use mckibben::units::Values;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
-
-/// Builds the model a design runs on.
-pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
-
-/// Whether a muscle is searched with a model.
-pub type SearchedMuscles = fn(&Muscle) -> bool;
-
-/// The thick-wall model, for rough searches.
-pub(super) const THICK_WALL: &Build<'static> = &|muscle| ModelKind::ThickWall.build(muscle);
 
 /// What is ranked first.
 #[derive(
@@ -60,6 +50,9 @@ pub struct Spec {
     pub wanted: Demand,
     /// Muscles side by side that share the requirement; `wanted` is that of one.
     pub count: u32,
+    /// Distance in mm between the axes of neighbours; that of the largest envelope, or the bulged
+    /// diameter, where there is none.
+    pub pitch_mm: Option<f64>,
     /// The branch on which it must pull, where its friction is stated or estimated.
     pub direction: Direction,
     /// What the supply gives, in MPa.
@@ -111,6 +104,7 @@ impl Spec {
         Self {
             wanted: points.into(),
             count: 1,
+            pitch_mm: None,
             direction: Direction::Contraction,
             max_pressure_mpa,
             liquid: None,
@@ -127,6 +121,26 @@ impl Spec {
             top: 5,
             extrapolate: false,
         }
+    }
+
+    /// The same for one of so many muscles that share what is required, and the liquid.
+    pub fn shared_by(&self, count: u32) -> Self {
+        let share = 1.0 / f64::from(count);
+        let mut shared = Self {
+            wanted: self.wanted.times(share),
+            count,
+            ..self.clone()
+        };
+        if let Some(volume_mm3) = &mut shared.limits.liquid_volume_mm3 {
+            *volume_mm3 /= f64::from(count);
+        }
+        shared
+    }
+
+    /// Whether the braid is the paper's, whose stiffness follows from the diameter.
+    pub fn has_paper_braid(&self) -> bool {
+        !matches!(self.braid, BraidChoice::Sleeves(_))
+            && self.base.braid().stiffness == BraidStiffness::Paper
     }
 
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
@@ -206,7 +220,7 @@ impl Spec {
             }
         }
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
-            return Err(SpecError::NoLiquid(volume_mm3));
+            return Err(SpecError::NoLiquid(volume_mm3 * f64::from(self.count)));
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,
@@ -227,24 +241,6 @@ impl Spec {
             )));
         }
         Ok(())
-    }
-}
-
-/// The models of a design.
-#[derive(Clone, Copy)]
-pub struct Models<'a> {
-    /// Looks at very many muscles; outside of its range as well, where another one decides.
-    pub search: &'a Build<'a>,
-    /// Decides of those that are printed: their diameters are corrected until the specification
-    /// holds by it, and all their numbers are its. With it, which muscles the model of the search
-    /// is good for. `None`: the model of the search.
-    pub settle: Option<(&'a Build<'a>, SearchedMuscles)>,
-}
-
-impl<'a> Models<'a> {
-    /// The model that decides.
-    pub fn decides(self) -> &'a Build<'a> {
-        self.settle.map_or(self.search, |settle| settle.0)
     }
 }
 

@@ -1,7 +1,5 @@
 //! What a design answers with.
 
-use super::bought::BoughtAnswer;
-use super::bundle::BundleAnswer;
 use super::remedies::RelaxationAnswer;
 use super::request::{OperatingPoint, TorqueWanted};
 use crate::{
@@ -12,7 +10,8 @@ use mckibben::analysis::Burst;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
 use mckibben_design::{
-    BraidChoice, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec, tubes::rubbers,
+    Bought, BraidChoice, Bundle, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec,
+    tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -63,11 +62,11 @@ pub struct DesignAnswer {
     /// If nothing fits: the muscle that comes closest.
     pub closest: Option<ClosestAnswer>,
     /// Of a bundle: what its muscles do together, by the best muscle.
-    pub bundle: Option<BundleAnswer>,
+    pub bundle: Option<Bundle>,
     /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement.
     /// Of a bundle: so many of them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub bought: Vec<BoughtAnswer>,
+    pub bought: Vec<Bought>,
     /// The figure, where one is wanted and something fits.
     pub figure: Option<Figure>,
     /// The candidates as muscle files, in their order.
@@ -351,6 +350,16 @@ pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     put_first(&mut all, said_of(&c.burst, c.highest_pressure_mpa, 0.0));
     all
+}
+
+/// That neighbours of a bundle touch before the largest contraction that is wanted.
+pub(super) fn touches(bundle: &Bundle) -> Option<Warning> {
+    let (touch, largest) = bundle.touches_before()?;
+    let (touch, largest) = (percent(touch), percent(largest));
+    Some(Warning::from(format!(
+        "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and \
+         {largest} is required: beyond that they press on each other, which is not computed"
+    )))
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

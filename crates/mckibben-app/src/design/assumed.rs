@@ -2,75 +2,108 @@
 
 use super::request::DesignRequest;
 use crate::words::number;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+use mckibben::muscle::{Braid, Muscle};
+use mckibben::units::typed::Choice;
 use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
-use mckibben_design::{BraidChoice, Spec};
+use mckibben_design::{BraidChoice, Design};
 
 /// Pressure of a supply in MPa where none is given: that of a usual workshop.
 pub(super) const SUPPLY_MPA: f64 = 0.6;
 
-/// What would state the length, where it is an assumption.
-pub(super) fn length_by(request: &DesignRequest) -> Option<&'static str> {
-    let by = match (request.stroke_mm, request.contraction) {
-        (Some(_), Some(_)) => return None,
-        (Some(_), None) => "`length_mm`",
-        (None, _) => "`length_mm` or `stroke_mm`",
-    };
-    (request.length_mm.is_none() && request.muscle.is_none()).then_some(by)
+/// What of a specification the request states.
+pub(super) struct Stated {
+    supply: bool,
+    rubber: bool,
+    braid: bool,
+    /// What would state the length, where it is an assumption.
+    pub(super) length_by: Option<&'static str>,
+    /// Whether the length is stated, to which a muscle as sold is cut.
+    pub(super) is_cut: bool,
+    /// Whether a stroke sets the contraction.
+    pub(super) stroke_sets_contraction: bool,
 }
 
-/// What was assumed, in sentences.
-pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {
-    let mut out = vec![];
-    if request.max_pressure_mpa.is_none() {
-        out.push(format!(
-            "the supply gives {SUPPLY_MPA}\u{a0}MPa, because no pressure is given \
-             (`max_pressure_mpa`)"
-        ));
-    }
-    if length_by(request).is_some() {
-        let length_mm = number(spec.base.length_mm(), 5);
-        let named = "(`length_mm`, or a muscle file)";
-        out.push(format!(
-            "the length L0 is {length_mm}\u{a0}mm, because none is given {named}"
-        ));
-    }
-    if !spec.tubes.is_empty() {
-        let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
-        if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
-            out.push(
-                "diameter, stiffness and strength of strands that the seller does not publish \
-                are estimated (the catalogue of parts marks them); the ± includes these estimates \
-                and what no data sheet states"
-                    .into(),
-            );
+impl Stated {
+    pub(super) fn new(request: &DesignRequest) -> Self {
+        let (stroke, contraction) = (request.stroke_mm.is_some(), request.contraction.is_some());
+        let has_file = request.file().is_some();
+        let length_by = match (stroke, contraction) {
+            _ if request.length_mm.is_some() || has_file => None,
+            (true, true) => None,
+            (true, false) => Some("`length_mm`"),
+            (false, _) => Some("`length_mm` or `stroke_mm`"),
+        };
+        Self {
+            supply: request.max_pressure_mpa.is_some(),
+            rubber: !request.rubbers.is_empty() || has_file,
+            braid: request.stiffness.is_some() || has_file,
+            length_by,
+            is_cut: stroke || matches!(request.length_mm, Some(Choice::One(_))),
+            stroke_sets_contraction: stroke && !contraction,
         }
-        let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
-        if !cast.is_empty() {
-            let least = format!("walls of at least {LEAST_CAST_WALL_MM}\u{a0}mm");
-            out.push(format!("tubes are sold, or cast of {cast} with {least}"));
-        }
-        return out;
     }
-    if request.rubbers.is_empty() && request.muscle.is_none() {
-        let named = "(`rubbers`, or a muscle file)";
-        out.push(format!(
-            "the rubber is that of the paper, because none is named {named}"
-        ));
-    }
-    if is_paper(spec) && request.muscle.is_none() && request.stiffness.is_none() {
-        let named = "(`braids`, `stiffness`, or a muscle file)";
-        out.push(format!(
-            "the braid is that of the paper, because none is named {named}"
-        ));
-    }
-    out
-}
 
-/// Whether the braid is the paper's, whose stiffness follows from the diameter.
-pub(super) fn is_paper(spec: &Spec) -> bool {
-    !matches!(spec.braid, BraidChoice::Sleeves(_))
-        && spec.base.braid().stiffness == BraidStiffness::Paper
+    /// What was assumed, in sentences.
+    pub(super) fn assumptions(&self, found: &Design) -> Vec<String> {
+        let spec = &found.spec;
+        let mut out = vec![];
+        if found.is_shared {
+            out.push(format!(
+                "{} equal muscles share what is required, because no single one does it (`count`)",
+                spec.count
+            ));
+        }
+        if found.is_longer {
+            let length_mm = number(spec.base.length_mm(), 4);
+            let because = "because of a shorter muscle the stroke is too large a share";
+            out.push(format!(
+                "the length L0 is {length_mm}\u{a0}mm, {because} (`length_mm`)"
+            ));
+        }
+        if !self.supply {
+            out.push(format!(
+                "the supply gives {SUPPLY_MPA}\u{a0}MPa, because no pressure is given \
+                 (`max_pressure_mpa`)"
+            ));
+        }
+        if self.length_by.is_some() && !found.is_longer {
+            let length_mm = number(spec.base.length_mm(), 5);
+            let named = "(`length_mm`, or a muscle file)";
+            out.push(format!(
+                "the length L0 is {length_mm}\u{a0}mm, because none is given {named}"
+            ));
+        }
+        if !spec.tubes.is_empty() {
+            let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
+            if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
+                out.push(
+                    "diameter, stiffness and strength of strands that the seller does not \
+                    publish are estimated (the catalogue of parts marks them); the ± includes \
+                    these estimates and what no data sheet states"
+                        .into(),
+                );
+            }
+            let cast = rubbers(spec.tubes.iter().filter(|tube| tube.is_cast)).join(", ");
+            if !cast.is_empty() {
+                let least = format!("walls of at least {LEAST_CAST_WALL_MM}\u{a0}mm");
+                out.push(format!("tubes are sold, or cast of {cast} with {least}"));
+            }
+            return out;
+        }
+        if !self.rubber {
+            let named = "(`rubbers`, or a muscle file)";
+            out.push(format!(
+                "the rubber is that of the paper, because none is named {named}"
+            ));
+        }
+        if spec.has_paper_braid() && !self.braid {
+            let named = "(`braids`, `stiffness`, or a muscle file)";
+            out.push(format!(
+                "the braid is that of the paper, because none is named {named}"
+            ));
+        }
+        out
+    }
 }
 
 /// A wall that nobody makes.

@@ -2,9 +2,7 @@
 
 mod candidates;
 
-use super::{
-    BundleAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
-};
+use super::{Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer};
 use crate::print::{Csv, Page, Rows, Show, Table, sentences};
 use crate::units::{NEWTON_METRES, NORMAL_LITRES, PERCENT};
 use crate::{Units, number, percent};
@@ -81,7 +79,7 @@ impl DesignAnswer {
             page.lines(words.bench_in(u).map(|text| text + "."));
         }
         if let Some(bundle) = &self.bundle {
-            bundle.onto(page, u);
+            bundle_onto(bundle, page, u);
         }
         let first = self.candidates.first();
         if let Some(joint) = first.and_then(|first| first.joint) {
@@ -171,40 +169,42 @@ impl DesignAnswer {
     }
 }
 
-impl BundleAnswer {
-    /// What its muscles do together.
-    fn onto(&self, page: &mut Page, u: &Units) {
-        let (length, force) = (u.length.digits(3), u.force.digits(4));
-        let is_one = self.muscles < 2;
-        let apart = (!is_one && self.touch_contraction.is_none()).then_some("do not touch");
-        page.paragraph(format!(
-            "Bundle of {} of the first muscle, at the maximum pressure",
-            self.muscles
-        ));
-        page.rows(
-            Rows::default()
-                .quantity("circle around them at rest", &length, self.rest_envelope_mm)
-                .quantity("at the bulge", &length, self.envelope_mm)
-                .quantity("width in one flat row", &length, self.row_mm)
-                .quantity(
-                    "distance of their axes",
-                    &length,
-                    self.pitch_mm.filter(|_| !is_one),
-                )
-                .quantity("neighbours touch at", &PERCENT, self.touch_contraction)
-                .text("neighbours touch at", apart),
-        );
-        page.table(
-            Table::of(&self.points)
-                .quantity("required", &force, |q| q.wanted.force_n)
-                .quantity("at", &PERCENT, |q| q.wanted.contraction)
-                .quantity("F", &force, |q| {
-                    (q.force_at_max_pressure_n, q.uncertainty_n)
-                })
-                .quantity("air", &NORMAL_LITRES.digits(3), |q| q.air_normal_litres)
-                .quantity("liquid", &u.volume.digits(3), |q| q.liquid_volume_mm3),
-        );
-    }
+/// What the muscles of a bundle do together.
+fn bundle_onto(bundle: &Bundle, page: &mut Page, u: &Units) {
+    let (length, force) = (u.length.digits(3), u.force.digits(4));
+    let is_one = bundle.muscles < 2;
+    let apart = (!is_one && bundle.touch_contraction.is_none()).then_some("do not touch");
+    page.paragraph(format!(
+        "Bundle of {} of the first muscle, at the maximum pressure",
+        bundle.muscles
+    ));
+    page.rows(
+        Rows::default()
+            .quantity(
+                "circle around them at rest",
+                &length,
+                bundle.rest_envelope_mm,
+            )
+            .quantity("at the bulge", &length, bundle.envelope_mm)
+            .quantity("width in one flat row", &length, bundle.row_mm)
+            .quantity(
+                "distance of their axes",
+                &length,
+                bundle.pitch_mm.filter(|_| !is_one),
+            )
+            .quantity("neighbours touch at", &PERCENT, bundle.touch_contraction)
+            .text("neighbours touch at", apart),
+    );
+    page.table(
+        Table::of(&bundle.points)
+            .quantity("required", &force, |q| q.wanted.force_n)
+            .quantity("at", &PERCENT, |q| q.wanted.contraction)
+            .quantity("F", &force, |q| {
+                (q.force_at_max_pressure_n, q.uncertainty_n)
+            })
+            .quantity("air", &NORMAL_LITRES.digits(3), |q| q.air_normal_litres)
+            .quantity("liquid", &u.volume.digits(3), |q| q.liquid_volume_mm3),
+    );
 }
 
 impl DemandAnswer {

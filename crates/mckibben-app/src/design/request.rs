@@ -1,30 +1,16 @@
 //! What is wanted, and what may be varied.
 
-use super::assumed::SUPPLY_MPA;
-use super::{ModelPolicy, near_the_box};
+#[cfg(feature = "clap")]
+use crate::ProblemKind;
 use crate::fields::name_or_file;
 use crate::flags::{self, Args};
-use crate::parts::{sleeve_entries, unread, users_tubes};
-use crate::{
-    LiquidFields, LoadFields, MeshFields, Model, ModelFields, MuscleFields, Problem, ProblemKind,
-    Result, Stiffness, TextFile, Units, above_zero, finite, given, ratio, rubber, sleeve,
-};
-use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
-use mckibben::muscle::{Braid, Direction, Muscle, Tube};
-use mckibben::sleeve::SleeveEntry;
-use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Quantity, Ratio, Volume};
+use crate::{LiquidFields, LoadFields, ModelFields, Problem, Result, Stiffness, TextFile, Units};
+use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
-use mckibben::{units::Values, warning::strand_strength_n};
-use mckibben_design::tubes::{self, TubePart};
-use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Limits, SAFETY, SearchedMuscles, Spec,
-    VALIDATED_STRAND_STRAIN,
-};
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// A specification: required pulls at contractions with a maximum pressure. All other fields have a
 /// default.
@@ -39,7 +25,7 @@ pub struct DesignRequest {
     #[arg(short = 'e', long, value_parser = contraction)]
     pub contraction: Option<Ratio>,
     /// Several operating points: 700N@15%,1200N@5%
-    #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point, conflicts_with_all = ["force_n", "contraction"])]
+    #[arg(long = "at", value_name = "F@E,…", value_delimiter = ',', value_parser = operating_point)]
     pub points: Vec<OperatingPoint>,
     /// A load to lift over the stroke, or to the contraction, instead of a pull.
     #[serde(flatten)]
@@ -49,10 +35,10 @@ pub struct DesignRequest {
     ///
     /// At angles to either side. Two equal opposed muscles on a pulley, one of them without
     /// pressure.
-    #[arg(long = "joint", value_name = "T@ANGLE,…", value_delimiter = ',', value_parser = torque, conflicts_with_all = ["force_n", "contraction", "points", "load", "stroke_mm"])]
+    #[arg(long = "joint", value_name = "T@ANGLE,…", value_delimiter = ',', value_parser = torque)]
     pub torques: Vec<TorqueWanted>,
     /// Largest angle of the joint to either side of the neutral angle [the largest of `torques`]
-    #[arg(long, requires = "torques", hide_short_help = true)]
+    #[arg(long, hide_short_help = true)]
     pub largest_angle_deg: Option<Angle>,
     /// Stroke. With a contraction it sets the length, with a length the contraction
     #[arg(long)]
@@ -89,12 +75,7 @@ pub struct DesignRequest {
     pub max_envelope_mm: Option<Length>,
     /// Distance between the axes of neighbours of a bundle [that of the largest envelope, or the
     /// bulged diameter]
-    #[arg(
-        long,
-        requires = "count",
-        hide_short_help = true,
-        help_heading = "Limits"
-    )]
+    #[arg(long, hide_short_help = true, help_heading = "Limits")]
     pub pitch_mm: Option<Length>,
     /// Largest liquid volume up to the operating points: what the syringe or pump gives
     ///
@@ -149,7 +130,7 @@ pub struct DesignRequest {
     pub muscle: Option<TextFile>,
     /// Muscle file, same as [MUSCLE.toml]
     #[serde(skip)]
-    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, conflicts_with = "muscle", hide_short_help = true, help_heading = "Muscle")]
+    #[arg(long = "muscle", value_name = "MUSCLE.toml", value_parser = flags::muscle_file, hide_short_help = true, help_heading = "Muscle")]
     pub also_muscle: Option<TextFile>,
     /// Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated
     #[arg(
@@ -177,7 +158,7 @@ pub struct DesignRequest {
     ///
     /// Diameters and walls are free, with the paper's rubber and braid, or those that are given. So
     /// they are with diameters, walls, angles, a stiffness or a muscle file.
-    #[arg(long, conflicts_with_all = ["tubes", "parts"], help_heading = "Muscle")]
+    #[arg(long, help_heading = "Muscle")]
     pub continuous: bool,
     /// Outer diameters: a value, list or range [parts]
     ///
@@ -199,7 +180,7 @@ pub struct DesignRequest {
     /// Sleeves, by name (`mckibben parts list sleeves`) [all]
     ///
     /// The diameter of the tube then sets angle and stiffness.
-    #[arg(long = "braid", value_name = "LIST", value_delimiter = ',', value_parser = flags::sleeves(), hide_possible_values = true, conflicts_with_all = ["angle_deg", "strand_length_per_turn_mm"], help_heading = "Muscle")]
+    #[arg(long = "braid", value_name = "LIST", value_delimiter = ',', value_parser = flags::sleeves(), hide_possible_values = true, help_heading = "Muscle")]
     pub braids: Vec<String>,
     /// Diameter of a strand of the named sleeves, where they do not state it
     #[arg(
@@ -226,18 +207,12 @@ pub struct DesignRequest {
     #[arg(
         long,
         value_name = "LIST",
-        conflicts_with = "angle_deg",
         hide_short_help = true,
         help_heading = "Muscle"
     )]
     pub strand_length_per_turn_mm: Option<Choice<Length>>,
     /// Radii of the pulley [searched]
-    #[arg(
-        long = "radius",
-        requires = "torques",
-        hide_short_help = true,
-        help_heading = "Muscle"
-    )]
+    #[arg(long = "radius", hide_short_help = true, help_heading = "Muscle")]
     pub radius_mm: Option<Choice<Length>>,
     /// The model.
     #[serde(deserialize_with = "ModelFields::or_name")]
@@ -254,495 +229,51 @@ pub struct DesignRequest {
     pub figure: Option<Units>,
 }
 
-/// A specification with the models that search it.
-pub(super) struct Search {
-    pub(super) spec: Spec,
-    pub(super) policy: ModelPolicy,
-    /// Radii of a joint's pulley in mm.
-    pub(super) radius_mm: Option<Values>,
-}
-
-/// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It
-/// bounds the radii of a joint's pulley.
-const LARGEST_CONTRACTION: f64 = 0.42;
-/// Contraction at which a muscle of a common braid still pulls with half of its blocked force.
-const USUAL_CONTRACTION: f64 = 0.15;
-/// The smallest radius that is searched, as a share of the largest.
-const SMALLEST_RADIUS: f64 = 0.1;
-
-/// Braid angles in degrees that are searched for a push where none is given.
-const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
-
-/// Diameters and walls in mm that are searched where nothing else is said.
-const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
-
 impl DesignRequest {
-    pub(super) fn search(&self) -> Result<Search> {
-        let (base, wanted, radius_mm) = self.demand()?;
-        let count = self.count()?;
-        let wanted = wanted.times(1.0 / f64::from(count));
-        let extends = wanted.extends();
-        let max_pressure_mpa = finite(
-            "max_pressure_mpa",
-            self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from),
-        )?;
-        let model = Model::choose(&self.model)?;
-        let sections = model.sections();
-        let (diameters, walls) = sections.unwrap_or(SECTIONS);
-        // `universal` was not fitted for muscles that extend.
-        let quick: Option<(&str, SearchedMuscles)> = match self.model.name {
-            Some(_) => None,
-            None if extends => Some(("thick-wall", |_| true)),
-            None => Some(("universal", near_the_box)),
-        };
-        let named =
-            |(name, good)| Ok::<_, Problem>((Model::named(name, &MeshFields::default())?, good));
-        let policy = ModelPolicy {
-            quick: quick.map(named).transpose()?,
-            model,
-        };
-        let free = self.free_sizes(sections.is_some(), extends);
-        let tubes = match free {
-            None => self.tubes()?,
-            Some(by) => {
-                let named = [
-                    ("tubes", !self.tubes.is_empty()),
-                    ("parts", self.parts.is_some()),
-                ];
-                Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
-                vec![]
-            }
-        };
-        let sleeves = self.sleeves(&base, free.is_none())?;
-        let turns = self.turns_mm()?;
-        let braid = match (&turns[..], &sleeves[..], &self.angle_deg) {
-            ([], [], None) if extends && !base.is_extensile() => {
-                BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
-            }
-            ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
-            ([], [], Some(angles)) => BraidChoice::Angle(values(angles, "angle_deg")?),
-            (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
-            ([], _, None) => BraidChoice::Sleeves(sleeves),
-            _ => {
-                let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the \
-                    angle: give one of them";
-                return Err(Problem::new(ProblemKind::Usage, message, ""));
-            }
-        };
-        let between = |field, choice: &Option<Choice<Length>>, (low, high)| match choice {
-            Some(choice) => values(choice, field),
-            None => Ok(Values::Interval(low, high)),
-        };
-        let strength = match &braid {
-            BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
-            _ => strand_strength_n(&base),
-        };
-        if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
-            let message =
-                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
-            let hint = "give [braid] strands and strand_strength in the muscle file";
-            return Err(Problem::new(ProblemKind::Specification, message, hint));
+    /// Which fields exclude each other, and which ones need others.
+    pub(super) fn validate(&self) -> Result<()> {
+        let is_joint = !self.torques.is_empty();
+        let requirements = [
+            ("force_n", self.force_n.is_some()),
+            ("points", !self.points.is_empty()),
+            ("load", self.load.load.is_some()),
+            ("torques", is_joint),
+        ];
+        Problem::refuse_several(&requirements, "state the requirement")?;
+        let contraction = [("contraction", self.contraction.is_some())];
+        if !self.points.is_empty() {
+            Problem::refuse_unused(&contraction, "each of `points` has its own")?;
         }
-        let spec = Spec {
-            wanted,
-            count,
-            direction: Direction::Contraction,
-            max_pressure_mpa,
-            liquid: self.liquid.named_supply()?,
-            length_mm: match &self.length_mm {
-                Some(Choice::One(_)) | None => None,
-                Some(choice) => Some(values(choice, "length_mm")?),
-            },
-            base,
-            tubes,
-            outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
-            wall_mm: between("wall_mm", &self.wall_mm, walls)?,
-            braid,
-            rubbers: self
-                .rubbers
-                .iter()
-                .map(|name| rubber(name))
-                .collect::<Result<_, _>>()?,
-            limits: Limits {
-                bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
-                envelope_mm: self.max_envelope_mm.map(f64::from),
-                burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
-                tube_margin: self.min_tube_margin,
-                stretch: self.max_stretch,
-                fitted_stretch: true,
-                buckling: !self.guided,
-                strand_strain: Some(
-                    self.max_strand_strain
-                        .map_or(VALIDATED_STRAND_STRAIN, f64::from),
-                ),
-                liquid_volume_mm3: self
-                    .max_liquid_volume_mm3
-                    .map(|mm3| mm3.0 / f64::from(count)),
-            },
-            guaranteed: self.guaranteed()?,
-            objective: self.objective,
-            top: self.top.unwrap_or(5).clamp(1, 1000),
-            extrapolate: self.extrapolate,
-        };
-        Ok(Search {
-            spec,
-            policy,
-            radius_mm,
-        })
-    }
-
-    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that
-    /// is longer.
-    pub(super) fn longer(&self) -> Option<Self> {
-        let free = self.length_mm.is_none() && self.muscle.is_none() && self.contraction.is_none();
-        let is_short = self.stroke_mm?.0 > USUAL_CONTRACTION * Muscle::prototype().length_mm();
-        (free && is_short).then(|| Self {
-            contraction: Some(Ratio(USUAL_CONTRACTION)),
-            ..self.clone()
-        })
-    }
-
-    /// The share of muscles that meet the requirement, checked.
-    fn guaranteed(&self) -> Result<Option<f64>> {
-        match self.guaranteed.map(f64::from) {
-            Some(share) if !(0.5..=0.999).contains(&share) => {
-                let message = format!(
-                    "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
-                );
-                Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
-            }
-            share => Ok(share),
+        if is_joint {
+            let stroke = [contraction[0], ("stroke_mm", self.stroke_mm.is_some())];
+            let why = "the angles and the pulley set the contraction of a joint's muscles";
+            Problem::refuse_unused(&stroke, why)?;
+        } else {
+            let of_joint = [
+                ("radius_mm", self.radius_mm.is_some()),
+                ("largest_angle_deg", self.largest_angle_deg.is_some()),
+            ];
+            let why = "it belongs to a joint, and no `torques` are given";
+            Problem::refuse_unused(&of_joint, why)?;
         }
-    }
-
-    /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
-    fn turns_mm(&self) -> Result<Vec<f64>> {
-        const FIELD: &str = "strand_length_per_turn_mm";
-        let Some(choice) = &self.strand_length_per_turn_mm else {
-            return Ok(vec![]);
-        };
-        match values(choice, FIELD)? {
-            Values::List(list) => Ok(list),
-            Values::Interval(..) => {
-                let message = "give the sleeves that are sold as a list";
-                let hint = "such as 90,110,130mm";
-                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
-            }
+        if self.count.is_none_or(|count| count == 1) {
+            let why = "it is the distance of neighbours in a `count` of two muscles or more";
+            Problem::refuse_unused(&[("pitch_mm", self.pitch_mm.is_some())], why)?;
         }
-    }
-
-    /// What asks for free sizes, in place of tubes and sleeves as sold.
-    fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<&'static str> {
-        let given = [
-            ("`continuous`", self.continuous),
+        if self.muscle.is_some() {
+            let again = [("also_muscle", self.also_muscle.is_some())];
+            Problem::refuse_unused(&again, "`muscle` is given already")?;
+        }
+        let angles = [
+            ("braids", !self.braids.is_empty()),
             (
-                "`muscle`",
-                self.muscle.is_some() || self.also_muscle.is_some(),
-            ),
-            ("`with`", !self.with.is_empty()),
-            ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
-            ("`wall_mm`", self.wall_mm.is_some()),
-            ("`angle_deg`", self.angle_deg.is_some()),
-            (
-                "`strand_length_per_turn_mm`",
+                "strand_length_per_turn_mm",
                 self.strand_length_per_turn_mm.is_some(),
             ),
-            ("`stiffness`", self.stiffness.is_some()),
-            // A formula for one braid and rubber has no answer for others.
-            ("a formula for one braid", of_one_braid),
-            ("a push", extends),
+            ("angle_deg", self.angle_deg.is_some()),
         ];
-        given
-            .into_iter()
-            .find(|(_, given)| *given)
-            .map(|(by, _)| by)
+        Problem::refuse_several(&angles, "set the angle")
     }
-
-    /// The tubes that are searched.
-    fn tubes(&self) -> Result<Vec<TubePart>> {
-        let of_user = users_tubes(self.parts.as_ref())?;
-        let all = match &of_user {
-            Some(tubes) => &tubes[..],
-            None => tubes::catalogue().map_err(unread)?,
-        };
-        if of_user.is_some() && self.tubes.is_empty() && self.rubbers.is_empty() {
-            return Ok(all.to_vec());
-        }
-        let rubbers: Vec<String> = match &self.rubbers[..] {
-            [] => vec![tubes::CAST_RUBBER.into()],
-            some => some.to_vec(),
-        };
-        if !self.tubes.is_empty() {
-            let of_name = |name: &String| match tubes::of_size(name, &rubbers[0]) {
-                Some(_) => rubbers
-                    .iter()
-                    .filter_map(|rubber| tubes::of_size(name, rubber))
-                    .collect(),
-                None => Ok(vec![tubes::find(all, name)?]),
-            };
-            let named: std::result::Result<Vec<Vec<TubePart>>, _> =
-                self.tubes.iter().map(of_name).collect();
-            return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
-        }
-        let wanted = rubbers
-            .iter()
-            .map(|name| Ok(rubber(name)?.name))
-            .collect::<Result<Vec<_>>>()?;
-        let sold = all
-            .iter()
-            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
-        let mut found: Vec<TubePart> = sold.cloned().collect();
-        if of_user.is_none() {
-            for name in &rubbers {
-                found.extend(tubes::cast_of(name).map_err(unread)?);
-            }
-        }
-        Ok(found)
-    }
-
-    /// The named sleeves, all of the library where parts are searched, or the base muscle's.
-    fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>> {
-        let entries = sleeve_entries(self.parts.as_ref())?;
-        let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
-        if self.braids.is_empty() && as_sold {
-            return entries.iter().map(on_least).collect();
-        }
-        if self.braids.is_empty() {
-            let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
-            return Ok(if own {
-                vec![base.braid().clone()]
-            } else {
-                vec![]
-            });
-        }
-        let braid = |name: &String| {
-            if let Cow::Owned(of_user) = &entries
-                && let Some(entry) = of_user.iter().find(|entry| entry.sleeve.name() == name)
-            {
-                return on_least(entry);
-            }
-            let mut fields = MuscleFields {
-                braid: Some(name.clone()),
-                stiffness: self.stiffness,
-                strand_diameter_mm: self.strand_diameter_mm,
-                ..MuscleFields::default()
-            };
-            let modulus = self.strand_modulus_mpa.into_iter();
-            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
-            // Laid on any tube that it fits; the search lays it on others.
-            fields.braid_on(sleeve(name)?.diameters().0, base)
-        };
-        self.braids.iter().map(braid).collect()
-    }
-
-    /// The muscle around the search, what it must do, and the radii of a joint's pulley.
-    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>)> {
-        let points = !self.points.is_empty() || self.force_n.is_some();
-        let stated = [points, self.load.load.is_some(), !self.torques.is_empty()];
-        if stated.iter().filter(|a| **a).count() > 1 {
-            let message = "`force_n` or `points`, `load` and `torques` each state the requirement: \
-                give only one of them";
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
-        }
-        if !self.torques.is_empty() {
-            let (base, joint, radius) = self.joint()?;
-            return Ok((base, Demand::Joint(joint), Some(radius)));
-        }
-        let of_joint = [
-            ("radius_mm", self.radius_mm.is_some()),
-            ("largest_angle_deg", self.largest_angle_deg.is_some()),
-        ];
-        Problem::refuse_unused(
-            &of_joint,
-            "it belongs to a joint, and no `torques` are given",
-        )?;
-        if self.load.load.is_some() {
-            // The load sets the pull; a stroke or a contraction how far it is lifted.
-            let way = match (self.contraction, self.stroke_mm) {
-                (Some(e), _) => Lift::Contraction(ratio(e.0)?),
-                (None, Some(stroke)) => Lift::Stroke(stroke.0),
-                (None, None) => {
-                    return Err(Problem::missing(
-                        "stroke_mm",
-                        "the lift of the load, such as 40 mm",
-                    )
-                    .with_hint("or give `contraction`, such as 0.15 (15 %)"));
-                }
-            };
-            let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
-            let load = self.load.resolve(base.length_mm())?;
-            let Some(load) = load else {
-                return Err(Problem::missing("load", "a load, such as mass:20kg"));
-            };
-            return Ok((base, Demand::Load { load, way }, None));
-        }
-        let (base, points) = self.with_stroke(self.wanted()?)?;
-        Ok((base, points.into(), None))
-    }
-
-    /// The muscle around the search, the torques, and the radii of the pulley.
-    fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
-        if self.stroke_mm.is_some() || self.contraction.is_some() {
-            let message = "the angles and the pulley set the contraction of a joint's muscles";
-            return Err(Problem::new(
-                ProblemKind::Usage,
-                message,
-                "leave out `stroke_mm` and `contraction`",
-            ));
-        }
-        let torques = self.torques.clone();
-        let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
-        numbers.try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest = torques
-            .iter()
-            .map(|t| t.angle_deg.abs())
-            .fold(0.0, f64::max);
-        let largest_angle_deg = finite(
-            "largest_angle_deg",
-            self.largest_angle_deg.unwrap_or(Angle(largest)),
-        )?;
-        let (base, _) = self.with_stroke(vec![])?;
-        let radius = match &self.radius_mm {
-            Some(choice) => values(choice, "radius_mm")?,
-            None => {
-                let longest = match &self.length_mm {
-                    Some(choice) => values(choice, "length_mm")?.bounds().1,
-                    None => base.length_mm(),
-                };
-                let turn =
-                    torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
-                let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
-                Values::Interval(SMALLEST_RADIUS * most, most)
-            }
-        };
-        let radius_mm = radius.bounds().1;
-        Ok((
-            base,
-            JointDemand {
-                torques,
-                largest_angle_deg,
-                radius_mm,
-            },
-            radius,
-        ))
-    }
-
-    /// The operating points; without a contraction where a stroke is to set it.
-    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>> {
-        if !self.points.is_empty() {
-            return self
-                .points
-                .iter()
-                .map(|w| {
-                    let contraction = ratio(w.contraction);
-                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
-                    Ok((w.force_n, Some(contraction)))
-                })
-                .collect();
-        }
-        let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
-        match (self.contraction, self.stroke_mm) {
-            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
-            (None, Some(_)) => Ok(vec![(force_n, None)]),
-            (None, None) => Err(
-                Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
-                    .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`"),
-            ),
-        }
-    }
-
-    /// The muscle around the search, and the points: a stroke in mm sets the length where
-    /// contractions are given, and the contraction where they are not.
-    fn with_stroke(
-        &self,
-        wanted: Vec<(f64, Option<f64>)>,
-    ) -> Result<(Muscle, Vec<OperatingPoint>)> {
-        let wrong =
-            |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
-        let length_mm = match &self.length_mm {
-            Some(Choice::One(length)) => Some(length.0),
-            Some(_) if self.stroke_mm.is_some() => {
-                let message =
-                    "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
-                return Err(wrong(message.into(), "").in_field("length_mm"));
-            }
-            _ => None,
-        };
-        let mut fields = MuscleFields {
-            file: self.muscle.clone().or(self.also_muscle.clone()),
-            stiffness: self.stiffness,
-            with: self.with.clone(),
-            ..MuscleFields::default()
-        };
-        length_mm
-            .into_iter()
-            .for_each(|length| fields.measures.set(&LENGTH, length));
-        let base = fields.resolve()?;
-        let length = base.length_mm();
-        let stroke = self.stroke_mm.map(f64::from);
-        stroke
-            .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
-            .transpose()?;
-        let point = |(force_n, contraction): &(f64, Option<f64>)| {
-            let way = force_n.signum();
-            let contraction = contraction
-                .or(stroke.map(|s| way * s / length))
-                .unwrap_or(0.0);
-            OperatingPoint {
-                force_n: *force_n,
-                contraction,
-            }
-        };
-        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
-        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
-            return Ok((base, points));
-        };
-        let largest = points
-            .iter()
-            .map(|q| q.contraction.abs())
-            .fold(0.0, f64::max);
-        if self.length_mm.is_some() {
-            let have = largest * length;
-            let message = format!(
-                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
-                 data: with that length the largest contraction gives {have:.2}\u{a0}mm"
-            );
-            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
-            return Err(wrong(message, hint).in_field("stroke_mm"));
-        }
-        if largest <= 0.0 {
-            return Err(wrong("a stroke needs a contraction above zero".into(), ""));
-        }
-        let tube = Tube {
-            length_mm: stroke / largest,
-            ..base.tube().clone()
-        };
-        Ok((base.with_tube(tube)?, points))
-    }
-}
-
-/// The values of a choice, checked.
-fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
-    Ok(match choice {
-        Choice::One(value) => Values::List(vec![finite(field, *value)?]),
-        Choice::Several(list) if list.is_empty() => {
-            return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
-        }
-        Choice::Several(list) => {
-            let list = list.iter().map(|&value| finite(field, value));
-            Values::List(list.collect::<Result<_>>()?)
-        }
-        Choice::Between { low, high } => {
-            let (low, high) = (finite(field, *low)?, finite(field, *high)?);
-            if low > high {
-                let message = format!(
-                    "the interval from {low} to {high} is reversed: write the smaller value first"
-                );
-                return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
-            }
-            Values::Interval(low, high)
-        }
-    })
 }
 
 /// A contraction ratio; a shortening in mm is a stroke.

@@ -50,6 +50,24 @@ struct Moved {
 }
 
 impl MotionRequest {
+    /// Which fields exclude each other, and which ones need others.
+    fn validate(&self) -> Result<()> {
+        let free = [("free", self.log.is_none() && !self.free.is_empty())];
+        Problem::refuse_unused(&free, "it belongs to `log`")?;
+        let (Some(_), Some(step)) = (&self.drive, &self.step) else {
+            return Ok(());
+        };
+        let stated = [
+            ("pressure_mpa", step.pressure_mpa.is_some()),
+            ("load", step.load.is_some()),
+            ("valve", step.valve.is_some()),
+            ("supply_mpa", step.supply_mpa.is_some()),
+            ("damping_n_s_per_m", step.damping_n_s_per_m.is_some()),
+            ("until_s", step.until_s.is_some()),
+        ];
+        Problem::refuse_unused(&stated, "the drive file states it")
+    }
+
     pub fn names_of(drive: &TextFile) -> Result<Names> {
         drive_names(&drive.text).map_err(|e| Problem::from(e.in_file(Path::new(&drive.name))))
     }
@@ -141,8 +159,7 @@ impl MotionRequest {
 }
 
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer> {
-    let unused = ("free", request.log.is_none() && !request.free.is_empty());
-    Problem::refuse_unused(&[unused], "it belongs to `log`")?;
+    request.validate()?;
     let moved = request.moved()?;
     let mut text = request.text(moved.length_mm())?;
     let identify = |log| moved.identify(request, &text, log, progress);

@@ -32,7 +32,7 @@ pub struct MotionRequest {
     pub step: Option<StepFields>,
     /// Muscle file
     #[serde(deserialize_with = "name_or_file")]
-    #[arg(long, value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Instead of a drive file", requires = "step_pressure_mpa")]
+    #[arg(long, value_name = "MUSCLE.toml", value_parser = flags::muscle_file, help_heading = "Instead of a drive file")]
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
     #[arg(skip)]
@@ -66,27 +66,22 @@ pub struct MotionRequest {
 #[command(next_help_heading = "Instead of a drive file")]
 pub struct StepFields {
     /// Gauge pressure from 0.05 s on
-    #[arg(
-        id = "step_pressure_mpa",
-        short = 'p',
-        long = "pressure",
-        requires = "muscle"
-    )]
+    #[arg(short = 'p', long)]
     pub pressure_mpa: Option<Pressure>,
     /// Load: mass:10kg, spring:2N/mm+mass:1kg; held, or held:10%, holds both ends at a contraction
-    #[arg(long, requires = "muscle")]
+    #[arg(long)]
     pub load: Option<String>,
     /// Valve: its name, or its sonic conductance such as '0.5 L/(s bar)'
-    #[arg(long, requires = "muscle")]
+    #[arg(long)]
     pub valve: Option<String>,
     /// Gauge pressure of the supply [6bar]
-    #[arg(long, requires = "muscle")]
+    #[arg(long)]
     pub supply_mpa: Option<Pressure>,
     /// Damping of the load [0]
-    #[arg(long, requires = "muscle")]
+    #[arg(long)]
     pub damping_n_s_per_m: Option<Damping>,
     /// End time of the run [2s]
-    #[arg(long, requires = "muscle")]
+    #[arg(long)]
     pub until_s: Option<Time>,
 }
 

@@ -1,7 +1,6 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
 use super::{AT_POINTS, Limit, pressure::Below};
-use crate::line::NO_SCORE;
 use crate::trial::Trial;
 use crate::{Build, Objective, OperatingPoint, Spec};
 use mckibben::model::{Response, Result};
@@ -67,6 +66,9 @@ pub fn round(v: f64) -> f64 {
 /// What muscles are ranked by, the smaller the better: the objective, then what decides between two
 /// that are equal in it.
 pub type Score = [f64; 2];
+
+/// Of a muscle that was not ranked.
+pub const NO_SCORE: Score = [f64::INFINITY; 2];
 
 /// A muscle held against a specification.
 #[derive(Debug, Clone, PartialEq)]

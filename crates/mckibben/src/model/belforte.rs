@@ -29,8 +29,8 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let measured = muscle.braid().measured.ok_or(ModelError::Missing {
         model: ENTRY.name,
-        missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in \
-            the muscle file",
+        missing: "a strand measured on the muscle: `braid.strand_length` and `braid.turns` in the \
+            muscle file",
         key: "braid.strand_length",
     })?;
     let (b, n2) = (

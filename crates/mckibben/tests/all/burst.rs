@@ -146,7 +146,7 @@ fn what_is_not_stated_is_not_known() {
     };
     assert!(is_missing(
         burst_of(&Muscle::prototype()).strands,
-        "`strands` (how many)"
+        "`braid.strands` (how many)"
     ));
     assert_eq!(burst_of(&Muscle::prototype()).first(), None);
     let known = strands(96, Some((0.0491, 8500.0)), 40.0);
@@ -158,7 +158,10 @@ fn what_is_not_stated_is_not_known() {
         ..known.clone()
     };
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, without);
-    assert!(is_missing(burst_of(&m).strands, "give `strand_strength`"));
+    assert!(is_missing(
+        burst_of(&m).strands,
+        "give `braid.strand_strength`"
+    ));
     // Strands that hold more than any pressure: there is an answer, and no endless search.
     let strong = Braid {
         strands: known.strands.map(|s| Strands {

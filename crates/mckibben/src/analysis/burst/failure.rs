@@ -210,12 +210,12 @@ impl Burst {
     /// The strength of a strand in N.
     pub(super) fn strand_strength_n(muscle: &Muscle) -> Result<f64, NoBurst> {
         let strands = muscle.braid().strands.ok_or(NoBurst::Missing(
-            "the strength of the braid is not stated; give `strands` (how many) and \
-             `strand_strength` (such as \"40 N\") in [braid] of the muscle file",
+            "the strength of the braid is not stated; give `braid.strands` (how many) and \
+             `braid.strand_strength` (such as \"40 N\") in the muscle file",
         ))?;
         strands.strength_n.ok_or(NoBurst::Missing(
-            "the strength of the strands is not stated; give `strand_strength` (such as \"40 N\") \
-             in [braid] of the muscle file",
+            "the strength of the strands is not stated; give `braid.strand_strength` (such as \"40 \
+             N\") in the muscle file",
         ))
     }
 }

@@ -34,8 +34,8 @@ const ANGLES: usize = 32;
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let Some(openings) = Openings::new(muscle) else {
         return FailurePressure::Unknown(NoBurst::Missing(
-            "the openings of the braid are not stated; give `strands`, `strand_area` and \
-             `strands_per_carrier` in [braid] of the muscle file",
+            "the openings of the braid are not stated; give `braid.strands`, \
+             `braid.strand_area` and `braid.strands_per_carrier` in the muscle file",
         ));
     };
     let first = muscle.braid().angle_rad();

@@ -7,14 +7,9 @@
 //! Its length is the one that the specification states, since such muscles are cut to length; else
 //! that of the bench. Burst, strands and rubber are its seller's matter: they are not checked.
 
-use super::request::DesignRequest;
-use crate::model::Model;
+use crate::{Build, Limits, OperatingPoint, Spec, fits};
 use mckibben::muscle::{Muscle, Tube};
-use mckibben::units::typed::Choice;
 use mckibben::{analysis::Evaluation, model::Workspace};
-use mckibben_design::{Limits, OperatingPoint, Spec, fits};
-use mckibben_fit::validation::library::{PREFIX, library};
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The ± that a muscle as sold must leave, where nothing is guaranteed.
@@ -23,8 +18,9 @@ const GUARANTEED: f64 = 0.95;
 const MOST_POINTS: usize = 50;
 
 /// A muscle of the library, as sold, that would do.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct BoughtAnswer {
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "BoughtAnswer")]
+pub struct Bought {
     /// Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
     pub name: String,
     /// The product.
@@ -43,32 +39,41 @@ pub struct BoughtAnswer {
     pub uncertainty_n: f64,
 }
 
+/// A muscle as sold.
+#[derive(Debug, Clone)]
+pub struct Product<'a> {
+    /// Its name.
+    pub name: String,
+    /// What its seller calls it.
+    pub product: &'a str,
+    /// The muscle, with the bench on which it was measured.
+    pub muscle: &'a Muscle,
+}
+
 /// The muscles as sold that would do, the slimmest first.
-pub(super) fn bought(request: &DesignRequest, spec: &Spec) -> Vec<BoughtAnswer> {
+///
+/// `is_cut` states whether the specification has a length, to which such muscles are cut.
+pub fn bought<'a>(
+    spec: &Spec,
+    is_cut: bool,
+    build: &Build<'_>,
+    products: impl IntoIterator<Item = Product<'a>>,
+) -> Vec<Bought> {
     if spec.wanted.extends() {
         return vec![];
     }
-    let mut found: Vec<BoughtAnswer> = library()
-        .unwrap_or_default()
-        .into_iter()
-        .filter_map(|(case, muscle)| {
-            let product = case.facts.product.clone()?;
-            let name = format!("{PREFIX}{}", case.facts.name);
-            one(request, spec, muscle).map(|answer| BoughtAnswer {
-                name,
-                product,
-                ..answer
-            })
-        })
-        .collect();
+    let meets = |product| meets(spec, is_cut, build, product);
+    let mut found: Vec<Bought> = products.into_iter().filter_map(meets).collect();
     found.sort_by(|a, b| a.outer_diameter_mm.total_cmp(&b.outer_diameter_mm));
     found
 }
 
 /// What a muscle does, where it meets the specification.
-fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAnswer> {
-    let max_pressure_mpa = spec.max_pressure_mpa.min(muscle.bench()?.pressure_mpa.1);
-    let muscle = of_length(request, spec, muscle)?;
+fn meets(spec: &Spec, is_cut: bool, build: &Build<'_>, product: Product<'_>) -> Option<Bought> {
+    let max_pressure_mpa = spec
+        .max_pressure_mpa
+        .min(product.muscle.bench()?.pressure_mpa.1);
+    let muscle = of_length(spec, is_cut, product.muscle)?;
     let held = Spec {
         max_pressure_mpa,
         base: muscle.clone(),
@@ -81,10 +86,10 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
         ..spec.clone()
     };
     let points = held.wanted.points(muscle.length_mm());
-    if points.len() > MOST_POINTS || !fits(&held, &|m| Model::FE.build(m), &muscle) {
+    if points.len() > MOST_POINTS || !fits(&held, build, &muscle) {
         return None;
     }
-    let (model, w) = (Model::FE.build(&muscle).ok()?, &mut Workspace::new());
+    let (model, w) = (build(&muscle).ok()?, &mut Workspace::new());
     let mut model = Evaluation::new(&*model, w, held.options());
     let mut at = |q: &OperatingPoint| {
         let force_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;
@@ -96,9 +101,9 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
     let (wanted, force_n, uncertainty_n) = all
         .into_iter()
         .min_by(|a, b| spare(a).total_cmp(&spare(b)))?;
-    Some(BoughtAnswer {
-        name: String::new(),
-        product: String::new(),
+    Some(Bought {
+        name: product.name,
+        product: product.product.to_owned(),
         outer_diameter_mm: muscle.outer_diameter_mm(),
         length_mm: muscle.length_mm(),
         pressure_mpa: max_pressure_mpa,
@@ -110,15 +115,13 @@ fn one(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<BoughtAn
 
 /// The muscle cut to the length that is stated; `None` where its own lies outside of the lengths
 /// that are searched.
-fn of_length(request: &DesignRequest, spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
+fn of_length(spec: &Spec, is_cut: bool, muscle: &Muscle) -> Option<Muscle> {
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
-        return (low..=high)
-            .contains(&muscle.length_mm())
-            .then(|| muscle.clone());
+        let is_inside = (low..=high).contains(&muscle.length_mm());
+        return is_inside.then(|| muscle.clone());
     }
-    let stated = matches!(request.length_mm, Some(Choice::One(_))) || request.stroke_mm.is_some();
-    if !stated || spec.base.length_mm() == muscle.length_mm() {
+    if !is_cut || spec.base.length_mm() == muscle.length_mm() {
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.

@@ -1,0 +1,64 @@
+//! Which model looks at a muscle of the search, and which one decides.
+
+use crate::{MeshFields, Model, ModelFields, Result};
+use mckibben::model::{ForceModel, ModelError};
+use mckibben::muscle::Muscle;
+use mckibben_design::{Build, Models, SearchedMuscles, near_the_box};
+
+#[derive(Debug, Clone)]
+pub(super) struct ModelPolicy {
+    /// Where none was named: what searches the muscles that it is good for.
+    quick: Option<(Model, SearchedMuscles)>,
+    /// What searches all others, and decides.
+    pub(super) model: Model,
+}
+
+impl ModelPolicy {
+    /// The policy of a request for pulls, or for pushes.
+    pub(super) fn choose(fields: &ModelFields, extends: bool) -> Result<Self> {
+        let model = Model::choose(fields)?;
+        if fields.name.is_some() {
+            return Ok(Self { quick: None, model });
+        }
+        // `universal` was not fitted for muscles that extend.
+        let (name, is_good): (&str, SearchedMuscles) = if extends {
+            ("thick-wall", |_| true)
+        } else {
+            ("universal", near_the_box)
+        };
+        let quick = Model::named(name, &MeshFields::default())?;
+        Ok(Self {
+            quick: Some((quick, is_good)),
+            model,
+        })
+    }
+
+    /// Does something with the models of a search.
+    pub(super) fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
+        let (look, decide) = (|m: &Muscle| self.look(m), |m: &Muscle| self.model.bound(m));
+        let settle = self
+            .quick
+            .as_ref()
+            .map(|quick| (&decide as &Build<'_>, quick.1));
+        work(Models {
+            search: &look,
+            settle,
+        })
+    }
+
+    /// Name of the model that searches.
+    pub(super) fn searches(&self) -> &str {
+        self.quick
+            .as_ref()
+            .map_or(&self.model, |quick| &quick.0)
+            .name()
+    }
+
+    /// The model that searches, bound to a muscle.
+    fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match &self.quick {
+            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
+            _ => self.model.bound(muscle),
+        }
+    }
+}

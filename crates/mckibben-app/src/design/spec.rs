@@ -1,0 +1,516 @@
+//! How a request becomes a specification, and what it leaves open.
+
+use super::assumed::{SUPPLY_MPA, Stated};
+use super::policy::ModelPolicy;
+use super::request::DesignRequest;
+use crate::parts::{sleeve_entries, unread, users_tubes};
+use crate::{
+    MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given, ratio, rubber,
+    sleeve,
+};
+use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
+use mckibben::muscle::{Braid, Direction, Muscle, Tube};
+use mckibben::sleeve::SleeveEntry;
+use mckibben::units::Values;
+use mckibben::units::typed::{Angle, Choice, Length, Quantity, Ratio};
+use mckibben::warning::strand_strength_n;
+use mckibben_design::tubes::{self, TubePart};
+use mckibben_design::{
+    BraidChoice, Demand, JointDemand, Lift, Limits, Open, OperatingPoint, SAFETY, Spec, Task,
+    VALIDATED_STRAND_STRAIN, bundle,
+};
+use std::borrow::Cow;
+
+/// What is searched, by which models, and what of it was assumed.
+pub(super) struct Search {
+    pub(super) task: Task,
+    pub(super) policy: ModelPolicy,
+    pub(super) stated: Stated,
+}
+
+/// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It
+/// bounds the radii of a joint's pulley.
+const LARGEST_CONTRACTION: f64 = 0.42;
+/// Contraction at which a muscle of a common braid still pulls with half of its blocked force.
+const USUAL_CONTRACTION: f64 = 0.15;
+/// The smallest radius that is searched, as a share of the largest.
+const SMALLEST_RADIUS: f64 = 0.1;
+
+/// Braid angles in degrees that are searched for a push where none is given.
+const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
+
+/// Diameters and walls in mm that are searched where nothing else is said.
+const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
+
+impl DesignRequest {
+    pub(super) fn search(&self) -> Result<Search> {
+        self.validate()?;
+        let (base, wanted, radius_mm) = self.demand()?;
+        let count = self.count()?;
+        let extends = wanted.extends();
+        let policy = ModelPolicy::choose(&self.model, extends)?;
+        let sections = policy.model.sections();
+        let tubes = match self.free_sizes(sections.is_some(), extends) {
+            None => Some(self.tubes()?),
+            Some(by) => {
+                let named = [
+                    ("tubes", !self.tubes.is_empty()),
+                    ("parts", self.parts.is_some()),
+                ];
+                Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
+                None
+            }
+        };
+        let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
+        let (diameters, walls) = sections.unwrap_or(SECTIONS);
+        let between = |field, choice: &Option<Choice<Length>>, (low, high)| match choice {
+            Some(choice) => values(choice, field),
+            None => Ok(Values::Interval(low, high)),
+        };
+        let rubbers = self.rubbers.iter().map(|name| rubber(name));
+        let supply_mpa = self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);
+        let spec = Spec {
+            wanted,
+            count: 1,
+            pitch_mm: self.pitch_mm.map(f64::from),
+            direction: Direction::Contraction,
+            max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
+            liquid: self.liquid.named_supply()?,
+            length_mm: match &self.length_mm {
+                Some(Choice::One(_)) | None => None,
+                Some(choice) => Some(values(choice, "length_mm")?),
+            },
+            limits: self.limits(&braid, &base)?,
+            base,
+            tubes: tubes.unwrap_or_default(),
+            outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
+            wall_mm: between("wall_mm", &self.wall_mm, walls)?,
+            braid,
+            rubbers: rubbers.collect::<Result<_, _>>()?,
+            guaranteed: self.guaranteed()?,
+            objective: self.objective,
+            top: self.top.unwrap_or(5).clamp(1, 1000),
+            extrapolate: self.extrapolate,
+        };
+        let longer = self.longer(&spec)?;
+        let task = Task {
+            spec: spec.shared_by(count),
+            longer: longer.map(|longer| longer.shared_by(count)),
+            radius_mm,
+            open: Open {
+                count: self.count.is_none(),
+                sleeves: self.braids.is_empty(),
+                rubbers: self.tubes.is_empty() && self.rubbers.is_empty() && self.parts.is_none(),
+            },
+        };
+        Ok(Search {
+            task,
+            policy,
+            stated: Stated::new(self),
+        })
+    }
+
+    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that
+    /// is longer.
+    fn longer(&self, spec: &Spec) -> Result<Option<Spec>> {
+        let is_open = self.length_mm.is_none()
+            && self.file().is_none()
+            && self.contraction.is_none()
+            && self.points.is_empty();
+        let is_short =
+            |stroke: Length| stroke.0 > USUAL_CONTRACTION * Muscle::prototype().length_mm();
+        if !(is_open && self.stroke_mm.is_some_and(is_short)) {
+            return Ok(None);
+        }
+        let usual = Self {
+            contraction: Some(Ratio(USUAL_CONTRACTION)),
+            ..self.clone()
+        };
+        let (base, wanted, _) = usual.demand()?;
+        Ok(Some(Spec {
+            base,
+            wanted,
+            ..spec.clone()
+        }))
+    }
+
+    /// The muscle file.
+    pub(super) fn file(&self) -> Option<&TextFile> {
+        self.muscle.as_ref().or(self.also_muscle.as_ref())
+    }
+
+    /// How many muscles share what is required.
+    fn count(&self) -> Result<u32> {
+        let count = self.count.unwrap_or(1);
+        if !(1..=bundle::MOST).contains(&count) {
+            let message = format!("{count} muscles; a bundle has 1 to {}", bundle::MOST);
+            return Err(Problem::new(ProblemKind::Range, message, "").in_field("count"));
+        }
+        for (field, value) in [
+            ("max_envelope_mm", self.max_envelope_mm),
+            ("pitch_mm", self.pitch_mm),
+        ] {
+            value
+                .map(|mm| above_zero(ProblemKind::Specification, field, mm))
+                .transpose()?;
+        }
+        Ok(count)
+    }
+
+    /// The limits, as far as the strands' strength is known.
+    fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
+        let strength = match braid {
+            BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
+            _ => strand_strength_n(base),
+        };
+        if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
+            let message =
+                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
+            let hint = "give braid.strands and braid.strand_strength in the muscle file";
+            return Err(Problem::new(ProblemKind::Specification, message, hint));
+        }
+        let strain = self.max_strand_strain;
+        Ok(Limits {
+            bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+            envelope_mm: self.max_envelope_mm.map(f64::from),
+            burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
+            tube_margin: self.min_tube_margin,
+            stretch: self.max_stretch,
+            fitted_stretch: true,
+            buckling: !self.guided,
+            strand_strain: Some(strain.map_or(VALIDATED_STRAND_STRAIN, f64::from)),
+            liquid_volume_mm3: self.max_liquid_volume_mm3.map(f64::from),
+        })
+    }
+
+    /// The sleeves, or the angles.
+    fn braid_choice(&self, base: &Muscle, as_sold: bool, extends: bool) -> Result<BraidChoice> {
+        let sleeves = self.sleeves(base, as_sold)?;
+        let turns = self.turns_mm()?;
+        Ok(match &self.angle_deg {
+            Some(angles) => BraidChoice::Angle(values(angles, "angle_deg")?),
+            None if !turns.is_empty() => BraidChoice::StrandLengthPerTurn(turns),
+            None if !sleeves.is_empty() => BraidChoice::Sleeves(sleeves),
+            None if extends && !base.is_extensile() => {
+                BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
+            }
+            None => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+        })
+    }
+
+    /// The share of muscles that meet the requirement, checked.
+    fn guaranteed(&self) -> Result<Option<f64>> {
+        match self.guaranteed.map(f64::from) {
+            Some(share) if !(0.5..=0.999).contains(&share) => {
+                let message = format!(
+                    "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
+                );
+                Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
+            }
+            share => Ok(share),
+        }
+    }
+
+    /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
+    fn turns_mm(&self) -> Result<Vec<f64>> {
+        const FIELD: &str = "strand_length_per_turn_mm";
+        let Some(choice) = &self.strand_length_per_turn_mm else {
+            return Ok(vec![]);
+        };
+        match values(choice, FIELD)? {
+            Values::List(list) => Ok(list),
+            Values::Interval(..) => {
+                let message = "give the sleeves that are sold as a list";
+                let hint = "such as 90,110,130mm";
+                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
+            }
+        }
+    }
+
+    /// What asks for free sizes, in place of tubes and sleeves as sold.
+    fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<&'static str> {
+        let given = [
+            ("`continuous`", self.continuous),
+            ("`muscle`", self.file().is_some()),
+            ("`with`", !self.with.is_empty()),
+            ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
+            ("`wall_mm`", self.wall_mm.is_some()),
+            ("`angle_deg`", self.angle_deg.is_some()),
+            (
+                "`strand_length_per_turn_mm`",
+                self.strand_length_per_turn_mm.is_some(),
+            ),
+            ("`stiffness`", self.stiffness.is_some()),
+            // A formula for one braid and rubber has no answer for others.
+            ("a formula for one braid", of_one_braid),
+            ("a push", extends),
+        ];
+        given
+            .into_iter()
+            .find(|(_, given)| *given)
+            .map(|(by, _)| by)
+    }
+
+    /// The tubes that are searched.
+    fn tubes(&self) -> Result<Vec<TubePart>> {
+        let of_user = users_tubes(self.parts.as_ref())?;
+        let all = match &of_user {
+            Some(tubes) => &tubes[..],
+            None => tubes::catalogue().map_err(unread)?,
+        };
+        if of_user.is_some() && self.tubes.is_empty() && self.rubbers.is_empty() {
+            return Ok(all.to_vec());
+        }
+        let rubbers: Vec<String> = match &self.rubbers[..] {
+            [] => vec![tubes::CAST_RUBBER.into()],
+            some => some.to_vec(),
+        };
+        if !self.tubes.is_empty() {
+            let of_name = |name: &String| match tubes::of_size(name, &rubbers[0]) {
+                Some(_) => rubbers
+                    .iter()
+                    .filter_map(|rubber| tubes::of_size(name, rubber))
+                    .collect(),
+                None => Ok(vec![tubes::find(all, name)?]),
+            };
+            let named: std::result::Result<Vec<Vec<TubePart>>, _> =
+                self.tubes.iter().map(of_name).collect();
+            return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
+        }
+        let wanted = rubbers
+            .iter()
+            .map(|name| Ok(rubber(name)?.name))
+            .collect::<Result<Vec<_>>>()?;
+        let sold = all
+            .iter()
+            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
+        let mut found: Vec<TubePart> = sold.cloned().collect();
+        if of_user.is_none() {
+            for name in &rubbers {
+                found.extend(tubes::cast_of(name).map_err(unread)?);
+            }
+        }
+        Ok(found)
+    }
+
+    /// The named sleeves, all of the library where parts are searched, or the base muscle's.
+    fn sleeves(&self, base: &Muscle, as_sold: bool) -> Result<Vec<Braid>> {
+        let entries = sleeve_entries(self.parts.as_ref())?;
+        let on_least = |entry: &SleeveEntry| Ok(entry.sleeve.on(entry.sleeve.diameters().0)?);
+        if self.braids.is_empty() && as_sold {
+            return entries.iter().map(on_least).collect();
+        }
+        if self.braids.is_empty() {
+            let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
+            return Ok(if own {
+                vec![base.braid().clone()]
+            } else {
+                vec![]
+            });
+        }
+        let braid = |name: &String| {
+            if let Cow::Owned(of_user) = &entries
+                && let Some(entry) = of_user.iter().find(|entry| entry.sleeve.name() == name)
+            {
+                return on_least(entry);
+            }
+            let mut fields = MuscleFields {
+                braid: Some(name.clone()),
+                stiffness: self.stiffness,
+                strand_diameter_mm: self.strand_diameter_mm,
+                ..MuscleFields::default()
+            };
+            let modulus = self.strand_modulus_mpa.into_iter();
+            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
+            // Laid on any tube that it fits; the search lays it on others.
+            fields.braid_on(sleeve(name)?.diameters().0, base)
+        };
+        self.braids.iter().map(braid).collect()
+    }
+
+    /// The muscle around the search, what it must do, and the radii of a joint's pulley.
+    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>)> {
+        if !self.torques.is_empty() {
+            let (base, joint, radius) = self.joint()?;
+            return Ok((base, Demand::Joint(joint), Some(radius)));
+        }
+        if self.load.load.is_some() {
+            // The load sets the pull; a stroke or a contraction how far it is lifted.
+            let way = match (self.contraction, self.stroke_mm) {
+                (Some(e), _) => Lift::Contraction(ratio(e.0)?),
+                (None, Some(stroke)) => Lift::Stroke(stroke.0),
+                (None, None) => {
+                    return Err(Problem::missing(
+                        "stroke_mm",
+                        "the lift of the load, such as 40 mm",
+                    )
+                    .with_hint("or give `contraction`, such as 0.15 (15 %)"));
+                }
+            };
+            let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
+            let load = self.load.resolve(base.length_mm())?;
+            let Some(load) = load else {
+                return Err(Problem::missing("load", "a load, such as mass:20kg"));
+            };
+            return Ok((base, Demand::Load { load, way }, None));
+        }
+        let (base, points) = self.with_stroke(self.wanted()?)?;
+        Ok((base, points.into(), None))
+    }
+
+    /// The muscle around the search, the torques, and the radii of the pulley.
+    fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
+        let torques = self.torques.clone();
+        let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
+        numbers.try_for_each(|v| finite("torques", v).map(drop))?;
+        let largest = torques
+            .iter()
+            .map(|t| t.angle_deg.abs())
+            .fold(0.0, f64::max);
+        let largest_angle_deg = finite(
+            "largest_angle_deg",
+            self.largest_angle_deg.unwrap_or(Angle(largest)),
+        )?;
+        let (base, _) = self.with_stroke(vec![])?;
+        let radius = match &self.radius_mm {
+            Some(choice) => values(choice, "radius_mm")?,
+            None => {
+                let longest = match &self.length_mm {
+                    Some(choice) => values(choice, "length_mm")?.bounds().1,
+                    None => base.length_mm(),
+                };
+                let turn =
+                    torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
+                let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
+                Values::Interval(SMALLEST_RADIUS * most, most)
+            }
+        };
+        let radius_mm = radius.bounds().1;
+        Ok((
+            base,
+            JointDemand {
+                torques,
+                largest_angle_deg,
+                radius_mm,
+            },
+            radius,
+        ))
+    }
+
+    /// The operating points; without a contraction where a stroke is to set it.
+    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>> {
+        if !self.points.is_empty() {
+            return self
+                .points
+                .iter()
+                .map(|w| {
+                    let contraction = ratio(w.contraction);
+                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
+                    Ok((w.force_n, Some(contraction)))
+                })
+                .collect();
+        }
+        let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
+        match (self.contraction, self.stroke_mm) {
+            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
+            (None, Some(_)) => Ok(vec![(force_n, None)]),
+            (None, None) => Err(
+                Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
+                    .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`"),
+            ),
+        }
+    }
+
+    /// The muscle around the search, and the points: a stroke in mm sets the length where
+    /// contractions are given, and the contraction where they are not.
+    fn with_stroke(
+        &self,
+        wanted: Vec<(f64, Option<f64>)>,
+    ) -> Result<(Muscle, Vec<OperatingPoint>)> {
+        let wrong =
+            |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
+        let length_mm = match &self.length_mm {
+            Some(Choice::One(length)) => Some(length.0),
+            Some(_) if self.stroke_mm.is_some() => {
+                let message =
+                    "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
+                return Err(wrong(message.into(), "").in_field("length_mm"));
+            }
+            _ => None,
+        };
+        let mut fields = MuscleFields {
+            file: self.file().cloned(),
+            stiffness: self.stiffness,
+            with: self.with.clone(),
+            ..MuscleFields::default()
+        };
+        length_mm
+            .into_iter()
+            .for_each(|length| fields.measures.set(&LENGTH, length));
+        let base = fields.resolve()?;
+        let length = base.length_mm();
+        let stroke = self.stroke_mm.map(f64::from);
+        stroke
+            .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
+            .transpose()?;
+        let point = |(force_n, contraction): &(f64, Option<f64>)| {
+            let way = force_n.signum();
+            let contraction = contraction
+                .or(stroke.map(|s| way * s / length))
+                .unwrap_or(0.0);
+            OperatingPoint {
+                force_n: *force_n,
+                contraction,
+            }
+        };
+        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
+        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
+            return Ok((base, points));
+        };
+        let largest = points
+            .iter()
+            .map(|q| q.contraction.abs())
+            .fold(0.0, f64::max);
+        if self.length_mm.is_some() {
+            let have = largest * length;
+            let message = format!(
+                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
+                 data: with that length the largest contraction gives {have:.2}\u{a0}mm"
+            );
+            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
+            return Err(wrong(message, hint).in_field("stroke_mm"));
+        }
+        if largest <= 0.0 {
+            return Err(wrong("a stroke needs a contraction above zero".into(), ""));
+        }
+        let tube = Tube {
+            length_mm: stroke / largest,
+            ..base.tube().clone()
+        };
+        Ok((base.with_tube(tube)?, points))
+    }
+}
+
+/// The values of a choice, checked.
+fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
+    Ok(match choice {
+        Choice::One(value) => Values::List(vec![finite(field, *value)?]),
+        Choice::Several(list) if list.is_empty() => {
+            return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
+        }
+        Choice::Several(list) => {
+            let list = list.iter().map(|&value| finite(field, value));
+            Values::List(list.collect::<Result<_>>()?)
+        }
+        Choice::Between { low, high } => {
+            let (low, high) = (finite(field, *low)?, finite(field, *high)?);
+            if low > high {
+                let message = format!(
+                    "the interval from {low} to {high} is reversed: write the smaller value first"
+                );
+                return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
+            }
+            Values::Interval(low, high)
+        }
+    })
+}

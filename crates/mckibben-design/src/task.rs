@@ -1,0 +1,131 @@
+//! The main job as a whole: a specification that leaves some things open, and what is chosen.
+
+use crate::other_parts::other_parts;
+use crate::{
+    Bundle, Candidate, Models, Outcome, Relaxation, Spec, SpecError, bundle, design_joint,
+    design_with,
+};
+use mckibben::progress::{CancelOnly, Progress};
+use mckibben::units::Values;
+
+/// What a specification leaves open, so that another one may be tried where nothing fits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Open {
+    /// The number of muscles: where no single one does, as few as do share what is required.
+    pub count: bool,
+    /// The sleeves.
+    pub sleeves: bool,
+    /// The rubbers of tubes that are cast.
+    pub rubbers: bool,
+}
+
+/// A specification, and what may be tried where nothing meets it.
+#[derive(Debug, Clone)]
+pub struct Task {
+    /// What is required, of one muscle where the number is open.
+    pub spec: Spec,
+    /// The same with a longer muscle, where the length is open: tried where nothing fits.
+    pub longer: Option<Spec>,
+    /// Radii in mm of the pulley of a joint.
+    pub radius_mm: Option<Values>,
+    /// What else is open.
+    pub open: Open,
+}
+
+/// What a task found.
+#[derive(Debug, Clone)]
+pub struct Design {
+    /// The specification that it meets, with the number of muscles and the pulley that were chosen.
+    pub spec: Spec,
+    /// The muscles.
+    pub outcome: Outcome,
+    /// Whether the longer muscle was taken.
+    pub is_longer: bool,
+    /// Whether several muscles share what no single one gives.
+    pub is_shared: bool,
+    /// Where no candidate is sure: the best muscle that is.
+    pub to_be_sure: Option<Candidate>,
+    /// What the muscles of a bundle do together, where their number is given or chosen.
+    pub bundle: Option<Bundle>,
+    /// Where nothing fits: what to change, what asks for least first.
+    pub relaxations: Vec<Relaxation>,
+}
+
+/// Numbers of muscles that are tried, as multiples of the least.
+const COUNTS: [f64; 4] = [1.0, 1.01, 1.5, 2.0];
+
+impl Task {
+    /// Searches, and decides.
+    ///
+    /// # Errors
+    /// [`SpecError`] where the specification cannot be searched, or the caller ended it.
+    pub fn solve(&self, models: Models<'_>, progress: &dyn Progress) -> Result<Design, SpecError> {
+        let quiet = &CancelOnly(progress);
+        let (mut spec, mut outcome) = self.search(&self.spec, models, progress)?;
+        let longer = self.longer.as_ref().filter(|_| outcome.closest.is_some());
+        if let Some(longer) = longer {
+            (spec, outcome) = self.search(longer, models, progress)?;
+        }
+        let one = longer.unwrap_or(&self.spec);
+        let shared = self.shared(one, (&spec, &outcome), models, quiet)?;
+        let is_shared = shared.is_some();
+        if let Some(found) = shared {
+            (spec, outcome) = found;
+        }
+        let to_be_sure = outcome.to_be_sure(&spec, models, quiet);
+        progress.check()?;
+        let winner = outcome.candidates.first();
+        let bundle = winner
+            .filter(|_| is_shared || !self.open.count)
+            .map(|winner| bundle::of_winner(&spec, models.decides(), winner));
+        let relaxations = outcome.closest.as_ref().map(|closest| {
+            let mut changes = closest.relaxations(&spec, models, quiet);
+            changes.extend(other_parts(&spec, self.open, models, closest, quiet));
+            changes
+        });
+        Ok(Design {
+            is_longer: longer.is_some(),
+            is_shared,
+            to_be_sure,
+            bundle,
+            relaxations: relaxations.unwrap_or_default(),
+            spec,
+            outcome,
+        })
+    }
+
+    fn search(
+        &self,
+        spec: &Spec,
+        models: Models<'_>,
+        progress: &dyn Progress,
+    ) -> Result<(Spec, Outcome), SpecError> {
+        match &self.radius_mm {
+            Some(radius_mm) => design_joint(spec, radius_mm, models, progress),
+            None => Ok((spec.clone(), design_with(spec, models, progress)?)),
+        }
+    }
+
+    /// Where no single muscle meets what is required and their number is open: as few side by side
+    /// as do, and as the envelope has room for.
+    fn shared(
+        &self,
+        one: &Spec,
+        (searched, outcome): (&Spec, &Outcome),
+        models: Models<'_>,
+        progress: &dyn Progress,
+    ) -> Result<Option<(Spec, Outcome)>, SpecError> {
+        let closest = outcome.closest.as_ref().filter(|_| self.open.count);
+        let share = closest.and_then(|closest| closest.largest_share(searched, models, progress));
+        let counts = share
+            .into_iter()
+            .flat_map(|share| COUNTS.map(|multiple| (multiple / share).ceil()));
+        for count in counts.take_while(|count| *count <= f64::from(bundle::MOST)) {
+            let found = self.search(&one.shared_by(count as u32), models, progress)?;
+            if !found.1.candidates.is_empty() {
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
+    }
+}
