@@ -39,7 +39,7 @@ fn main() -> ExitCode {
     progress::no_signal_for_long_files();
     let mut root = cli::command_of(&args);
     let parsed = root
-        .try_get_matches_from_mut(&args)
+        .try_get_matches_from_mut(std::env::args_os())
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,

@@ -262,7 +262,7 @@ impl DesignRequest {
         }
         if self.muscle.is_some() {
             let again = [("also_muscle", self.also_muscle.is_some())];
-            Problem::refuse_unused(&again, "`muscle` is given already")?;
+            Problem::refuse_unused(&again, "a muscle file is given already")?;
         }
         let angles = [
             ("braids", !self.braids.is_empty()),
