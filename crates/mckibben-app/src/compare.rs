@@ -230,60 +230,15 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     }
     let measured = is_measured.then_some(measured);
     let (pressures, contractions) = grid(request, &muscle, measured.as_deref())?;
-    let mut reference = measured.clone();
-    let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
-    for (i, model) in models.iter().enumerate() {
-        progress.report(i, models.len());
-        progress.check()?;
-        let one = || -> Result<(Compared, Vec<MeasuredPoint>)> {
-            let (muscle, fitted) = match &measured {
-                Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
-                None => (muscle.clone(), vec![]),
-            };
-            let bound = model.bound(&muscle)?;
-            let mut workspace = Workspace::new();
-            let mut evaluation = Evaluation::new(&*bound, &mut workspace, options);
-            // Without measured points, the first model that answers is what the others are held
-            // against.
-            let points = match &reference {
-                Some(points) => points.clone(),
-                None => answers(&mut evaluation, &pressures, &contractions)?,
-            };
-            let errors = errors_of(&mut evaluation, &points, &volumes)?;
-            if points.is_empty() && errors.volume_points == 0 {
-                return Err(ModelError::NoVolume(bound.info().name.to_string()).into());
-            }
-            let row = ComparedModel::new(errors, &fitted);
-            Ok((
-                Compared {
-                    row,
-                    model: bound,
-                    workspace,
-                },
-                points,
-            ))
-        };
-        match one() {
-            Ok((row, points)) => {
-                reference.get_or_insert(points);
-                compared.push(row);
-            }
-            Err(problem) => {
-                let cause = Some(problem.message.clone());
-                let errors = Comparison {
-                    model: model.name().into(),
-                    cause,
-                    ..Comparison::default()
-                };
-                skipped.push(ComparedModel::new(errors, &[]));
-                first.get_or_insert(problem);
-            }
-        }
-    }
-    if compared.is_empty() {
-        return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
-    }
-    let points = reference.unwrap_or_default();
+    let held = Held {
+        muscle: &muscle,
+        options,
+        fit: &request.fit,
+        measured: measured.as_deref(),
+        volumes: &volumes,
+        grid: (&pressures, &contractions),
+    };
+    let (mut compared, skipped, points) = held.against(&models, progress)?;
     let states: Vec<(f64, f64)> = points
         .iter()
         .map(|p| (p.pressure_mpa, p.contraction))
@@ -292,12 +247,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let said = muscle
-        .warnings()
-        .into_iter()
-        .chain(doubts)
-        .map(Warning::from);
-    let warned: Vec<Warning> = said.chain(beyond).collect();
+    let of_muscle = muscle.warnings().into_iter().chain(doubts);
+    let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits
@@ -324,6 +275,84 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         branch: request.branch,
         is_fitted: !request.fit.is_empty(),
     })
+}
+
+/// What models are held against.
+struct Held<'a> {
+    muscle: &'a Muscle,
+    options: Options,
+    fit: &'a [FitConstant],
+    /// Measured pulls, where there are tables.
+    measured: Option<&'a [MeasuredPoint]>,
+    volumes: &'a [DataPoint],
+    /// Pressures and contractions, where there are none.
+    grid: (&'a [f64], &'a [f64]),
+}
+
+impl Held<'_> {
+    /// The models that answer, those that do not, and the points.
+    ///
+    /// Without measured points, the first model that answers is what the others are held against.
+    fn against(
+        &self,
+        models: &[Model],
+        progress: &dyn Progress,
+    ) -> Result<(Vec<Compared>, Vec<ComparedModel>, Vec<MeasuredPoint>)> {
+        let mut reference = self.measured.map(<[MeasuredPoint]>::to_vec);
+        let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
+        for (i, model) in models.iter().enumerate() {
+            progress.report(i, models.len());
+            progress.check()?;
+            match self.compared(model, reference.as_deref()) {
+                Ok((row, points)) => {
+                    reference.get_or_insert(points);
+                    compared.push(row);
+                }
+                Err(problem) => {
+                    let errors = Comparison {
+                        model: model.name().into(),
+                        cause: Some(problem.message.clone()),
+                        ..Comparison::default()
+                    };
+                    skipped.push(ComparedModel::new(errors, &[]));
+                    first.get_or_insert(problem);
+                }
+            }
+        }
+        if compared.is_empty() {
+            return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
+        }
+        Ok((compared, skipped, reference.unwrap_or_default()))
+    }
+
+    /// A model, fitted where constants are free, with the points that it is held against.
+    fn compared(
+        &self,
+        model: &Model,
+        reference: Option<&[MeasuredPoint]>,
+    ) -> Result<(Compared, Vec<MeasuredPoint>)> {
+        let (muscle, fitted) = match self.measured {
+            Some(points) => fitted(model, self.muscle, self.options.direction, self.fit, points)?,
+            None => (self.muscle.clone(), vec![]),
+        };
+        let model = model.bound(&muscle)?;
+        let mut workspace = Workspace::new();
+        let mut evaluation = Evaluation::new(&*model, &mut workspace, self.options);
+        let points = match reference {
+            Some(points) => points.to_vec(),
+            None => answers(&mut evaluation, self.grid.0, self.grid.1)?,
+        };
+        let errors = errors_of(&mut evaluation, &points, self.volumes)?;
+        if points.is_empty() && errors.volume_points == 0 {
+            return Err(ModelError::NoVolume(model.info().name.to_string()).into());
+        }
+        let compared = Compared {
+            row: ComparedModel::new(errors, &fitted),
+            model,
+            workspace,
+        };
+        Ok((compared, points))
+    }
 }
 
 impl CompareRequest {

@@ -218,113 +218,140 @@ struct Solver<'m> {
     warnings: Vec<Warning>,
 }
 
-impl Solver<'_> {
-    fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>> {
-        let families = &request.pressures_mpa;
-        let angles = request.angles_deg.as_deref();
-        if !families.is_empty() {
-            let (torque, sought) = (
-                request.torque_nm.is_some(),
-                request.stiffness_nm_per_rad.is_some(),
-            );
-            let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
-            Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
-            let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
-            Problem::refuse_unused(&[("torque_nm", torque && angles.is_some())], why)?;
-            let supply = request.max_pressure_mpa.is_some() && request.map.is_none();
-            let why = "it limits pressures that are computed, and `pressures_mpa` are given";
-            Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
-        }
-        for &p in families.iter().flat_map(|list| list.iter()) {
-            if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
-                return Err(
-                    Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa")
-                );
-            }
-        }
-        for &angle in angles.unwrap_or_default() {
-            finite("angles_deg", angle)?;
-        }
-        let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or_default())?;
-        let stiffness_nm_per_rad = request
-            .stiffness_nm_per_rad
-            .map(|k| finite("stiffness_nm_per_rad", k))
-            .transpose()?;
-        let is_wanted = request.torque_nm.is_some() || stiffness_nm_per_rad.is_some();
-        let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
-        size::points("angles_deg", all as f64)?;
-        let mut rows = vec![];
-        match (families.is_empty(), angles) {
-            (true, None) if is_wanted => {
+impl JointRequest {
+    /// Whether pressures are sought.
+    fn is_wanted(&self) -> bool {
+        self.torque_nm.is_some() || self.stiffness_nm_per_rad.is_some()
+    }
+
+    /// Which fields exclude each other, and which ones need others.
+    fn validate(&self) -> Result<()> {
+        let has_angles = self.angles_deg.is_some();
+        if self.pressures_mpa.is_empty() {
+            if self.is_wanted() && !has_angles {
                 let expected = "the angle at which the torque and the stiffness are required";
                 return Err(Problem::missing("angles_deg", expected));
             }
-            (true, None) => {}
-            (true, Some(angles)) => {
-                if !is_wanted && request.map.is_some() {
-                    return Ok(rows);
-                }
-                let max = supply(request)?;
-                for &angle_deg in angles {
-                    let wanted = JointTarget {
-                        angle_deg,
-                        torque_nm,
-                        stiffness_nm_per_rad,
-                    };
-                    let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
-                    let halves = self
-                        .model
-                        .pressure_uncertainties_mpa(&mut self.workspaces, &point);
-                    let half = |i: usize| halves.get(i).copied().flatten();
-                    let row = self.row(point, None)?;
-                    rows.push(JointRow {
-                        pressure_1_uncertainty_mpa: half(0),
-                        pressure_2_uncertainty_mpa: half(1),
-                        ..row
-                    });
-                }
+        } else {
+            let sought = self.stiffness_nm_per_rad.is_some();
+            let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
+            let torque = self.torque_nm.is_some() && has_angles;
+            let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
+            Problem::refuse_unused(&[("torque_nm", torque)], why)?;
+            let supply = self.max_pressure_mpa.is_some() && self.map.is_none();
+            let why = "it limits pressures that are computed, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
+        }
+        for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
+            if !(p.is_finite() && p >= 0.0) {
+                let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
+                let problem = Problem::new(ProblemKind::Quantity, message, "");
+                return Err(problem.in_field("pressures_mpa"));
             }
-            (false, Some(angles)) => {
-                for (i, pressures) in families.iter().enumerate() {
-                    progress.report(i, families.len());
-                    progress.check()?;
-                    let points = self.model.along(&mut self.workspaces, pressures, angles);
-                    let is_gap =
-                        |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
-                    // A family goes on beside angles at which a muscle has no state.
-                    let without = points.iter().filter(|point| is_gap(point)).count();
-                    let (only, mut gap) = (without == points.len(), None);
-                    for point in points {
-                        match point {
-                            Err(error) if !only && error.is_of_point() => gap = gap.or(Some(error)),
-                            point => rows.push(self.row(point?, None)?),
-                        }
-                    }
-                    let angles = angles.len();
-                    let gap = gap.map(|error| gaps(without, angles, "angles", &error.to_string()));
-                    self.warnings.extend(gap);
-                }
-            }
+        }
+        for &angle in self.angles_deg.as_deref().unwrap_or_default() {
+            finite("angles_deg", angle)?;
+        }
+        finite("torque_nm", self.torque_nm.unwrap_or_default())?;
+        finite(
+            "stiffness_nm_per_rad",
+            self.stiffness_nm_per_rad.unwrap_or_default(),
+        )?;
+        Ok(())
+    }
+}
+
+impl Solver<'_> {
+    fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>> {
+        request.validate()?;
+        let families = &request.pressures_mpa;
+        let angles = request.angles_deg.as_deref();
+        let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
+        size::points("angles_deg", all as f64)?;
+        match (families.is_empty(), angles) {
+            (true, None) => Ok(vec![]),
+            (true, Some(_)) if !request.is_wanted() && request.map.is_some() => Ok(vec![]),
+            (true, Some(angles)) => self.rows_of_targets(request, angles),
+            (false, Some(angles)) => self.rows_along(families, angles, progress),
             (false, None) => {
-                for pressures in families {
-                    for rest in self
-                        .model
-                        .rests(&mut self.workspaces, pressures, torque_nm)?
-                    {
-                        let angle = rest.angle_deg();
-                        let point =
-                            self.model
-                                .at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
-                        let balance = matches!(rest, Rest::Balance { .. });
-                        let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
-                        let row = self.row(point, Some(word(&rest)))?;
-                        rows.push(JointRow {
-                            angle_uncertainty_deg: half,
-                            ..row
-                        });
-                    }
+                let torque_nm = request.torque_nm.unwrap_or_default();
+                self.rows_at_rest(families, torque_nm.into())
+            }
+        }
+    }
+
+    /// The pressures of a torque and a stiffness at each angle.
+    fn rows_of_targets(&mut self, request: &JointRequest, angles: &[f64]) -> Result<Vec<JointRow>> {
+        let max_mpa = supply(request)?;
+        let row = |&angle_deg: &f64| {
+            let wanted = JointTarget {
+                angle_deg,
+                torque_nm: request.torque_nm.unwrap_or_default().into(),
+                stiffness_nm_per_rad: request.stiffness_nm_per_rad.map(f64::from),
+            };
+            let workspaces = &mut self.workspaces;
+            let point = self.model.pressures(workspaces, wanted, max_mpa)?;
+            let halves = self.model.pressure_uncertainties_mpa(workspaces, &point);
+            let half = |i: usize| halves.get(i).copied().flatten();
+            Ok(JointRow {
+                pressure_1_uncertainty_mpa: half(0),
+                pressure_2_uncertainty_mpa: half(1),
+                ..self.row(point, None)?
+            })
+        };
+        angles.iter().map(row).collect()
+    }
+
+    /// The torques of each family over the angles; beside angles at which a muscle has no state a
+    /// family goes on.
+    fn rows_along(
+        &mut self,
+        families: &[List<Pressure>],
+        angles: &[f64],
+        progress: &dyn Progress,
+    ) -> Result<Vec<JointRow>> {
+        let mut rows = vec![];
+        for (i, pressures) in families.iter().enumerate() {
+            progress.report(i, families.len());
+            progress.check()?;
+            let points = self.model.along(&mut self.workspaces, pressures, angles);
+            let is_gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
+            let without = points.iter().filter(|point| is_gap(point)).count();
+            let (only, mut gap) = (without == points.len(), None);
+            for point in points {
+                match point {
+                    Err(error) if !only && error.is_of_point() => gap = gap.or(Some(error)),
+                    point => rows.push(self.row(point?, None)?),
                 }
+            }
+            let gap = gap.map(|error| gaps(without, angles.len(), "angles", &error.to_string()));
+            self.warnings.extend(gap);
+        }
+        Ok(rows)
+    }
+
+    /// The angles at which each family rests against a torque.
+    fn rows_at_rest(
+        &mut self,
+        families: &[List<Pressure>],
+        torque_nm: f64,
+    ) -> Result<Vec<JointRow>> {
+        let mut rows = vec![];
+        for pressures in families {
+            let workspaces = &mut self.workspaces;
+            for rest in self.model.rests(workspaces, pressures, torque_nm)? {
+                let workspaces = &mut self.workspaces;
+                let angle_deg = rest.angle_deg();
+                let point = self
+                    .model
+                    .at(workspaces, pressures, angle_deg, Turning::Mean)?;
+                let balance = matches!(rest, Rest::Balance { .. });
+                let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
+                rows.push(JointRow {
+                    angle_uncertainty_deg: half,
+                    ..self.row(point, Some(word(&rest)))?
+                });
             }
         }
         Ok(rows)

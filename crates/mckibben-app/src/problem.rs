@@ -297,6 +297,7 @@ problems! {
             "check the signs and units of the columns, the diameter, wall and angle of the muscle, \
              and the zero of its contraction";
     };
+    EstimateError: NotConverged "give better starts (`free` NAME=START), or free less";
     TensionFitError: Fit of Cancelled {
         TensionFitError::NotConverged { .. } => NotConverged;
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";

@@ -8,6 +8,7 @@
 //! | [`measured`] | measured points of a muscle |
 //! | [`identify`] | measures and constants of a muscle from its points |
 //! | [`compare`] | how far a model is from points |
+//! | [`recorded`] | constants of a motion from quantities recorded over time |
 //! | [`validation`] | every measured muscle and rubber that is built in, and those of users |
 //!
 //! Whatever needs a model of a muscle takes a function that builds one ([`identify::Build`]).
@@ -21,6 +22,7 @@ pub mod compare;
 pub mod identify;
 pub mod least_squares;
 pub mod measured;
+pub mod recorded;
 pub mod rubber;
 pub mod rubber_over_time;
 pub mod validation;

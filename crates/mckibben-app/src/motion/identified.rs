@@ -1,14 +1,9 @@
 //! Constants of a drive from a recorded motion.
 //!
-//! Least squares of what the log has over time (pressure of the first muscle, contraction, angle)
-//! in the first half of its time,
-//!
-//!   r = (y(t; θ) − y)/s,   s the rms of a quantity's residuals in the fit before, at first its scatter
-//!
-//! with y(t; θ) the motion of the drive. Residuals of neighbouring rows are alike where the model
-//! errs: with ρ their correlation the ± is larger by √((1 + ρ)/(1 − ρ)), as of a first-order
-//! autoregression. A constant that the log does not determine keeps the value of the file, and the
-//! others are fitted again. The second half is predicted.
+//! Least squares ([`recorded`](mckibben_fit::recorded)) of what the log has over time (pressure of
+//! the first muscle, contraction, angle) in the first half of its time. A constant that the log does
+//! not determine keeps the value of the file, and the others are fitted again. The second half is
+//! predicted.
 
 use super::{MotionRequest, Moved};
 use crate::identify::page::constants;
@@ -18,7 +13,7 @@ use crate::{Problem, ProblemKind, Result, TextFile, with_error_bar};
 use mckibben::progress::Progress;
 use mckibben::units::{Dimension, parse_quantity};
 use mckibben_fit::identify::Identified;
-use mckibben_fit::least_squares::{Loss, Unknown, estimate};
+use mckibben_fit::recorded::{fit_recorded, rms};
 use mckibben_io::table::{Log, OverTime, Series, read_log};
 use mckibben_motion::{Command, Drive, number_at, run, with_value};
 use schemars::JsonSchema;
@@ -77,8 +72,6 @@ const USUAL: [(&str, f64); 4] = [
 const TOLERANCE: f64 = 1e-8;
 /// Points of the series that the log is compared with, at least.
 const POINTS: f64 = 1000.0;
-/// Share of a quantity's scatter below which its residuals are rounding.
-const ROUNDING: f64 = 1e-6;
 
 /// A free constant of the drive.
 struct Free {
@@ -273,60 +266,21 @@ impl Fit<'_> {
             let mean = first().sum::<f64>() / first().count().max(1) as f64;
             rms(first().map(|v| v - mean))
         };
-        let mut scales: Vec<f64> = self.log.iter().map(scatter).collect();
-        let least: Vec<f64> = scales.iter().map(|scale| ROUNDING * scale).collect();
-        let mut x: Vec<f64> = free.iter().map(|free| free.start).collect();
-        // What is wrong with the drive itself is an error here.
-        let weights = vec![1.0; at(&x)?.iter().map(Vec::len).sum()];
-        let scaled = |lists: Vec<Vec<f64>>, scales: &[f64]| -> Vec<Vec<f64>> {
-            let one =
-                |(list, scale): (Vec<f64>, &f64)| list.into_iter().map(|r| r / scale).collect();
-            lists.into_iter().zip(scales).map(one).collect()
-        };
-        let mut found = None;
-        for _ in 0..2 {
-            let unknowns = free
-                .iter()
-                .zip(&x)
-                .map(|(free, x)| Unknown::above(*x, 0.0, free.start));
-            let residuals = |x: &[f64]| Some(scaled(at(x).ok()?, &scales).concat());
-            let estimated = estimate(
-                &residuals,
-                &Vec::from_iter(unknowns),
-                &weights,
-                Loss::Squares,
-            );
-            self.progress.check()?;
-            let estimated = estimated.map_err(|error| {
-                let hint = "give better starts (`free` NAME=START), or free less";
-                Problem::new(ProblemKind::NotConverged, error.to_string(), hint)
-            })?;
-            x.clone_from(&estimated.x);
-            let of = |(list, least): (&Vec<f64>, &f64)| rms(list.iter().copied()).max(*least);
-            scales = at(&x)?.iter().zip(&least).map(of).collect();
-            found = Some(estimated);
-        }
-        let Some(found) = found else {
-            return Ok(vec![]);
-        };
-        let lists = scaled(at(&x)?, &scales);
-        let products = lists
-            .iter()
-            .flat_map(|list| list.windows(2))
-            .map(|pair| pair[0] * pair[1]);
-        let squares = lists.iter().flatten().map(|r| r * r).sum::<f64>();
-        let alike = (products.sum::<f64>() / squares).clamp(0.0, 0.9999);
-        let wider = ((1.0 + alike) / (1.0 - alike)).sqrt();
+        let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
+        let starts: Vec<f64> = free.iter().map(|free| free.start).collect();
+        let found = fit_recorded(&starts, &scatter, at);
+        self.progress.check()?;
+        let found = found?;
         let one = |(i, free): (usize, &Free)| {
-            let (value, at_bound) = (x[i], found.at_bound[i]);
-            let (half_width, limit) = (wider * found.half_widths[i], 0.5 * value.abs());
+            let (value, at_bound) = (found.x[i], found.at_bound[i]);
+            let (half_width, limit) = (found.half_widths[i], 0.5 * value.abs());
             Identified {
                 target: None,
                 name: free.name.clone(),
                 start: free.start,
                 value,
                 unit: free.dimension.unit_inside().name,
-                standard_error: wider * found.standard_errors[i],
+                standard_error: found.standard_errors[i],
                 half_width,
                 limit,
                 identifiable: !at_bound && half_width <= limit,
@@ -337,10 +291,4 @@ impl Fit<'_> {
         };
         Ok(free.iter().enumerate().map(one).collect())
     }
-}
-
-fn rms(values: impl Iterator<Item = f64>) -> f64 {
-    let (squares, count) =
-        values.fold((0.0, 0.0_f64), |(sum, count), v| (sum + v * v, count + 1.0));
-    (squares / count.max(1.0)).sqrt()
 }

@@ -1,0 +1,109 @@
+//! What a drive moves: a muscle with its load, or a joint.
+
+use crate::{Model, Problem, ProblemKind, Result};
+use mckibben::joint::Joint;
+use mckibben::model::ForceModel;
+use mckibben::muscle::Friction;
+use mckibben_motion::{Actuated, Drive, DriveFile, Mechanism, SingleMuscle, Target};
+
+/// What a drive moves, with its models.
+pub(super) struct Moved {
+    pub(super) choice: Model,
+    pub(super) joint: Option<Joint>,
+    pub(super) models: Vec<Box<dyn ForceModel>>,
+}
+
+impl Moved {
+    /// L0 of the first muscle in mm.
+    pub(super) fn length_mm(&self) -> f64 {
+        self.models.first().map_or(0.0, |m| m.muscle().length_mm())
+    }
+
+    /// The muscle with its load, where no joint is moved.
+    fn single(&self, file: &DriveFile) -> Result<Option<SingleMuscle>> {
+        Ok(match (&self.joint, self.models.first()) {
+            (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
+            (None, Some(model)) => {
+                let load = file.load.clone().ok_or_else(|| {
+                    let hint =
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with \
+                         fixed ends";
+                    Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
+                })?;
+                let free = SingleMuscle::new(&**model, load);
+                let stops_mm = (
+                    file.stops_mm.0.max(free.stops_mm.0),
+                    file.stops_mm.1.min(free.stops_mm.1),
+                );
+                Some(SingleMuscle {
+                    damping_n_s_per_m: file.damping_n_s_per_m,
+                    stops_mm,
+                    ..free
+                })
+            }
+            _ => None,
+        })
+    }
+
+    /// Does something with the drive of a file.
+    pub(super) fn with<T>(
+        &self,
+        file: &DriveFile,
+        work: impl FnOnce(Drive<'_>) -> Result<T>,
+    ) -> Result<T> {
+        let single = self.single(file)?;
+        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
+            (Some(single), _) => single,
+            (None, Some(joint)) => joint,
+            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
+        };
+        let muscles = self.models.iter().map(|model| Actuated {
+            fluid: file.fluid.clone(),
+            friction: friction(file, model.muscle().friction()),
+            rubber: file.rubber.clone(),
+            ..Actuated::new(&**model, file.actuator)
+        });
+        work(Drive {
+            supply: file.supply,
+            output_step_s: file.output_step_s,
+            initial_coordinate: single
+                .as_ref()
+                .zip(file.held.or(file.start))
+                .map(|(s, e)| e * s.length_mm),
+            ..Drive::new(
+                mechanism,
+                muscles.collect(),
+                self.target(file),
+                file.until_s,
+            )
+        })
+    }
+
+    /// The commands of a file. A joint with one muscle takes one.
+    pub(super) fn target(&self, file: &DriveFile) -> Target {
+        let mut target = file.target.clone();
+        if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
+            (&mut target, self.models.len())
+        {
+            list.truncate(1);
+        }
+        target
+    }
+}
+
+/// β where a drive states C of a muscle without friction (Tondu 2012 \[tondu2012\], 20°).
+const EXPONENT: f64 = 0.57;
+
+/// The friction of a muscle, with what the drive states of it.
+fn friction(file: &DriveFile, own: Option<&Friction>) -> Option<Friction> {
+    let stated = file
+        .friction_coefficient
+        .map(|c| Friction::power_law(c, EXPONENT));
+    let friction = *own.or(stated.as_ref())?;
+    let coefficient = file.friction_coefficient.unwrap_or(friction.coefficient);
+    Some(Friction {
+        coefficient,
+        presliding_mm: file.presliding_mm.or(friction.presliding_mm),
+        ..friction
+    })
+}
