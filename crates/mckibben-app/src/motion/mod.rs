@@ -19,7 +19,6 @@ use crate::{
 };
 use mckibben::muscle::file::FileError;
 use mckibben::progress::Progress;
-use mckibben::warning::Warning;
 use mckibben_motion::{
     Command, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target,
     drive_names, parse_drive, run_as_far, size, with_value,
