@@ -4,6 +4,7 @@ mod page;
 
 use crate::Contractions;
 use crate::flags::{self, Args};
+use crate::point::Question;
 use crate::{
     LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
     QuestionFields, Result, Units, check_both, figure, finite, load::loaded, pull, put_first,
@@ -91,21 +92,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         }
     })?;
     let highest_mpa = pressures.iter().copied().fold(0.0, f64::max);
-    let length_mm = question.muscle.length_mm();
-    let contractions = match request.test {
-        Test::Isotonic => vec![],
-        _ => {
-            let step = if isobaric { 0.01 } else { 0.05 };
-            let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
-            contractions(&request.contractions, length_mm, reach)?
-        }
-    };
-    let forces = forces(&request.forces_n, &question.muscle, question.options)?;
-    let (fixed, along) = match request.test {
-        Test::Isometric => (contractions, pressures),
-        Test::Isotonic => (forces, pressures),
-        Test::Isobaric => (pressures, contractions),
-    };
+    let (fixed, along) = request.grid(&mut question, pressures)?;
     let branches: &[Direction] = if request.both {
         check_both(question.options, &question.muscle)?;
         &Direction::BRANCHES
@@ -127,8 +114,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
         }
     };
-    let mut gravest: Option<Problem> = None;
-    let (mut said, mut answers, mut list) = (vec![], false, vec![]);
+    let mut family = Family::default();
     for (i, &value) in fixed.iter().enumerate() {
         progress.report(i, fixed.len());
         for &direction in branches {
@@ -136,25 +122,15 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
                 direction,
                 ..question.options
             };
-            let curves = question
-                .evaluation()
-                .with(options)
-                .curves(request.test, &[value], &along);
+            let mut evaluation = question.evaluation().with(options);
+            let curves = evaluation.curves(request.test, &[value], &along);
             cancel::check()?;
-            for curve in curves {
-                progress.check()?;
-                said.extend(warnings::of_points(answered([&curve])));
-                said = Warning::gravest(&said);
-                answers |= answered([&curve]).next().is_some();
-                if !answers {
-                    gravest = all_failed(&curve, gravest);
-                }
-                list.push(curve);
-            }
+            progress.check()?;
+            curves.into_iter().for_each(|curve| family.add(curve));
         }
     }
     let burst = question.burst()?;
-    put_first(&mut said, said_of(&burst, highest_mpa, QUIET_MPA));
+    put_first(&mut family.said, said_of(&burst, highest_mpa, QUIET_MPA));
     let mut answer = CurveAnswer {
         limits: (&burst).into(),
         model: question.model.info().name.to_string(),
@@ -162,17 +138,60 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         muscle: MuscleSummary::from(&question.muscle),
         fixed,
         loaded,
-        warnings: said,
+        warnings: family.said,
         figure: None,
-        problem: gravest.filter(|_| !answers),
+        problem: family.gravest.filter(|_| !family.has_answers),
         curves: vec![],
         both: request.both,
     };
     let figure = request.figure.as_ref();
-    answer.figure =
-        figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
-    answer.curves = list;
+    answer.figure = figure
+        .map(|unit| figure::curves(&answer, request.test, &family.curves, request.both, unit));
+    answer.curves = family.curves;
     Ok(answer)
+}
+
+impl CurveRequest {
+    /// What is fixed along each curve, and the points along it.
+    fn grid(&self, question: &mut Question, pressures: Vec<f64>) -> Result<(Vec<f64>, Vec<f64>)> {
+        let isobaric = self.test == Test::Isobaric;
+        if self.test == Test::Isotonic {
+            let forces = forces(&self.forces_n, &question.muscle, question.options)?;
+            return Ok((forces, pressures));
+        }
+        let step = if isobaric { 0.01 } else { 0.05 };
+        let length_mm = question.muscle.length_mm();
+        let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
+        let contractions = contractions(&self.contractions, length_mm, reach)?;
+        Ok(if isobaric {
+            (pressures, contractions)
+        } else {
+            (contractions, pressures)
+        })
+    }
+}
+
+/// Curves, with what is said of their points.
+#[derive(Default)]
+struct Family {
+    curves: Vec<Curve>,
+    said: Vec<Warning>,
+    has_answers: bool,
+    /// Why no point of any curve has an answer.
+    gravest: Option<Problem>,
+}
+
+impl Family {
+    fn add(&mut self, curve: Curve) {
+        let of_points = warnings::of_points(answered([&curve]));
+        self.said.extend(of_points);
+        self.said = Warning::gravest(&self.said);
+        self.has_answers |= answered([&curve]).next().is_some();
+        if !self.has_answers {
+            self.gravest = all_failed(&curve, self.gravest.take());
+        }
+        self.curves.push(curve);
+    }
 }
 
 /// Contractions from 0 by a round step to the free contraction (or extension) at the highest

@@ -221,52 +221,66 @@ impl<'a> Drive<'a> {
 
     /// Whether it can be run.
     pub fn check(&self) -> Result<()> {
-        let n = self.mechanism.muscles();
-        let count = |given: usize, what| {
-            MotionError::require(given == n, || {
-                format!(
-                    "there are {n} muscles in the mechanism, and {given} {what}; give one for each"
-                )
-            })
-        };
-        count(self.muscles.len(), "muscles with an actuator")?;
+        self.count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
-        within(
-            "the force or torque from outside",
-            self.outside_force,
-            -1e12,
-            1e12,
-        )?;
         self.muscles
             .iter()
             .try_for_each(|m| m.model.muscle().check_contracts())?;
-        within(
-            "the supply's temperature in K",
-            self.supply.temperature_k,
-            50.0,
-            2000.0,
-        )?;
-        within(
-            "the supply's gauge pressure in MPa",
-            self.supply.pressure_mpa,
-            0.0,
-            100.0,
-        )?;
-        within("the end of the run in s", self.until_s, 1e-9, 1e9)?;
-        within(
-            "the time between two points in s",
-            self.output_step_s,
-            1e-12,
-            1e9,
-        )?;
-        if let Some(q) = self.initial_coordinate {
-            within("the coordinate at the start", q, -1e9, 1e9)?;
+        for (what, value, low, high) in [
+            (
+                "the force or torque from outside",
+                self.outside_force,
+                -1e12,
+                1e12,
+            ),
+            (
+                "the supply's temperature in K",
+                self.supply.temperature_k,
+                50.0,
+                2000.0,
+            ),
+            (
+                "the supply's gauge pressure in MPa",
+                self.supply.pressure_mpa,
+                0.0,
+                100.0,
+            ),
+            ("the end of the run in s", self.until_s, 1e-9, 1e9),
+            (
+                "the time between two points in s",
+                self.output_step_s,
+                1e-12,
+                1e9,
+            ),
+            (
+                "the coordinate at the start",
+                self.initial_coordinate.unwrap_or_default(),
+                -1e9,
+                1e9,
+            ),
+            ("the tolerance", self.tolerance, 1e-12, 1e-2),
+        ] {
+            within(what, value, low, high)?;
         }
-        within("the tolerance", self.tolerance, 1e-12, 1e-2)?;
+        self.check_commands()?;
+        (1..)
+            .zip(&self.muscles)
+            .try_for_each(|(number, muscle)| self.check_muscle(number, muscle))
+    }
+
+    /// One of what is given for each muscle.
+    fn count(&self, given: usize, what: &str) -> Result<()> {
+        let n = self.mechanism.muscles();
+        MotionError::require(given == n, || {
+            format!("there are {n} muscles in the mechanism, and {given} {what}; give one for each")
+        })
+    }
+
+    fn check_commands(&self) -> Result<()> {
         self.target.commands().iter().try_for_each(Command::check)?;
         match &self.target {
             Target::Pressure(commands) => {
-                count(commands.len(), "commands")?;
+                self.count(commands.len(), "commands")?;
                 for command in commands {
                     let (low, high) = command.bounds();
                     within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
@@ -278,58 +292,59 @@ impl<'a> Drive<'a> {
                         )
                     })?;
                 }
+                Ok(())
             }
             Target::Opening(commands) => {
-                count(commands.len(), "commands")?;
+                self.count(commands.len(), "commands")?;
                 commands
                     .iter()
-                    .try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))?;
+                    .try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))
             }
-            Target::Volume(commands) => count(commands.len(), "commands")?,
-            Target::Position { pid, .. } => pid.check()?,
+            Target::Volume(commands) => self.count(commands.len(), "commands"),
+            Target::Position { pid, .. } => pid.check(),
         }
+    }
+
+    /// Whether a muscle's actuator goes with its command and with what fills it.
+    fn check_muscle(&self, number: usize, muscle: &Actuated<'_>) -> Result<()> {
+        muscle.check()?;
         let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
-        let volumes = if let Target::Volume(commands) = &self.target {
-            &commands[..]
-        } else {
-            &[]
+        let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
+        MotionError::require(!(opened && has_regulator), || {
+            format!(
+                "an opening is commanded, but muscle {number} has a regulator; command its \
+                 pressure, or give it a valve"
+            )
+        })?;
+        let actuator = muscle.actuator.name();
+        let volume = match &self.target {
+            Target::Volume(commands) => commands.get(number - 1),
+            _ => None,
         };
-        for (number, muscle) in (1..).zip(&self.muscles) {
-            muscle.check()?;
-            let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
-            MotionError::require(!(opened && has_regulator), || {
-                format!(
-                    "an opening is commanded, but muscle {number} has a regulator; command its \
-                     pressure, or give it a valve"
-                )
-            })?;
-            let actuator = muscle.actuator.name();
-            match (&muscle.actuator, volumes.get(number - 1)) {
-                (Actuator::Syringe(syringe), Some(command)) => {
-                    command.check_bounds("a commanded volume in mm³", 0.0, syringe.volume_mm3)?;
-                }
-                (Actuator::Syringe(_), None) | (_, Some(_)) => {
-                    return Err(MotionError::Refused(format!(
-                        "muscle {number} has {actuator}: a commanded volume goes with a syringe, \
-                         and a syringe with a commanded volume"
-                    )));
-                }
-                _ => {}
+        match (&muscle.actuator, volume) {
+            (Actuator::Syringe(syringe), Some(command)) => {
+                command.check_bounds("a commanded volume in mm³", 0.0, syringe.volume_mm3)?;
             }
-            let fits = match muscle.actuator {
-                Actuator::Regulator { .. } => true,
-                Actuator::Valve(_) => !muscle.fluid.is_liquid(),
-                _ => muscle.fluid.is_liquid(),
-            };
-            MotionError::require(fits, || {
-                format!(
-                    "muscle {number} has {actuator}, which is not for what fills it: a liquid goes \
-                     with a flow coefficient, a pump, a syringe or a regulator, air with a sonic \
-                     conductance or a regulator"
-                )
-            })?;
+            (Actuator::Syringe(_), None) | (_, Some(_)) => {
+                return Err(MotionError::Refused(format!(
+                    "muscle {number} has {actuator}: a commanded volume goes with a syringe, and a \
+                     syringe with a commanded volume"
+                )));
+            }
+            _ => {}
         }
-        Ok(())
+        let fits = match muscle.actuator {
+            Actuator::Regulator { .. } => true,
+            Actuator::Valve(_) => !muscle.fluid.is_liquid(),
+            _ => muscle.fluid.is_liquid(),
+        };
+        MotionError::require(fits, || {
+            format!(
+                "muscle {number} has {actuator}, which is not for what fills it: a liquid goes \
+                 with a flow coefficient, a pump, a syringe or a regulator, air with a sonic \
+                 conductance or a regulator"
+            )
+        })
     }
 }
 
@@ -356,6 +371,36 @@ impl Actuated<'_> {
                 Heat::Isothermal | Heat::Adiabatic => {}
             }
         }
+        self.check_actuator()?;
+        if let Some(Friction {
+            coefficient,
+            exponent,
+            lever_mm,
+            presliding_mm,
+        }) = self.friction
+        {
+            within(
+                "the friction's coefficient in N/MPa^β",
+                coefficient,
+                0.0,
+                1e9,
+            )?;
+            within("the friction's exponent", exponent, 0.0, 10.0)?;
+            within("the friction's lever in mm", lever_mm, 0.0, 1e6)?;
+            within(
+                "the friction's presliding length in mm",
+                presliding_mm.unwrap_or(1.0),
+                1e-6,
+                1e6,
+            )?;
+        }
+        if let Some(p) = self.initial_pressure_mpa {
+            within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
+        }
+        self.rubber.check()
+    }
+
+    fn check_actuator(&self) -> Result<()> {
         let lag = |what, time_constant_s| within(what, time_constant_s, 1e-6, 1e6);
         match &self.actuator {
             Actuator::Regulator { time_constant_s } => {
@@ -395,31 +440,6 @@ impl Actuated<'_> {
             }
             None => {}
         }
-        if let Some(Friction {
-            coefficient,
-            exponent,
-            lever_mm,
-            presliding_mm,
-        }) = self.friction
-        {
-            within(
-                "the friction's coefficient in N/MPa^β",
-                coefficient,
-                0.0,
-                1e9,
-            )?;
-            within("the friction's exponent", exponent, 0.0, 10.0)?;
-            within("the friction's lever in mm", lever_mm, 0.0, 1e6)?;
-            within(
-                "the friction's presliding length in mm",
-                presliding_mm.unwrap_or(1.0),
-                1e-6,
-                1e6,
-            )?;
-        }
-        if let Some(p) = self.initial_pressure_mpa {
-            within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
-        }
-        self.rubber.check()
+        Ok(())
     }
 }

@@ -96,18 +96,19 @@ impl System<'_> {
         (side < 0.0 || q >= high && net >= -negligible).then_some(side)
     }
 
-    /// The equilibrium at the first command.
-    fn at_start(&self) -> Result<Equilibrium> {
+    /// The pressures at the start: as stated, else these.
+    fn stated_or(&self, pressures: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let stated = self.drive.muscles.iter().map(|m| m.initial_pressure_mpa);
+        stated
+            .zip(pressures)
+            .map(|(stated, p)| stated.unwrap_or(p))
+            .collect()
+    }
+
+    /// Where pressures hold it, or where it is stated to start.
+    fn rests_at(&self, pressures: Vec<f64>) -> Result<Equilibrium> {
         let drive = self.drive;
-        let supply = drive.supply.pressure_mpa;
-        let given = |pressures: Vec<f64>| -> Vec<f64> {
-            let stated = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
-            stated
-                .zip(pressures)
-                .map(|(stated, p)| stated.unwrap_or(p))
-                .collect()
-        };
-        let at_rest = |pressures: Vec<f64>| match drive.initial_coordinate {
+        match drive.initial_coordinate {
             Some(coordinate) => {
                 let (low, high) = drive.mechanism.stops();
                 let stop = self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0);
@@ -123,11 +124,18 @@ impl System<'_> {
                 stop: None,
             }),
             None => self.at_pressures(&pressures),
-        };
-        let (command, pid) = match &drive.target {
-            Target::Pressure(c) => return at_rest(given(c.iter().map(|c| c.value(0.0)).collect())),
-            Target::Opening(c) => {
-                let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
+        }
+    }
+
+    /// The equilibrium at the first command.
+    fn at_start(&self) -> Result<Equilibrium> {
+        let supply_mpa = self.drive.supply.pressure_mpa;
+        match &self.drive.target {
+            Target::Pressure(commands) => {
+                self.rests_at(self.stated_or(commands.iter().map(|c| c.value(0.0))))
+            }
+            Target::Opening(commands) => {
+                let filled = commands.iter().zip(&self.drive.muscles).map(|(c, m)| {
                     let least = match m.actuator.kind() {
                         Some(ValveKind::OnOff {
                             closed_centre: true,
@@ -135,9 +143,13 @@ impl System<'_> {
                         }) => 0.5,
                         _ => 0.0,
                     };
-                    if c.value(0.0) > least { supply } else { 0.0 }
-                };
-                return at_rest(given(c.iter().zip(&drive.muscles).map(filling).collect()));
+                    if c.value(0.0) > least {
+                        supply_mpa
+                    } else {
+                        0.0
+                    }
+                });
+                self.rests_at(self.stated_or(filled))
             }
             // Syringes are full, and the muscles without pressure.
             Target::Volume(commands) => {
@@ -145,33 +157,37 @@ impl System<'_> {
                     let start = command.value(0.0);
                     within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
                 }
-                return at_rest(given(vec![0.0; self.members.len()]));
+                self.rests_at(self.stated_or(vec![0.0; self.members.len()]))
             }
-            Target::Position { command, pid } => (command, pid),
-        };
-        // The pressures that hold the commanded position: u from all the way out to all the way in.
-        let q = command.value(0.0) / drive.mechanism.position_per_coordinate();
-        let q = q
-            .max(drive.mechanism.stops().0)
-            .min(drive.mechanism.stops().1);
-        let bias = if let PidOutput::Pressure { bias_mpa } = pid.output {
+            Target::Position { command, pid } => self.held_at(command.value(0.0), pid.output),
+        }
+    }
+
+    /// The pressures that hold a commanded position: u from all the way out to all the way in.
+    fn held_at(&self, position: f64, output: PidOutput) -> Result<Equilibrium> {
+        let drive = self.drive;
+        let (low, high) = drive.mechanism.stops();
+        let q = position / drive.mechanism.position_per_coordinate();
+        let q = q.max(low).min(high);
+        let supply_mpa = drive.supply.pressure_mpa;
+        let bias_mpa = if let PidOutput::Pressure { bias_mpa } = output {
             bias_mpa
         } else {
             0.0
         };
         let pressures = |u: f64| -> Vec<f64> {
             (0..self.members.len())
-                .map(|i| (bias + u * self.turns(i)).max(0.0).min(supply))
+                .map(|i| (bias_mpa + u * self.turns(i)).max(0.0).min(supply_mpa))
                 .collect()
         };
-        let (least, most) = (-bias, supply - bias);
+        let (least, most) = (-bias_mpa, supply_mpa - bias_mpa);
         let at = |u: f64| self.net(&pressures(u), q);
         let u = match (at(least)?, at(most)?) {
             (low, _) if low >= 0.0 => least,
             (_, high) if high <= 0.0 => least,
             _ => find_root(at, least, most, 1e-14)?.unwrap_or(least),
         };
-        let pressures_mpa = given(pressures(u));
+        let pressures_mpa = self.stated_or(pressures(u));
         let imbalance = self.net(&pressures_mpa, q)?;
         let negligible = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
         let stop = self.stop(q, imbalance, negligible);

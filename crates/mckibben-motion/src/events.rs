@@ -113,49 +113,50 @@ impl System<'_> {
                 });
             }
         }
-        let parts = self
-            .drive
-            .muscles
-            .iter()
-            .zip(&state.muscles)
-            .zip(&modes.muscles);
-        for (i, ((m, now), mode)) in parts.enumerate() {
-            let Some(ValveKind::OnOff {
-                hysteresis_mpa: on,
-                closed_centre,
-            }) = m.actuator.kind()
-            else {
+        let parts = self.drive.muscles.iter().zip(&modes.muscles);
+        for (i, (m, mode)) in parts.enumerate() {
+            let Some(kind @ ValveKind::OnOff { .. }) = m.actuator.kind() else {
                 continue;
             };
-            let signal = match point.muscles.get(i) {
-                Some(p) => p.signal,
-                None => self.command(t, i, None) - now.gauge_mpa(),
+            let signal = match (point.muscles.get(i), state.muscles.get(i)) {
+                (Some(p), _) => p.signal,
+                (None, Some(now)) => self.command(t, i, None) - now.gauge_mpa(),
+                (None, None) => continue,
             };
-            let is_pressure = self.drive.target.is_pressure();
-            let (on, off) = match (is_pressure, closed_centre) {
-                (true, true) => (on, 0.0),
-                (true, false) => (on, -on),
-                (false, true) => (0.5, 0.5),
-                (false, false) => (SIGNAL, 0.0),
-            };
-            let leaves = if closed_centre {
-                Switch::Hold
-            } else {
-                Switch::Vent
-            };
-            match mode.switch {
-                Switch::Fill => guards.push((Guard::Switch(i, leaves), signal - off + SIGNAL)),
-                Switch::Hold => {
-                    guards.push((Guard::Switch(i, Switch::Fill), on - signal + SIGNAL));
-                    guards.push((Guard::Switch(i, Switch::Vent), signal + on + SIGNAL));
-                }
-                Switch::Vent if closed_centre => {
-                    guards.push((Guard::Switch(i, Switch::Hold), -off - signal + SIGNAL));
-                }
-                Switch::Vent => guards.push((Guard::Switch(i, Switch::Fill), on - signal + SIGNAL)),
-            }
+            guards.extend(self.switches(i, kind, mode.switch, signal));
         }
         Ok(guards)
+    }
+
+    /// The guards of an on–off valve by its signal.
+    fn switches(
+        &self,
+        muscle: usize,
+        kind: ValveKind,
+        switch: Switch,
+        signal: f64,
+    ) -> Vec<(Guard, f64)> {
+        let ValveKind::OnOff {
+            hysteresis_mpa,
+            closed_centre,
+        } = kind
+        else {
+            return vec![];
+        };
+        let (on, off) = match (self.drive.target.is_pressure(), closed_centre) {
+            (true, true) => (hysteresis_mpa, 0.0),
+            (true, false) => (hysteresis_mpa, -hysteresis_mpa),
+            (false, true) => (0.5, 0.5),
+            (false, false) => (SIGNAL, 0.0),
+        };
+        let to = |switch, function: f64| (Guard::Switch(muscle, switch), function + SIGNAL);
+        match switch {
+            Switch::Fill if closed_centre => vec![to(Switch::Hold, signal - off)],
+            Switch::Fill => vec![to(Switch::Vent, signal - off)],
+            Switch::Hold => vec![to(Switch::Fill, on - signal), to(Switch::Vent, signal + on)],
+            Switch::Vent if closed_centre => vec![to(Switch::Hold, -off - signal)],
+            Switch::Vent => vec![to(Switch::Fill, on - signal)],
+        }
     }
 
     /// The push in N at which a muscle is slack: the thrust of 0.03 Pa on its cross-section. Finite

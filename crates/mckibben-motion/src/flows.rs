@@ -2,22 +2,12 @@
 
 use crate::air::Cavity;
 use crate::control::Control;
+use crate::fluid::{FluidRates, Medium};
 use crate::state::{MuscleState, State};
 use crate::system::{Mode, Switch, System};
-use crate::{ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Target, ValveKind};
-
-/// What flows at a time.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct FluidRates {
-    pub supply: Flow,
-    pub exhaust: Flow,
-    pub pressure_rate: f64,
-    pub opening: f64,
-    pub opening_rate: f64,
-    pub signal: f64,
-    /// What a syringe's piston pushes out, in mm³/s.
-    pub piston_mm3_per_s: f64,
-}
+use crate::{
+    ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Syringe, Target, ValveKind,
+};
 
 impl System<'_> {
     /// What the controller does, where there is one.
@@ -76,53 +66,53 @@ impl System<'_> {
         mode: &Mode,
         cavity: &Cavity,
     ) -> FluidRates {
-        let (medium, is_pressure) = (actuated.fluid.medium(), self.drive.target.is_pressure());
+        let medium = actuated.fluid.medium();
         let error = command + ATMOSPHERE_MPA - cavity.absolute_mpa;
-        let kind = match (&actuated.actuator, actuated.actuator.kind()) {
-            (Actuator::Syringe(syringe), _) => {
-                let opening = now.opening.unwrap_or(0.0);
-                let opening_rate =
-                    (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
-                let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
-                let swept_mm3_per_s = cavity.swept_mm3_per_s - piston_mm3_per_s;
-                let pressure_rate = medium.pressure_rate_mpa_per_s(
-                    &Cavity {
-                        swept_mm3_per_s,
-                        ..*cavity
-                    },
-                    &[],
-                );
-                let rest = FluidRates::default();
-                return FluidRates {
-                    pressure_rate,
-                    opening,
-                    opening_rate,
-                    piston_mm3_per_s,
-                    ..rest
-                };
+        match &actuated.actuator {
+            Actuator::Syringe(syringe) => syringe_rates(syringe, now, command, medium, cavity),
+            Actuator::Regulator { time_constant_s } => {
+                self.regulator_rates(error / time_constant_s, medium, cavity)
             }
-            (Actuator::Regulator { time_constant_s }, _) => {
-                let pressure_rate = error / time_constant_s;
-                let flow =
-                    medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
-                let none = Flow {
-                    mass_g_per_s: 0.0,
-                    ..flow
-                };
-                let (supply, exhaust) = if flow.mass_g_per_s > 0.0 {
-                    (flow, none)
-                } else {
-                    (none, flow)
-                };
-                return FluidRates {
-                    supply,
-                    exhaust,
-                    pressure_rate,
-                    ..FluidRates::default()
-                };
-            }
-            (_, kind) => kind.unwrap_or(ValveKind::DEFAULT),
+            _ => self.valve_rates(actuated, now, (command, error), mode, cavity),
+        }
+    }
+
+    /// A regulator changes the pressure as it likes; the flow follows.
+    fn regulator_rates(
+        &self,
+        pressure_rate: f64,
+        medium: &dyn Medium,
+        cavity: &Cavity,
+    ) -> FluidRates {
+        let flow = medium.flow_for_rate(pressure_rate, cavity, self.drive.supply.temperature_k);
+        let none = Flow {
+            mass_g_per_s: 0.0,
+            ..flow
         };
+        let (supply, exhaust) = if flow.mass_g_per_s > 0.0 {
+            (flow, none)
+        } else {
+            (none, flow)
+        };
+        FluidRates {
+            supply,
+            exhaust,
+            pressure_rate,
+            ..FluidRates::default()
+        }
+    }
+
+    /// A valve or a pump opens by its command, or by the error of the pressure.
+    fn valve_rates(
+        &self,
+        actuated: &Actuated<'_>,
+        now: &MuscleState,
+        (command, error): (f64, f64),
+        mode: &Mode,
+        cavity: &Cavity,
+    ) -> FluidRates {
+        let (medium, is_pressure) = (actuated.fluid.medium(), self.drive.target.is_pressure());
+        let kind = actuated.actuator.kind().unwrap_or(ValveKind::DEFAULT);
         let signal = if is_pressure { error } else { command };
         let wanted = match kind {
             ValveKind::OnOff { .. } => match mode.switch {
@@ -182,5 +172,29 @@ impl System<'_> {
             signal,
             piston_mm3_per_s: 0.0,
         }
+    }
+}
+
+/// The piston of a syringe follows its command; the pressure follows from what it pushes.
+fn syringe_rates(
+    syringe: &Syringe,
+    now: &MuscleState,
+    command: f64,
+    medium: &dyn Medium,
+    cavity: &Cavity,
+) -> FluidRates {
+    let opening = now.opening.unwrap_or(0.0);
+    let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
+    let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
+    let pushed = Cavity {
+        swept_mm3_per_s: cavity.swept_mm3_per_s - piston_mm3_per_s,
+        ..*cavity
+    };
+    FluidRates {
+        pressure_rate: medium.pressure_rate_mpa_per_s(&pushed, &[]),
+        opening,
+        opening_rate,
+        piston_mm3_per_s,
+        ..FluidRates::default()
     }
 }

@@ -33,6 +33,19 @@ impl Fluid {
     }
 }
 
+/// What flows at a time.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct FluidRates {
+    pub supply: Flow,
+    pub exhaust: Flow,
+    pub pressure_rate: f64,
+    pub opening: f64,
+    pub opening_rate: f64,
+    pub signal: f64,
+    /// What a syringe's piston pushes out, in mm³/s.
+    pub piston_mm3_per_s: f64,
+}
+
 /// The laws of a fluid in a muscle; pressures are absolute.
 pub(crate) trait Medium {
     /// Volume outside of the cavity in mm³, without the hose.

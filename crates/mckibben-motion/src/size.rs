@@ -71,6 +71,15 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
             Err(error) => Err(error),
         }
     };
+    smallest(rise_time_s, given, rise)?.ok_or_else(no_rise)
+}
+
+/// The smallest conductance whose rise time is short enough, from one that is given.
+fn smallest(
+    rise_time_s: f64,
+    given: f64,
+    rise: impl Fn(f64) -> Result<(Option<f64>, Motion)>,
+) -> Result<Option<SizedValve>> {
     let met = |rise: Option<f64>| rise.is_some_and(|r| r <= rise_time_s);
     let (mut c, mut best) = (given.min(LARGEST), None);
     loop {
@@ -96,7 +105,9 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
             c = (4.0 * c).min(LARGEST);
         }
     }
-    let (mut high, mut reached, mut motion) = best.ok_or_else(no_rise)?;
+    let Some((mut high, mut reached, mut motion)) = best else {
+        return Ok(None);
+    };
     let mut low = c;
     while high / low > 1.001 {
         let mid = (high * low).sqrt();
@@ -107,10 +118,9 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
             low = mid;
         }
     }
-    let rise_time_s = reached.unwrap_or(rise_time_s);
-    Ok(SizedValve {
+    Ok(Some(SizedValve {
         conductance_l_per_s_bar: high,
-        rise_time_s,
+        rise_time_s: reached.unwrap_or(rise_time_s),
         motion,
-    })
+    }))
 }

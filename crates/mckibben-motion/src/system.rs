@@ -1,11 +1,11 @@
 //! The equations of motion of a drive.
 
 use crate::air::{Cavity, cavity_area_mm2};
-use crate::fluid::Medium as _;
+use crate::fluid::{FluidRates, Medium};
 use crate::integrate::Equations;
 use crate::member::{Answer, Member, Moment, Substitute};
-use crate::state::{ControllerState, Layout, MuscleState, State};
-use crate::{ATMOSPHERE_MPA, Actuated, Drive, Fluid, MotionError, PidOutput, Result, Target};
+use crate::state::{ControllerState, Layout, MuscleState, State, Totals};
+use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target};
 use mckibben::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 
@@ -169,49 +169,12 @@ impl<'a> System<'a> {
                 )));
             }
             let speed = member.length_mm * lever.per_coordinate * v;
-            let Answer {
-                volume_mm3: cavity,
-                contraction,
-                ..
-            } = at;
-            let volume_mm3 = cavity.value + muscle.outside_mm3(now.opening);
-            let length = member.length_mm * (1.0 - contraction.value);
-            let cavity = Cavity {
-                absolute_mpa,
-                temperature_k: medium.temperature_k(absolute_mpa, now.mass_g, volume_mm3),
-                volume_mm3,
-                volume_per_pressure_mm3_per_mpa: cavity.by_pressure
-                    + cavity.by_contraction * contraction.by_pressure,
-                swept_mm3_per_s: if mode.slack {
-                    0.0
-                } else {
-                    cavity.by_contraction * lever.per_coordinate * v
-                },
-                area_mm2: if medium.needs_area() {
-                    cavity_area_mm2(cavity.value, length)
-                } else {
-                    0.0
-                },
-            };
-            let share = mode
-                .presliding
-                .as_ref()
-                .map_or(0.0, |p| p.share(member.length_mm * lever.contraction));
-            let wall_n = if muscle.rubber.0.is_empty() {
-                0.0
-            } else {
-                member.wall_n(gauge, &at)
-            };
-            let [model_n, excess, opposing, pull] = if mode.slack {
-                [0.0; 4]
-            } else {
-                pull(muscle, &at, now, (wall_n, share))
-            };
-            net += pull * member.length_mm * lever.per_coordinate;
+            let cavity = cavity(member, now, mode, &at, lever.per_coordinate * v);
+            let (wall_n, pulls) = pulls(member, now, mode, &at, lever.contraction);
+            net += pulls.pull_n * member.length_mm * lever.per_coordinate;
 
             let command = self.command(t, i, control);
             let fluid = self.flows(muscle, now, command, mode, &cavity);
-            let flows = [fluid.supply, fluid.exhaust];
             rates.muscles.push(MuscleState {
                 absolute_mpa: fluid.pressure_rate,
                 mass_g: fluid.supply.mass_g_per_s + fluid.exhaust.mass_g_per_s,
@@ -220,36 +183,24 @@ impl<'a> System<'a> {
                 supplied_g: fluid.supply.mass_g_per_s,
                 exhausted_g: -fluid.exhaust.mass_g_per_s,
             });
-            let swelling = cavity.swept_mm3_per_s
-                + cavity.volume_per_pressure_mm3_per_mpa * fluid.pressure_rate;
-            totals.enthalpy_in += medium.enthalpy_mw(fluid.supply, absolute_mpa);
-            let pushed = fluid.piston_mm3_per_s.max(0.0);
-            totals.enthalpy_in += absolute_mpa * pushed;
-            totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
-            totals
-                .atmosphere
-                .iter_mut()
-                .for_each(|work| *work += ATMOSPHERE_MPA * pushed);
-            totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
-            totals.heat += medium.heat_mw(fluid.pressure_rate, &cavity, &flows);
-            totals.gas_work += absolute_mpa * swelling;
-            totals.static_work += model_n * speed;
-            totals.viscoelastic += excess * speed;
-            totals.friction += opposing * speed;
-            totals.positive_work += (pull * speed).max(0.0);
+            add_flows(totals, medium, &fluid, &cavity);
+            totals.static_work += pulls.model_n * speed;
+            totals.viscoelastic += pulls.excess_n * speed;
+            totals.friction += pulls.opposing_n * speed;
+            totals.positive_work += (pulls.pull_n * speed).max(0.0);
             muscles.push(MusclePoint {
                 pressure_mpa: gauge,
                 contraction: lever.contraction,
                 speed,
                 model_n: at.force_n.value,
-                pull_n: pull,
+                pull_n: pulls.pull_n,
                 volume_mm3: at.volume_mm3.value,
                 temperature_k: cavity.temperature_k,
                 mass_g: now.mass_g,
                 opening: fluid.opening,
                 command,
                 signal: fluid.signal,
-                beyond: lever.contraction - contraction.value,
+                beyond: lever.contraction - at.contraction.value,
             });
         }
         let damping = mechanism.damping() * v;
@@ -293,25 +244,102 @@ impl<'a> System<'a> {
     }
 }
 
-/// Of a taut muscle: the pull of the model, the part of viscoelasticity, that of friction, and the
-/// pull at the muscle's end; by the wall's part of the pull and the share of the friction.
-fn pull(
-    muscle: &Actuated<'_>,
-    at: &Answer,
+/// What is in a muscle: a slack one follows the pressure alone.
+fn cavity(
+    member: &Member<'_>,
     now: &MuscleState,
-    (wall_n, share): (f64, f64),
-) -> [f64; 4] {
-    let (pressure, model_n) = (now.gauge_mpa(), at.force_n.value);
-    let excess = muscle.rubber.excess_n(wall_n, &now.branches_n);
+    mode: &Mode,
+    at: &Answer,
+    contraction_rate: f64,
+) -> Cavity {
+    let (medium, absolute_mpa) = (member.muscle.fluid.medium(), now.absolute_mpa);
+    let (inside, contraction) = (at.volume_mm3, at.contraction);
+    let volume_mm3 = inside.value + member.muscle.outside_mm3(now.opening);
+    let length_mm = member.length_mm * (1.0 - contraction.value);
+    Cavity {
+        absolute_mpa,
+        temperature_k: medium.temperature_k(absolute_mpa, now.mass_g, volume_mm3),
+        volume_mm3,
+        volume_per_pressure_mm3_per_mpa: inside.by_pressure
+            + inside.by_contraction * contraction.by_pressure,
+        swept_mm3_per_s: if mode.slack {
+            0.0
+        } else {
+            inside.by_contraction * contraction_rate
+        },
+        area_mm2: if medium.needs_area() {
+            cavity_area_mm2(inside.value, length_mm)
+        } else {
+            0.0
+        },
+    }
+}
+
+/// The energies a second that a fluid carries, exchanges and gives.
+fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavity: &Cavity) {
+    let absolute_mpa = cavity.absolute_mpa;
+    let swelling =
+        cavity.swept_mm3_per_s + cavity.volume_per_pressure_mm3_per_mpa * fluid.pressure_rate;
+    totals.enthalpy_in += medium.enthalpy_mw(fluid.supply, absolute_mpa);
+    let pushed = fluid.piston_mm3_per_s.max(0.0);
+    totals.enthalpy_in += absolute_mpa * pushed;
+    totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
+    let atmosphere = totals.atmosphere.iter_mut();
+    atmosphere.for_each(|work| *work += ATMOSPHERE_MPA * pushed);
+    totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
+    let flows = [fluid.supply, fluid.exhaust];
+    totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);
+    totals.gas_work += absolute_mpa * swelling;
+}
+
+/// The parts of a muscle's pull; none of a slack one.
+#[derive(Debug, Clone, Copy, Default)]
+struct Pulls {
+    model_n: f64,
+    /// Of the viscoelastic wall.
+    excess_n: f64,
+    /// Of friction.
+    opposing_n: f64,
+    /// At the muscle's end.
+    pull_n: f64,
+}
+
+/// The wall's part of the pull, and the pulls.
+fn pulls(
+    member: &Member<'_>,
+    now: &MuscleState,
+    mode: &Mode,
+    at: &Answer,
+    contraction: f64,
+) -> (f64, Pulls) {
+    let (muscle, pressure_mpa) = (member.muscle, now.gauge_mpa());
+    let wall_n = if muscle.rubber.0.is_empty() {
+        0.0
+    } else {
+        member.wall_n(pressure_mpa, at)
+    };
+    if mode.slack {
+        return (wall_n, Pulls::default());
+    }
+    let presliding = mode.presliding.as_ref();
+    let share = presliding.map_or(0.0, |p| p.share(member.length_mm * contraction));
+    let model_n = at.force_n.value;
+    let excess_n = muscle.rubber.excess_n(wall_n, &now.branches_n);
     let pivoting = at.pivoting_n_per_mm.value.max(0.0);
-    let friction = muscle.friction.map_or(0.0, |friction| {
-        friction.half_width_n(pressure, pivoting) * share
+    let friction_n = muscle.friction.map_or(0.0, |friction| {
+        friction.half_width_n(pressure_mpa, pivoting) * share
     });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress
     // are no larger than the pull.
-    let most = model_n.max(0.0);
-    let pull = model_n + (excess - friction).clamp(-most, most);
-    [model_n, excess, model_n + excess - pull, pull]
+    let most_n = model_n.max(0.0);
+    let pull_n = model_n + (excess_n - friction_n).clamp(-most_n, most_n);
+    let pulls = Pulls {
+        model_n,
+        excess_n,
+        opposing_n: model_n + excess_n - pull_n,
+        pull_n,
+    };
+    (wall_n, pulls)
 }
 
 /// The size of each number of the state.
