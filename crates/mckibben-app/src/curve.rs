@@ -122,8 +122,10 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
                 direction,
                 ..question.options
             };
-            let mut evaluation = question.evaluation().with(options);
-            let curves = evaluation.curves(request.test, &[value], &along);
+            let mut evaluation = question.evaluation();
+            let curves = evaluation
+                .with(options)
+                .curves(request.test, &[value], &along);
             cancel::check()?;
             progress.check()?;
             curves.into_iter().for_each(|curve| family.add(curve));
