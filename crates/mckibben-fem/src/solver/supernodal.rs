@@ -80,7 +80,7 @@ impl Numeric {
             self.worked(columns.len() * height)?;
             let (head, block) = factor.split_at_mut(s.values(i).start);
             for (j, column) in columns.clone().zip(block.chunks_exact_mut(height)) {
-                for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
+                for k in pattern.column(j) {
                     column[self.local[pattern.rows[k] as usize] as usize] += values[k];
                 }
             }

@@ -53,12 +53,16 @@ impl Pattern {
         self.rows.len()
     }
 
+    /// Places of the entries of a column.
+    pub fn column(&self, column: usize) -> Range<usize> {
+        self.columns[column] as usize..self.columns[column + 1] as usize
+    }
+
     /// Place of entry (`row`, `column`) of the lower half.
     pub fn position(&self, row: u32, column: u32) -> Option<u32> {
-        let start = *self.columns.get(column as usize)?;
-        let end = *self.columns.get(column as usize + 1)?;
-        let all = self.rows.get(start as usize..end as usize)?;
-        all.binary_search(&row).ok().map(|i| start + i as u32)
+        let all = self.column(column as usize);
+        let found = self.rows[all.clone()].binary_search(&row).ok()?;
+        Some((all.start + found) as u32)
     }
 }
 
@@ -132,8 +136,8 @@ impl Symbolic {
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let below = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
-            let below = below.iter().copied().filter(|r| *r as usize > j);
+            let below = pattern.rows[pattern.column(j)].iter().copied();
+            let below = below.filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;

@@ -7,7 +7,7 @@ use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
 
 /// Place now of a node in mm.
-pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
+pub fn now(body: &Body, node: usize) -> [f64; 3] {
     let (x, u) = (
         &body.discretisation.problem.nodes[node],
         &body.state.u[3 * node..3 * node + 3],
@@ -16,12 +16,12 @@ pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
 }
 
 /// b = F Fᵀ
-pub(super) fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
+pub fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
     PAIRS.map(|(i, j)| dot(&f[i], &f[j]))
 }
 
 /// Largest principal stretch at F.
-pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
+pub fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
     principal_axes(&left(f))
         .0
         .into_iter()
@@ -30,11 +30,7 @@ pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
 }
 
 /// F at a point of a brick, and its place in the reference configuration.
-pub(super) fn gradient(
-    body: &Body,
-    brick: usize,
-    p: &ShapePoint,
-) -> Option<([[f64; 3]; 3], [f64; 3])> {
+pub fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([[f64; 3]; 3], [f64; 3])> {
     let problem = &body.discretisation.problem;
     let nodes = &problem.bricks[brick];
     let rest: Vec<[f64; 3]> = nodes

@@ -205,29 +205,24 @@ impl Constraints<'_> {
     }
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-pub(super) fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
+pub fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
     for (x, place) in x.iter().zip(&d.place) {
         u[*place as usize] = *x;
     }
 }
 
-pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
+pub fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
     for (x, place) in x.iter_mut().zip(&d.place) {
         *x = u[*place as usize];
     }
 }
 
 /// d = −c: the defects of the constraints.
-pub(super) fn constraint_residual(
-    d: &Discretisation,
-    s: &State,
-    work: &Assembled,
-    out: &mut [f64],
-) {
+pub fn constraint_residual(d: &Discretisation, s: &State, work: &Assembled, out: &mut [f64]) {
     let bricks = d.bricks() * d.modes;
     for (o, c) in out.iter_mut().zip(&work.defect) {
         *o = -c;

@@ -12,9 +12,9 @@
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
-use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, radius, slice};
+use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, pull, radius, slice};
 use crate::axisymmetric::{Body, BraidSpec};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::model::ThickWall;
 use mckibben::muscle::{Braid, BraidStiffness, Crimp, StrandLay};
 use std::f64::consts::PI;
 
@@ -44,7 +44,7 @@ fn tension(body: &Body, k: f64, lay: &StrandLay, stretch: f64) -> f64 {
 /// The rows of K.
 pub fn strand_lay(rows: &mut Rows) {
     let thick = |thickness: f64, stretch: f64| {
-        let slice = slice(WALL, neo_hookean(1e-8), braid(lay(OUTER, thickness), None))?;
+        let slice = slice(WALL, neo_hookean(1e-8), braid(lay(OUTER, thickness), None));
         Some(inflated(slice, 0.3, stretch)?.totals.pull)
     };
     for (thickness, stretch) in [(0.3, 1.0), (0.3, 0.85), (1.0, 0.7)] {
@@ -58,12 +58,8 @@ pub fn strand_lay(rows: &mut Rows) {
     }
     // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
-    rows.add(
-        "blocked force that 0.3 mm of braid add (%)",
-        2.3,
-        gain,
-        0.01,
-    );
+    let name = "blocked force that 0.3 mm of braid add (%)";
+    rows.add(name, 2.3, gain, 0.01);
     rows.source = "K: inflation of the bare thick tube";
     let k = 1e4;
     for (diameter, stretch) in [(15.0, 1.0), (16.0, 0.95), (14.5, 1.0)] {
@@ -74,7 +70,7 @@ pub fn strand_lay(rows: &mut Rows) {
         let exact =
             MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
         let above = |share: f64| {
-            let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)))?;
+            let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)));
             let body = inflated(slice, share * exact, stretch)?;
             Some(tension(&body, k, &lay, stretch))
         };
@@ -88,34 +84,24 @@ pub fn strand_lay(rows: &mut Rows) {
         rows.add(name, exact, ours, 1e-5);
     }
     rows.source = "K: strands that are longer by what their crimp gives";
-    let (k, crimp) = (
-        1e3,
-        Some(Crimp {
-            strain: 0.01,
-            stiffness_ratio: 0.1,
-        }),
-    );
+    let k = 1e3;
+    let crimp = Some(Crimp {
+        strain: 0.01,
+        stiffness_ratio: 0.1,
+    });
     let crimped = BraidSpec {
         crimp,
         ..braid(lay(OUTER, 0.0), Some(k))
     };
-    let ours = slice(WALL, neo_hookean(MU), crimped).and_then(|c| inflated(c, 0.5, 0.9));
-    let stiffness = BraidStiffness::NewtonPerMm(k);
+    let ours = inflated(slice(WALL, neo_hookean(MU), crimped), 0.5, 0.9).map(|b| b.totals.pull);
     let braid = Braid {
         angle_deg: ANGLE_DEG,
-        stiffness,
+        stiffness: BraidStiffness::NewtonPerMm(k),
         crimp,
         ..Braid::paper()
     };
-    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid).and_then(|m| {
-        ThickWall::new(&m)
-            .force_n(&mut Workspace::new(), 0.5, 0.1)
-            .ok()
-    });
-    rows.add(
-        "strands with 1 % of crimp, ε 0.1: F (N)",
-        exact,
-        ours.map(|b| b.totals.pull),
-        1e-8,
-    );
+    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
+        .and_then(|m| pull(ThickWall::new(&m), 0.5, 0.1));
+    let name = "strands with 1 % of crimp, ε 0.1: F (N)";
+    rows.add(name, exact, ours, 1e-8);
 }

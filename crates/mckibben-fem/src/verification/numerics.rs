@@ -4,11 +4,13 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice
 //! of tube under pressure, its length given.
 
-use super::{Rows, at_rest, body, changed, order_of_newton, pull, radius, rubber, stretched};
+use super::{
+    Path, Rows, at_rest, body, changed, largest_difference, order_of_newton, radius, rubber,
+    section_pull, stretched,
+};
 use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
 use crate::simulation::{Given, Simulation};
 use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
 use crate::solver::newton::{NewtonOptions, NewtonSystem as _};
 use mckibben::differences::{STENCIL, slope};
 use mckibben::model::Workspace;
@@ -19,15 +21,15 @@ use mckibben::rubber::Law;
 
 const STIFFNESS: BraidStiffness = BraidStiffness::NewtonPerMm(321.0);
 
+const HALF: f64 = 142.5;
+
 /// A bonded muscle with one law, bulk and braid at rest.
-fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuation<Body>> {
+fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Path> {
     let muscle = changed(|tube, braid| {
         (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
     })?;
-    at_rest(
-        Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)),
-        Problem::from_parts(muscle.parts()),
-    )
+    let mesh = Mesh::tube(12.0, 15.0, HALF, (1, 6, 2.0));
+    at_rest(mesh, Problem::from_parts(muscle.parts()))
 }
 
 /// The rows of J.
@@ -39,8 +41,8 @@ pub fn numerics(rows: &mut Rows) {
             (Bulk::Incompressible, BraidStiffness::Inextensible),
         ] {
             let error = bonded(law.clone(), bulk, stiffness).and_then(|mut w| {
-                w.walk(0.2, -0.08 * 142.5, 1.0).ok()?;
-                w.solve(Control::Length(-0.08 * 142.5)).ok()?;
+                w.walk(0.2, -0.08 * HALF, 1.0).ok()?;
+                w.solve(Control::Length(-0.08 * HALF)).ok()?;
                 tangent_error(&mut w.body)
             });
             let name = law.name();
@@ -50,8 +52,8 @@ pub fn numerics(rows: &mut Rows) {
         }
     }
     let order = bonded(rubber(), Bulk::Incompressible, STIFFNESS).and_then(|mut w| {
-        w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
-        w.body.control = Control::Length(-0.10 * 142.5);
+        w.walk(0.2, -0.05 * HALF, 1.0).ok()?;
+        w.body.control = Control::Length(-0.10 * HALF);
         let options = NewtonOptions {
             small: 0.0,
             tolerance: 1e-13,
@@ -59,35 +61,24 @@ pub fn numerics(rows: &mut Rows) {
         };
         order_of_newton(&mut w.body, &options, 3e-13)
     });
-    rows.add(
-        "order of Newton's last residuals (2 or more)",
-        2.0,
-        order,
-        0.2,
-    );
+    let name = "order of Newton's last residuals (2 or more)";
+    rows.add(name, 2.0, order, 0.2);
     let in_steps = |n: usize| {
         let mut w = bonded(rubber(), Bulk::Incompressible, STIFFNESS)?;
         for i in 1..=n {
             let t = i as f64 / n as f64;
-            w.walk(0.25 * t, -0.15 * 142.5 * t, 1.0).ok()?;
+            w.walk(0.25 * t, -0.15 * HALF * t, 1.0).ok()?;
         }
         Some(w.body.totals.pull)
     };
-    rows.add(
-        "F after one step against twenty (N)",
-        in_steps(20),
-        in_steps(1),
-        1e-8,
-    );
+    let name = "F after one step against twenty (N)";
+    rows.add(name, in_steps(20), in_steps(1), 1e-8);
     // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled.
     // Theory: the energy, and with it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
         let mesh = Mesh::mapped(n, 1, |x, y| [1.0 + x, y]);
-        let b = stretched(
-            body(mesh, rubber(), None, Ends::Sliding)?,
-            0.137_772_857_4,
-            1.0,
-        )?;
+        let body = body(mesh, rubber(), None, Ends::Sliding);
+        let b = stretched(body, 0.137_772_857_4, 1.0)?;
         Some((radius(&b, 0, 0) - 2.0).abs())
     };
     let rate = (|| Some((error(4)? / error(8)?).log2()))();
@@ -120,12 +111,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
     }
     body.state.copy_from(&state);
     body.solve_linear(&mut change, 0.0);
-    let worst = change[..l.end()]
-        .iter()
-        .zip(&v)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
-    Some(worst)
+    Some(largest_difference(&change[..l.end()], &v))
 }
 
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring
@@ -157,14 +143,10 @@ pub fn sensitivities(rows: &mut Rows) {
         muscle.with_tube(tube).ok()
     };
     let slopes = solved.map_or(vec![], |s| s.sensitivities);
-    rows.add(
-        "constants and measures with a ∂F",
-        7.0,
-        slopes.len() as f64,
-        0.0,
-    );
+    let name = "constants and measures with a ∂F";
+    rows.add(name, 7.0, slopes.len() as f64, 0.0);
     for s in slopes {
-        let pull = |h: f64| pull(&beside(&s.name, s.value + h)?, p, e);
+        let pull = |h: f64| section_pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();
         rows.add(format!("∂F/∂({})", s.name), by, s.force_n_per_unit, 1e-6);
     }

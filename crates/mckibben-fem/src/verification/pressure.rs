@@ -17,16 +17,17 @@ pub fn follower_pressure(rows: &mut Rows) {
     let h = 1e-3;
     let (mut slope, mut curvature, mut skew) = (0.0_f64, 0.0_f64, 0.0_f64);
     for i in 0..6 {
-        let (mut up, mut down) = (x, x);
-        up[i] += h;
-        down[i] -= h;
-        let (up, down) = (volume::<true>(&up), volume::<true>(&down));
+        let [up, down] = [h, -h].map(|h| {
+            let mut moved = x;
+            moved[i] += h;
+            volume::<true>(&moved)
+        });
         // The volume is a cubic: central differences leave its third derivative h²/6.
-        slope =
-            slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
+        let off = (up.value - down.value) / (2.0 * h) - v.first[i];
+        slope = slope.max(off.abs() / v.first[4].abs());
         for j in 0..6 {
-            curvature =
-                curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
+            let off = (up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i];
+            curvature = curvature.max(off.abs());
             // Problem that integrate to the ends of the line are not symmetric inside of it; the
             // sum is.
             skew = skew.max((v.second[i][j] - v.second[j][i]).abs());
@@ -36,19 +37,11 @@ pub fn follower_pressure(rows: &mut Rows) {
     rows.add("∂V/∂x against differences", 0.0, slope, 1e-8);
     rows.add("∂²V/∂x∂x against differences (mm)", 0.0, curvature, 1e-8);
     rows.add("asymmetry of the pressure's tangent (mm)", 0.0, skew, 1e-12);
-    rows.add(
-        "sum of the axial forces of the cavity (mm²)",
-        0.0,
-        together,
-        1e-11,
-    );
+    let name = "sum of the axial forces of the cavity (mm²)";
+    rows.add(name, 0.0, together, 1e-11);
     let model = Axisymmetric::new(&Muscle::prototype()).ok();
-    rows.add(
-        "(∫P dV + ∫F dL)/ΔW along a path",
-        1.0,
-        model.and_then(|m| balance(&m)),
-        1e-7,
-    );
+    let ours = model.and_then(|m| balance(&m));
+    rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, ours, 1e-7);
 }
 
 /// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV =
@@ -63,14 +56,15 @@ pub(super) fn balance(model: &dyn Simulation) -> Option<f64> {
             .solve(&mut Workspace::new(), Given::at(p(t), e(t)))
             .ok()?;
         let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
-        let end = [(0, -1.0), (STEPS, 1.0)]
-            .into_iter()
-            .find(|end| end.0 == i)
-            .map(|end| end.1);
-        let weight = end.map_or([2.0, 4.0][i % 2], |_| 1.0) / (3.0 * STEPS as f64);
+        let (weight, end) = match i {
+            0 => (1.0, -1.0),
+            STEPS => (1.0, 1.0),
+            _ => ([2.0, 4.0][i % 2], 0.0),
+        };
+        let weight = weight / (3.0 * STEPS as f64);
         work += weight * (-volume * 0.15 - force * 0.08 * model.muscle().length_mm());
-        work += end.unwrap_or(0.0) * p(t) * volume;
-        stored += end.unwrap_or(0.0) * (s.energies.rubber_n_mm + s.energies.braid_n_mm);
+        work += end * p(t) * volume;
+        stored += end * (s.energies.rubber_n_mm + s.energies.braid_n_mm);
     }
     Some(work / stored)
 }

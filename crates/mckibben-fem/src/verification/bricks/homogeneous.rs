@@ -15,12 +15,9 @@ use crate::verification::Rows;
 fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, Vec<[bool; 3]>)> {
     let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
-    let far: Vec<[bool; 3]> = block
-        .places()
-        .iter()
-        .map(|p| p.map(|i| i == last))
-        .collect();
-    for (node, place) in block.places().iter().enumerate() {
+    let places = block.places();
+    let far: Vec<[bool; 3]> = places.iter().map(|p| p.map(|i| i == last)).collect();
+    for (node, place) in places.iter().enumerate() {
         for i in 0..3 {
             if place[i] == 0 || held(far[node], i) {
                 problem.freedom[node][i] = Freedom::Held;
@@ -36,19 +33,14 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
     let (mut body, far) = cube(brick, |far, i| {
         far[i] && (i == 0 || (i == 1 && y.is_some()))
     })?;
-    let stretch = [
-        x,
-        y.unwrap_or(x.powf(-0.5)),
-        1.0 / (x * y.unwrap_or(x.powf(-0.5))),
-    ];
+    let y = y.unwrap_or(x.powf(-0.5));
+    let stretch = [x, y, 1.0 / (x * y)];
     push(&mut body, 10, |n, i| {
         if far[n][i] { stretch[i] - 1.0 } else { 0.0 }
     })?;
     body.residual().ok()?;
-    let sum = (0..far.len())
-        .filter(|&n| far[n][0])
-        .map(|n| body.assembled.force[3 * n])
-        .sum();
+    let pulled = (0..far.len()).filter(|&n| far[n][0]);
+    let sum = pulled.map(|n| body.assembled.force[3 * n]).sum();
     Some([sum, distance(&body, |rest, i| (stretch[i] - 1.0) * rest[i])])
 }
 
@@ -56,10 +48,9 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
 /// direction).
 fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
-    for (n, rest) in body.discretisation.problem.nodes.iter().enumerate() {
-        for i in 0..3 {
-            worst = worst.max((body.state.u[3 * n + i] - exact(rest, i)).abs());
-        }
+    for (k, u) in body.state.u.iter().enumerate() {
+        let rest = &body.discretisation.problem.nodes[k / 3];
+        worst = worst.max((u - exact(rest, k % 3)).abs());
     }
     worst
 }
@@ -107,14 +98,9 @@ fn sheared(brick: Brick) -> Option<[f64; 4]> {
     let mut body = body(problem)?;
     push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
     body.residual().ok()?;
-    let p: [[f64; 3]; 3] = [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| {
-            rest.iter()
-                .enumerate()
-                .map(|(n, x)| body.assembled.force[3 * n + i] * x[j])
-                .sum()
-        })
-    });
+    let forces = body.assembled.force.chunks_exact(3);
+    let p: [[f64; 3]; 3] = [0, 1, 2]
+        .map(|i| [0, 1, 2].map(|j| forces.clone().zip(&rest).map(|(f, x)| f[i] * x[j]).sum()));
     let f = [[1.0, GAMMA, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let sigma = |i: usize, j: usize| (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>();
     let [normal, second] = [sigma(0, 0) - sigma(2, 2), sigma(1, 1) - sigma(2, 2)];
@@ -130,11 +116,7 @@ pub fn shear(rows: &mut Rows) {
             ("σ22 − σ33 (MPa)", -2.0 * 0.02 * GAMMA * GAMMA),
             ("largest displacement off (mm)", 0.0),
         ];
-        rows.each(
-            &format!("{name}, simple shear γ = 1: "),
-            exact,
-            sheared(brick),
-            1e-10,
-        );
+        let begins = format!("{name}, simple shear γ = 1: ");
+        rows.each(&begins, exact, sheared(brick), 1e-10);
     }
 }

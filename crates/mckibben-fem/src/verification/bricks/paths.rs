@@ -6,7 +6,7 @@
 
 use super::muscle::peers;
 use super::numerics::{dense_tangent, tangent_error};
-use super::{BRICKS, at_rest, coarse, prototype, solve};
+use super::{BRICKS, at_rest, coarse, prototype, settle};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
 use crate::verification::{Rows, changed};
@@ -30,23 +30,20 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
     // Defects of the volume multiply second derivatives that the tangent omits: they must vanish.
-    let terminal = body.state.terminal;
-    solve(body, terminal)?;
+    settle(body)?;
     tangent_error(body)
 }
 
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
     let values = dense_tangent(body).symmetric_eigenvalues();
-    values
-        .iter()
-        .all(|x| x.is_finite())
-        .then(|| values.iter().filter(|x| **x < 0.0).count())
+    let finite = values.iter().all(|x| x.is_finite());
+    finite.then(|| values.iter().filter(|x| **x < 0.0).count())
 }
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues)
 /// that are negative.
-fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
+fn shortened() -> Option<(Option<Unstable>, [f64; 2])> {
     let spec = BrickSpec {
         around: Some(4),
         along: Some(12),
@@ -58,11 +55,8 @@ fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
     c.walk(0.0, -0.02 * half, 0.25).ok()?;
     let body = &mut c.body.bricks;
     body.factorise().ok()?;
-    let (pivots, eigenvalues) = (
-        body.unstable_directions() as f64,
-        negative_eigenvalues(body)? as f64,
-    );
-    Some((c.unstable, pivots, eigenvalues))
+    let negative = [body.unstable_directions(), negative_eigenvalues(body)?];
+    Some((c.unstable, negative.map(|n| n as f64)))
 }
 
 /// The rows of paths and stability.
@@ -81,23 +75,14 @@ pub fn paths(rows: &mut Rows) {
             rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
-    let stability = shortened();
-    let (noticed, pivots) = (stability.and_then(|f| f.0), stability.map(|f| f.1));
+    let (noticed, negative) = shortened().unzip();
+    let (noticed, pivots) = (noticed.flatten(), negative.map(|n| n[0]));
     let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
-    rows.add(title, stability.map(|f| f.2), pivots, 0.0);
-    rows.add(
-        "the same: there are some",
-        1.0,
-        pivots.map(|n| n.min(1.0)),
-        0.0,
-    );
+    rows.add(title, negative.map(|n| n[1]), pivots, 0.0);
+    let some = pivots.map(|n| n.min(1.0));
+    rows.add("the same: there are some", 1.0, some, 0.0);
     let title = |what: &str| format!("the same: the first unstable equilibrium is noticed, {what}");
     rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);
-    let on_the_way = |e: f64| f64::from(e > 0.0 && e < 0.020_001);
-    rows.add(
-        title("on the way"),
-        1.0,
-        noticed.map(|u| on_the_way(u.contraction)),
-        0.0,
-    );
+    let on_the_way = noticed.map(|u| f64::from(u.contraction > 0.0 && u.contraction < 0.020_001));
+    rows.add(title("on the way"), 1.0, on_the_way, 0.0);
 }

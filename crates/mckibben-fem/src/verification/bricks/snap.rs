@@ -46,56 +46,31 @@ fn exact(d: f64) -> f64 {
 /// The rows of F with strands.
 pub fn snap(rows: &mut Rows) {
     for d in [0.2, 0.7, 1.4, 2.3] {
-        rows.add(
-            format!("two strands, apex down by {d} mm: P (N)"),
-            exact(d),
-            apex(d, true).0,
-            1e-10,
-        );
+        let name = format!("two strands, apex down by {d} mm: P (N)");
+        rows.add(name, exact(d), apex(d, true).0, 1e-10);
     }
     let l = (W * W * W.hypot(H)).cbrt();
     let limit = H - (l * l - W * W).sqrt();
     let root = |f: &dyn Fn(f64) -> f64, low: f64, high: f64| {
-        find_root(|d| Ok::<_, ()>(f(d)), low, high, 1e-14)
-            .ok()
-            .flatten()
+        let root = find_root(|d| Ok::<_, ()>(f(d)), low, high, 1e-14);
+        root.ok().flatten()
     };
     let stiffness = |d: f64| apex(d, true).1;
     let top = root(&stiffness, 0.1 * H, 0.9 * H);
     rows.add("two strands, limit point: d (mm)", limit, top, 1e-9);
-    rows.add(
-        "two strands, limit load: P (N)",
-        exact(limit),
-        top.map(|d| apex(d, true).0),
-        1e-9,
-    );
+    let load = top.map(|d| apex(d, true).0);
+    rows.add("two strands, limit load: P (N)", exact(limit), load, 1e-9);
     // Where the load is the limit load again.
     let again = root(&|d| exact(d) - exact(limit), 2.0 * H, 4.0 * H);
     let landed = root(&|d| apex(d, true).0 - exact(limit), 2.0 * H, 4.0 * H);
-    rows.add(
-        "two strands, snapped through under the limit load: d (mm)",
-        again,
-        landed,
-        1e-9,
-    );
+    let name = "two strands, snapped through under the limit load: d (mm)";
+    rows.add(name, again, landed, 1e-9);
     let sign = |d: f64| stiffness(d).signum();
-    rows.add(
-        "two strands, stiffness there is positive",
-        1.0,
-        landed.map(sign),
-        0.0,
-    );
+    let name = "two strands, stiffness there is positive";
+    rows.add(name, 1.0, landed.map(sign), 0.0);
     let both = sign(limit - 0.05) + sign(limit + 0.05);
-    rows.add(
-        "two strands, stiffness before the limit, past it",
-        0.0,
-        both,
-        0.0,
-    );
-    rows.add(
-        "two tension-only strands pushed together: P (N)",
-        0.0,
-        apex(0.5, false).0,
-        0.0,
-    );
+    let name = "two strands, stiffness before the limit, past it";
+    rows.add(name, 0.0, both, 0.0);
+    let name = "two tension-only strands pushed together: P (N)";
+    rows.add(name, 0.0, apex(0.5, false).0, 0.0);
 }

@@ -7,7 +7,7 @@
 use super::block::Block;
 use super::{body, push};
 use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Brick, Freedom};
+use crate::three_dimensional::{Brick, Freedom, now};
 use crate::verification::{Rows, rubber};
 use mckibben::muscle::Bulk;
 
@@ -32,13 +32,10 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
         ]
     });
     let last = block.grid()[2] - 1;
-    let mut top = Vec::new();
-    for (node, [_, _, k]) in block.places().into_iter().enumerate() {
-        if k == 0 || k == last {
+    let places = block.places();
+    for (node, [_, _, k]) in places.iter().enumerate() {
+        if [0, last].contains(k) {
             problem.freedom[node] = [Freedom::Held; 3];
-        }
-        if k == last {
-            top.push(node);
         }
     }
     let nodes = problem.nodes.clone();
@@ -53,10 +50,9 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
     })?;
     body.residual().ok()?;
     let (mut moment, mut axial) = (0.0, 0.0);
-    for n in top {
-        let (x, f) = (nodes[n], &body.assembled.force[3 * n..3 * n + 3]);
-        let (px, py) = (x[0] + body.state.u[3 * n], x[1] + body.state.u[3 * n + 1]);
-        moment += px * f[1] - py * f[0];
+    for n in (0..nodes.len()).filter(|&n| places[n][2] == last) {
+        let (x, f) = (now(&body, n), &body.assembled.force[3 * n..]);
+        moment += x[0] * f[1] - x[1] * f[0];
         axial += f[2];
     }
     Some((moment, axial))
@@ -65,11 +61,7 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 /// The rows of D.
 pub fn torsion(rows: &mut Rows) {
     let (moment, axial) = loads(6).unzip();
-    rows.add(
-        "solid cylinder, torsion: M (N·mm)",
-        11.780_972_45,
-        moment,
-        2e-4,
-    );
+    let name = "solid cylinder, torsion: M (N·mm)";
+    rows.add(name, 11.780_972_45, moment, 2e-4);
     rows.add("solid cylinder, torsion: N (N)", -0.343_611_70, axial, 2e-3);
 }
