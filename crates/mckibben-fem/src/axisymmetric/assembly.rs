@@ -61,7 +61,7 @@ pub fn assemble<const TANGENT: bool>(
         ..Totals::default()
     };
     let mut work = Assembly { d, s, w, totals };
-    law::with(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
+    law::with_law(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
     Ok(work.totals)
 }
 

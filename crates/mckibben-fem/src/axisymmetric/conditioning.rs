@@ -60,7 +60,7 @@ impl Memory {
 
     /// Records the energies of a state of the body.
     pub fn record(&mut self, d: &Discretisation, state: &State) {
-        let here = law::with(&d.problem.law, |law| energies(law.plane, d, state));
+        let here = law::with_law(&d.problem.law, |law| energies(law.plane, d, state));
         for (seen, here) in self
             .seen_mpa
             .iter_mut()

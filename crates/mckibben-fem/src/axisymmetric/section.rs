@@ -79,7 +79,7 @@ impl Section {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: law::with(&d.problem.law, |law| section(law.plane, d, s)),
+            nodes: law::with_law(&d.problem.law, |law| section(law.plane, d, s)),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),

@@ -16,7 +16,7 @@ pub struct ElementLaw<'a> {
 }
 
 /// Gives `work` the law.
-pub fn with<T>(law: &Law, work: impl FnOnce(ElementLaw<'_>) -> T) -> T {
+pub fn with_law<T>(law: &Law, work: impl FnOnce(ElementLaw<'_>) -> T) -> T {
     law.visit(Visitor(work))
 }
 

@@ -95,7 +95,7 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::super::law::with;
+    use super::super::law::with_law;
     use super::*;
     use mckibben::rubber::Law;
 
@@ -171,7 +171,7 @@ pub(super) mod tests {
             ] {
                 let p = 0.3;
                 let at = |[a, b, t, c, d]: [f64; 5]| {
-                    with(&law, |law| {
+                    with_law(&law, |law| {
                         tangent(law.plane, Gradient { a, b, t, c, d }, p)
                     })
                 };

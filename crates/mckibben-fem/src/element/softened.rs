@@ -68,7 +68,7 @@ fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::with;
+    use super::super::law::with_law;
     use super::super::plane::tests::{check_derivatives, tangent};
     use super::*;
     use mckibben::rubber::Law;
@@ -82,7 +82,7 @@ mod tests {
     fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
         let [a, b, t, c, d] = x;
         let f = Gradient { a, b, c, d, t };
-        with(law, |law| {
+        with_law(law, |law| {
             let law = law.plane;
             let mut soft = tangent(law, f, 0.0);
             soften::<true>(&SOFTENING, seen, &f, p, &mut soft);

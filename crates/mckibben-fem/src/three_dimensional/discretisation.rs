@@ -188,12 +188,7 @@ impl Discretisation {
 
     /// The material of a brick.
     pub fn material(&self, brick: usize) -> &Material {
-        let rubber = &self.materials[0];
-        if brick < rubber.bricks.end {
-            rubber
-        } else {
-            &self.materials[1]
-        }
+        &self.materials[usize::from(brick >= self.materials[0].bricks.end)]
     }
 
     /// Places of the tangent's entries.
@@ -216,14 +211,13 @@ impl Discretisation {
     fn entry(&self, a: u32, b: u32) -> u32 {
         let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
         let (high, low) = (a.max(b), a.min(b));
-        match (high < n, high == n) {
-            (true, _) => self
-                .pattern()
-                .position(high, low)
-                .unwrap_or(entries + n + 1),
-            (false, true) => entries + low,
-            _ => entries + n + 1,
-        }
+        let column = (high == n).then_some(entries + low);
+        let place = if high < n {
+            self.pattern().position(high, low)
+        } else {
+            column
+        };
+        place.unwrap_or(entries + n + 1)
     }
 
     /// The places of nine numbers: rows of a node, columns of another.
@@ -314,29 +308,26 @@ fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.
 fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
-    let mut place = Vec::new();
-    let mut numbers = vec![[u32::MAX; 3]; problem.nodes.len()];
-    for &node in &problem.order {
-        for i in 0..3 {
-            if problem.freedom[node as usize][i] == Freedom::Free {
-                numbers[node as usize][i] = place.len() as u32;
-                place.push(3 * node + i as u32);
-            }
-        }
-    }
+    let freedom = problem.freedom.as_flattened();
+    let mut place: Vec<u32> = problem
+        .order
+        .iter()
+        .flat_map(|n| 3 * n..3 * n + 3)
+        .collect();
+    place.retain(|k| freedom[*k as usize] == Freedom::Free);
     let n = place.len() as u32;
-    let mut terminal = Vec::new();
-    for (node, freedom) in problem.freedom.iter().enumerate() {
-        for i in 0..3 {
-            match freedom[i] {
-                Freedom::Terminal => {
-                    numbers[node][i] = n;
-                    terminal.push((3 * node + i) as u32);
-                }
-                Freedom::Held => numbers[node][i] = n + 1,
-                Freedom::Free => {}
-            }
-        }
+    let (mut numbers, mut terminal) = (vec![[n + 1; 3]; problem.nodes.len()], vec![]);
+    let flat = numbers.as_flattened_mut();
+    for (number, k) in (0..).zip(&place) {
+        flat[*k as usize] = number;
+    }
+    for (k, _) in freedom
+        .iter()
+        .enumerate()
+        .filter(|(_, f)| **f == Freedom::Terminal)
+    {
+        flat[k] = n;
+        terminal.push(k as u32);
     }
     (numbers, place, terminal)
 }
@@ -352,9 +343,9 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
             near[a as usize].extend(nodes);
         }
     }
-    for ([a, b], _) in &problem.trusses {
-        near[*a as usize].push(*b);
-        near[*b as usize].push(*a);
+    for &([a, b], _) in &problem.trusses {
+        near[a as usize].push(b);
+        near[b as usize].push(a);
     }
     for (node, around) in near.iter_mut().enumerate() {
         check_cancel(node)?;

@@ -14,7 +14,7 @@ use super::muscle::MuscleInBricks;
 use super::saddle::dot;
 use crate::element::brick::{ShapePoint, determinant};
 use crate::element::hexahedron::at;
-use crate::element::law::with;
+use crate::element::law::with_law;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
 use crate::results::{FieldNode, NodeMeans};
@@ -186,7 +186,7 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> = at_points
             .iter()
-            .map(|p| with(law, |law| stress(body, law.space, e, p)))
+            .map(|p| with_law(law, |law| stress(body, law.space, e, p)))
             .collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;

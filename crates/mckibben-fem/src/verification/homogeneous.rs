@@ -47,7 +47,7 @@ fn distance(body: &Body, stretch: f64) -> f64 {
 /// Cauchy stresses (rr, zz, θθ, rz) at a deformation gradient, without the pressure.
 fn cauchy(law: &Law, f: Gradient) -> [f64; 4] {
     let Gradient { a, b, c, d, t } = f;
-    let s = law::with(law, |law| law.plane.stress_at(&f, 0.0));
+    let s = law::with_law(law, |law| law.plane.stress_at(&f, 0.0));
     [
         s.r[0] * a + s.r[1] * b,
         s.z[0] * c + s.z[1] * d,
