@@ -26,10 +26,11 @@ use std::sync::Arc;
 /// The last station after everything else was condensed.
 #[derive(Debug, Clone)]
 pub(super) struct EndSystem {
-    /// Unknowns of the last station that are free.
-    pub(super) free: Vec<usize>,
-    /// Those that follow the terminal.
-    tied: Vec<usize>,
+    /// Number of the unknowns of the last station that are free.
+    pub(super) free: usize,
+    /// Unknowns of the last station that are not held, with their places here: those that follow the
+    /// terminal are the last one.
+    places: Vec<(usize, usize)>,
     /// Factorised (free, w).
     pub(super) matrix: Vec<f64>,
     y: Vec<f64>,
@@ -37,37 +38,31 @@ pub(super) struct EndSystem {
 
 impl EndSystem {
     fn new(d: &Discretisation) -> Self {
-        let (r, z): (Vec<_>, Vec<_>) = (0..d.layout.station()).partition(|i| i % 2 == 0);
-        let (free, tied) = match d.problem.ends {
-            Ends::Bonded => (vec![], z),
-            Ends::Sliding => (r, z),
-            Ends::Pole => (z, vec![]),
+        let (ends, nodes) = (d.problem.ends, d.layout.nodes());
+        let free = if ends == Ends::Bonded { 0 } else { nodes };
+        let place = |i: usize| match (ends, i % 2) {
+            (Ends::Sliding, 0) | (Ends::Pole, 1) => Some((i, i / 2)),
+            (Ends::Bonded | Ends::Sliding, 1) => Some((i, free)),
+            _ => None,
         };
-        let size = free.len() + 1;
         Self {
             free,
-            tied,
-            matrix: vec![0.0; size * size],
-            y: vec![0.0; size],
+            places: (0..2 * nodes).filter_map(place).collect(),
+            matrix: vec![0.0; (free + 1).pow(2)],
+            y: vec![0.0; free + 1],
         }
     }
 
     /// Condenses the Schur complement of the last station; gives the number of negative pivots.
     fn factorise(&mut self, end: &[f64], m: usize) -> Result<usize, usize> {
-        let at = |i: usize, j: usize| end[i.min(j) * m + i.max(j)];
-        let (n, size) = (self.free.len(), self.y.len());
-        for (i, &p) in self.free.iter().enumerate() {
-            for (j, &q) in self.free.iter().enumerate() {
-                self.matrix[i * size + j] = at(p, q);
+        let size = self.y.len();
+        self.matrix.fill(0.0);
+        for &(p, i) in &self.places {
+            for &(q, j) in &self.places {
+                self.matrix[i * size + j] += end[p.min(q) * m + p.max(q)];
             }
-            self.matrix[i * size + n] = self.tied.iter().map(|&q| at(p, q)).sum();
         }
-        self.matrix[n * size + n] = self
-            .tied
-            .iter()
-            .flat_map(|&p| self.tied.iter().map(move |&q| at(p, q)))
-            .sum();
-        dense::eliminate(&mut self.matrix, size, n)
+        dense::eliminate(&mut self.matrix, size, self.free)
     }
 
     /// S = dF/dw.
@@ -77,26 +72,23 @@ impl EndSystem {
 
     /// The condensed right-hand side b of the terminal; keeps the rest for [`Self::backward`].
     fn forward(&mut self, end: &[f64]) -> f64 {
-        let n = self.free.len();
-        for (i, &p) in self.free.iter().enumerate() {
-            self.y[i] = end[p];
+        let n = self.free;
+        self.y.fill(0.0);
+        for &(p, i) in &self.places {
+            self.y[i] += end[p];
         }
-        self.y[n] = self.tied.iter().map(|&p| end[p]).sum();
         dense::forward(&self.matrix, n + 1, n, &mut self.y);
         self.y[n]
     }
 
     /// Writes the solution of the last station for a given dw.
     fn backward(&mut self, end: &mut [f64], dw: f64) {
-        let n = self.free.len();
+        let n = self.free;
         self.y[n] = dw;
         dense::backward(&self.matrix, n + 1, n, &mut self.y);
         end.fill(0.0);
-        for (i, &p) in self.free.iter().enumerate() {
+        for &(p, i) in &self.places {
             end[p] = self.y[i];
-        }
-        for &p in &self.tied {
-            end[p] = dw;
         }
     }
 }
@@ -265,11 +257,9 @@ impl Body {
         let d = &self.discretisation;
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
-        let free = self
-            .end
-            .free
-            .iter()
-            .map(|&i| self.assembled.residual[last + i].abs())
+        let places = self.end.places.iter().filter(|(_, i)| *i < self.end.free);
+        let free = places
+            .map(|(p, _)| self.assembled.residual[last + p].abs())
             .fold(0.0, f64::max);
         let held = self
             .control

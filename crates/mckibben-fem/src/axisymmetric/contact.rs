@@ -70,7 +70,7 @@ impl Axisymmetric {
         let d = &body.discretisation;
         let mut places: Vec<ContactPlace> = (0..d.strands.len())
             .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
-            .map(|at| place(d, &body.state.u, &by, at))
+            .map(|at| contact_at(d, &body.state.u, &by, at))
             .collect();
         places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
         // Both halves turn alike.
@@ -83,7 +83,7 @@ impl Axisymmetric {
     }
 }
 
-fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
+fn contact_at(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
     let l = d.layout;
     let Some(braid) = d.problem.braid else {
         return ContactPlace::default();

@@ -173,7 +173,7 @@ impl Discretisation {
         let strands = problem.braid.map_or(vec![], |braid| {
             let radius = cylinder.node(outer, 0)[0];
             (0..mesh.along)
-                .map(|slab| strand::points(mesh.line(slab, outer), radius, &braid.lay))
+                .map(|slab| strand::strand_points(mesh.line(slab, outer), radius, &braid.lay))
                 .collect()
         });
         let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
@@ -247,7 +247,7 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
             for i in 0..l.nodes() {
                 let [r, z] = cylinder.node(i, j);
                 let fall = ((z - half) / layer).exp();
-                path.body.state.u[l.at(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
+                path.body.state.u[l.station_offset(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
             }
         }
         match path.solve(Control::Length(0.0)) {
@@ -263,7 +263,7 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     }
     let mut mesh = cylinder.clone();
     for (k, node) in mesh.nodes.iter_mut().enumerate() {
-        let at = l.at(k / l.nodes()) + 2 * (k % l.nodes());
+        let at = l.station_offset(k / l.nodes()) + 2 * (k % l.nodes());
         *node = [
             node[0] + path.body.state.u[at],
             node[1] + path.body.state.u[at + 1],

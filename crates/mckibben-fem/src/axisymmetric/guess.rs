@@ -29,7 +29,7 @@ const NET: usize = 24;
 
 /// How the outer line runs from the middle to the terminal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Outline {
+pub enum Outline {
     /// In a layer of the same length whatever the bulge.
     Layer,
     /// As strands alone would.
@@ -39,7 +39,7 @@ pub(super) enum Outline {
 }
 
 /// Tensions and pressures of the ideal muscle.
-pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
+pub fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
     let Some(BraidSpec { lay, .. }) = d.problem.braid else {
         return;
     };
@@ -176,7 +176,7 @@ impl Line {
 
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal;
 /// `false` where no bulge brings the terminal there.
-pub(super) fn shape(
+pub fn shape(
     d: &Discretisation,
     state: &mut State,
     terminal: f64,
@@ -241,7 +241,7 @@ pub(super) fn shape(
         let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
             let (rest, from) = (d.cylinder.node(i, j), d.mesh.node(i, j));
-            let k = l.at(j) + 2 * i;
+            let k = l.station_offset(j) + 2 * i;
             if j == 2 * l.along {
                 (state.u[k], state.u[k + 1]) = (0.0, terminal);
                 continue;

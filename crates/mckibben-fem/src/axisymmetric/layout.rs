@@ -72,7 +72,7 @@ impl Layout {
     }
 
     /// Offset of station `j` = 0 … 2·along.
-    pub fn at(&self, j: usize) -> usize {
+    pub fn station_offset(&self, j: usize) -> usize {
         (j / 2) * self.stride() + (j % 2) * self.station()
     }
 

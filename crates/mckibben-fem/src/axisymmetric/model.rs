@@ -10,7 +10,7 @@ use mckibben::model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Wo
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
 
-pub(crate) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "fe",
     description: "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; \
         the default",

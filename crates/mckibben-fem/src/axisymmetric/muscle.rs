@@ -5,7 +5,7 @@ use super::body::Body;
 use super::guess::{self, Outline};
 use crate::Result;
 use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::{self, Control, Settings, State, Totals};
+use crate::solver::body::{Body as _, Control, Settings, State, Totals};
 use crate::solver::continuation::TAUT;
 use crate::solver::newton::{NewtonOptions, NewtonSystem};
 use mckibben::analysis::bisect;
@@ -18,7 +18,7 @@ const PULLS_BELOW: f64 = 10.0;
 /// Multiple of μ s/Ro at which strands are taut.
 const RINGS: f64 = 3.0;
 
-impl body::Body for Body {
+impl crate::solver::body::Body for Body {
     const SETTINGS: Settings = Settings {
         newton: NewtonOptions {
             iterations: 10,
@@ -52,7 +52,7 @@ impl body::Body for Body {
         self.linearised
     }
 
-    fn hold(&mut self, control: Control) {
+    fn hold_control(&mut self, control: Control) {
         self.control = control;
     }
 
@@ -66,8 +66,8 @@ impl body::Body for Body {
 
     fn unstable_directions(&self) -> usize {
         let l = self.discretisation.layout;
-        let negative_end = (0..self.end.free.len())
-            .filter(|&i| self.end.matrix[i * (self.end.free.len() + 2)] < 0.0)
+        let negative_end = (0..self.end.free)
+            .filter(|&i| self.end.matrix[i * (self.end.free + 2)] < 0.0)
             .count();
         let multipliers = l.inside() - l.station();
         (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
@@ -115,7 +115,7 @@ impl body::Body for Body {
     /// The pressure at which the infinitely long muscle begins to pull.
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
         let high = self.discretisation.shear;
-        let pull = |p: f64| body::Body::expected_pull(self, p, contraction);
+        let pull = |p: f64| self.expected_pull(p, contraction);
         let push = pull(0.0)?;
         let slope = (pull(high)? - push) / high;
         (slope > 0.0).then(|| (-push / slope).max(0.0))
@@ -127,7 +127,7 @@ impl body::Body for Body {
         let d = &self.discretisation;
         let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
         let pulling =
-            body::Body::pulling_pressure(self, contraction).filter(|p| *p < PULLS_BELOW * ring);
+            self.pulling_pressure(contraction).filter(|p| *p < PULLS_BELOW * ring);
         pulling.map_or(RINGS * ring, |p| TAUT * p)
     }
 
@@ -153,8 +153,8 @@ impl body::Body for Body {
             Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0)
         });
         let start =
-            body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
-        Ok(1.4 * start + body::Body::smallest_pressure(self))
+            self.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        Ok(1.4 * start + self.smallest_pressure())
     }
 
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
@@ -205,7 +205,7 @@ impl body::Body for Body {
 impl Body {
     /// The body at rest with the tensions and pressures of the ideal muscle.
     fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
-        body::Body::rest(self);
+        self.rest();
         self.state.pressure = pressure;
         let stretch = 1.0 + terminal / self.discretisation.half_length();
         guess::loads(&self.discretisation, &mut self.state, stretch);
@@ -236,7 +236,7 @@ impl Body {
     fn guess_net(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
         let pulls =
-            body::Body::expected_pull(self, pressure, contraction).is_some_and(|force| force > 0.0);
+            self.expected_pull(pressure, contraction).is_some_and(|force| force > 0.0);
         if !pulls {
             return false;
         }

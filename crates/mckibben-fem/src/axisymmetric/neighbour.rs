@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// A muscle that differs in one number.
 #[derive(Debug)]
-pub(super) struct Neighbour {
+pub struct Neighbour {
     pub discretisation: Discretisation,
     /// L0 of this muscle over that of the body's.
     pub stretch: f64,
@@ -19,7 +19,7 @@ pub(super) struct Neighbour {
 /// The four of each number of a body's muscle, by the number's name; they are made when they are
 /// first needed.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
+pub struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
 
 impl Neighbours {
     /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps

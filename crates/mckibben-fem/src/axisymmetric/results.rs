@@ -36,7 +36,7 @@ impl MuscleBody for Body {
         );
         let station = |j: usize| {
             let at = |i: usize| {
-                let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
+                let ([r, z], k) = (d.mesh.node(i, j), l.station_offset(j) + 2 * i);
                 (z + s.u[k + 1], r + s.u[k])
             };
             let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
@@ -129,7 +129,7 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
 }
 
 /// λf and the tension per width of a strand point.
-pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
+pub fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
     let l = d.layout;
     let stretch = d.strands[slab][g].stretch(&l.line(u, slab, 2 * l.through));
     let multiplier = if l.multipliers {
@@ -143,7 +143,7 @@ pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (S
     (stretch, q)
 }
 
-pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
+pub fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
     let spacing = muscle
         .braid()
         .strands
@@ -167,7 +167,7 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
 
 /// Nodes of every element before it is drawn on plugs, and displacements from there, from the
 /// middle to the terminal.
-pub(super) fn elements(
+pub fn elements(
     d: &Discretisation,
     s: &State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {

@@ -104,7 +104,7 @@ fn residual<'a>(
     // free unknowns does not change what arrives at the terminal, and the terminal's move alone
     // would be too rough for differences.
     for j in 0..=2 * other.layout.along {
-        let at = other.layout.at(j);
+        let at = other.layout.station_offset(j);
         for i in 0..other.layout.nodes() {
             state.u[at + 2 * i + 1] *= stretch;
         }

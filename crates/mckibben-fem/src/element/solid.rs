@@ -110,11 +110,11 @@ four_at_a_time! {
         u: &Unknowns,
         material: &Material<'_>,
         out: &mut Contribution,
-    ) -> bool = run
+    ) -> bool = integrate_element
 }
 
 #[inline(always)]
-fn run<const TANGENT: bool>(
+fn integrate_element<const TANGENT: bool>(
     geometry: &Geometry,
     u: &Unknowns,
     material: &Material<'_>,
@@ -188,30 +188,27 @@ fn run<const TANGENT: bool>(
 #[inline(always)]
 fn tangent(point: &Point, s: &Stress, weight: f64, out: &mut Contribution) {
     let Point { r, z, t, .. } = point;
-    let (mut ga, mut gb, mut gt) = ([0.0; PADDED], [0.0; PADDED], [0.0; PADDED]);
-    let (mut qc, mut qd) = ([0.0; PADDED], [0.0; PADDED]);
-    let (mut hc, mut hd) = ([0.0; PADDED], [0.0; PADDED]);
+    let (mut g, mut q, mut h) = ([[0.0; PADDED]; 3], [[0.0; PADDED]; 2], [[0.0; PADDED]; 2]);
     let rr = s.rr.map(|row| row.map(|x| weight * x));
     let rz = s.rz.map(|row| row.map(|x| weight * x));
     let zz = s.zz.map(|row| row.map(|x| weight * x));
     for n in 0..PADDED {
         let (nr, nz, nt) = (r[n], z[n], t[n]);
-        ga[n] = rr[0][0] * nr + rr[0][1] * nz + rr[0][2] * nt;
-        gb[n] = rr[1][0] * nr + rr[1][1] * nz + rr[1][2] * nt;
-        gt[n] = rr[2][0] * nr + rr[2][1] * nz + rr[2][2] * nt;
-        qc[n] = rz[0][0] * nr + rz[1][0] * nz + rz[2][0] * nt;
-        qd[n] = rz[0][1] * nr + rz[1][1] * nz + rz[2][1] * nt;
-        hc[n] = zz[0][0] * nr + zz[0][1] * nz;
-        hd[n] = zz[1][0] * nr + zz[1][1] * nz;
+        for i in 0..3 {
+            g[i][n] = rr[i][0] * nr + rr[i][1] * nz + rr[i][2] * nt;
+        }
+        for i in 0..2 {
+            q[i][n] = rz[0][i] * nr + rz[1][i] * nz + rz[2][i] * nt;
+            h[i][n] = zz[i][0] * nr + zz[i][1] * nz;
+        }
     }
     for m in 0..NODES {
         let (mr, mz, mt) = (r[m], z[m], t[m]);
-        let (mc, md) = (qc[m], qd[m]);
         let (rr, rz, zz) = (&mut out.rr[m], &mut out.rz[m], &mut out.zz[m]);
         for n in 0..PADDED {
-            rr[n] += mr * ga[n] + mz * gb[n] + mt * gt[n];
-            rz[n] += mc * r[n] + md * z[n];
-            zz[n] += mr * hc[n] + mz * hd[n];
+            rr[n] += mr * g[0][n] + mz * g[1][n] + mt * g[2][n];
+            rz[n] += q[0][m] * r[n] + q[1][m] * z[n];
+            zz[n] += mr * h[0][n] + mz * h[1][n];
         }
     }
 }

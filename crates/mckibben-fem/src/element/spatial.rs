@@ -145,11 +145,8 @@ fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
     let c = &mut out.c;
     let third = s(1.0 / 3.0);
     let mut row = [s(0.0); 6];
-    row[0] = (c[0][0] + c[0][1] + c[0][2]) * third;
-    row[1] = (c[0][1] + c[1][1] + c[1][2]) * third;
-    row[2] = (c[0][2] + c[1][2] + c[2][2]) * third;
-    for k in 3..6 {
-        row[k] = (c[0][k] + c[1][k] + c[2][k]) * third;
+    for k in 0..6 {
+        row[k] = (c[0][k] + c[k.min(1)][k.max(1)] + c[k.min(2)][k.max(2)]) * third;
     }
     let all = (row[0] + row[1] + row[2]) * third;
     let two = s(2.0) * mean;

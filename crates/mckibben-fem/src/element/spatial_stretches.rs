@@ -14,12 +14,12 @@ use mckibben::rubber::RubberLaw;
 /// A law in the principal stretches.
 pub trait Stretches: Sync {
     /// τ and c at b.
-    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64>;
+    fn spatial_at(&self, b: &Symmetric<f64>) -> Spatial<f64>;
 }
 
 impl<L: RubberLaw> Stretches for L {
-    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64> {
-        one(self, b)
+    fn spatial_at(&self, b: &Symmetric<f64>) -> Spatial<f64> {
+        spatial_by_stretches(self, b)
     }
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn principal_axes(b: &Symmetric<f64>) -> ([f64; 3], [[f64; 3]; 3]) {
     ([a[0][0], a[1][1], a[2][2]], v)
 }
 
-fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
+fn spatial_by_stretches<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
     let (squares, n) = principal_axes(b);
     let (w, tau, log) = logarithmic(law, squares.map(f64::sqrt));
     let dyad =
@@ -109,7 +109,7 @@ pub fn by_stretches<R: Real>(law: &dyn Stretches, b: &Symmetric<R>) -> Spatial<R
         for (x, y) in here.iter_mut().zip(b) {
             *x = y.lane(l);
         }
-        let s = law.at(&here);
+        let s = law.spatial_at(&here);
         out.w.set_lane(l, s.w);
         for k in 0..6 {
             out.tau[k].set_lane(l, s.tau[k]);

@@ -13,7 +13,7 @@ pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
 
 /// The points of a face of four nodes (two rows of two: the integrand is of degree two each way) or
 /// nine (three rows of three: of degree five).
-pub fn points<const N: usize>() -> Vec<FacePoint<N>> {
+pub fn face_points<const N: usize>() -> Vec<FacePoint<N>> {
     let (p, gauss): (usize, &[(f64, f64)]) = if N == 4 { (2, &GAUSS2) } else { (3, &GAUSS3) };
     let mut out = Vec::with_capacity(N);
     for (b, wb) in gauss {

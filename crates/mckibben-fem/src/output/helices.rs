@@ -21,14 +21,14 @@ pub fn drawn(section: &Section) -> u32 {
 /// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a
 /// strand from the middle.
 #[derive(Clone, Copy)]
-pub(super) struct Along {
-    pub(super) slab: usize,
-    pub(super) eta: f64,
-    pub(super) turn: f64,
+pub struct Along {
+    pub slab: usize,
+    pub eta: f64,
+    pub turn: f64,
     /// r and z of the outer surface now, mm.
     now: [f64; 2],
     /// Stretch, angle, tension per width and tension of a strand.
-    pub(super) state: [f64; 4],
+    pub state: [f64; 4],
 }
 
 /// Both families.
@@ -66,7 +66,7 @@ pub fn braid(section: &Section) -> Grid {
 
 /// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`]
 /// between them.
-pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
+pub fn places_of_half(section: &Section) -> Vec<Along> {
     let (tan, along) = (section.angle_rad.tan(), section.along);
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
@@ -103,7 +103,7 @@ fn places(section: &Section) -> Vec<Along> {
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model
 /// has them; before the first and beyond the last point theirs.
-pub(crate) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+pub fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| {
         [
             s.stretch,

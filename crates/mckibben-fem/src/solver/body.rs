@@ -195,7 +195,7 @@ pub trait Body {
     }
 
     /// Says what the next solve holds.
-    fn hold(&mut self, control: Control);
+    fn hold_control(&mut self, control: Control);
 
     /// Half the length at rest in mm.
     fn half_length(&self) -> f64;

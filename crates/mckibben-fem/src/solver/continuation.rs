@@ -201,7 +201,7 @@ impl<B: Body> Continuation<B> {
             }
             options.factorisations = budget - factorisations;
         }
-        self.body.hold(control);
+        self.body.hold_control(control);
         newton::solve(self.body.system(), &options, &mut self.effort, |_| {
             Ok(cancel::check()?)
         })

@@ -44,7 +44,7 @@ impl<B: Body> Continuation<B> {
                 continue;
             }
             let pull = self.pull();
-            match self.hold(Control::Force(force)) {
+            match self.solve_holding(Control::Force(force)) {
                 Ok(true)
                     if self.contraction().abs() < LARGEST_CONTRACTION
                         && self.is_that_of(force)? =>
@@ -101,7 +101,7 @@ impl<B: Body> Continuation<B> {
             }
             with = Some(pressure);
             let pull = self.pull();
-            match self.hold(Control::Pressure { terminal, force }) {
+            match self.solve_holding(Control::Pressure { terminal, force }) {
                 Ok(true) if self.is_that_of(force)? => {
                     self.keep();
                     return Ok(());
@@ -143,7 +143,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Solves and says whether the equilibrium is stable.
-    fn hold(&mut self, control: Control) -> Result<bool, Stopped> {
+    fn solve_holding(&mut self, control: Control) -> Result<bool, Stopped> {
         self.solve(control).map(|()| self.stable_under(control))
     }
 

@@ -8,7 +8,7 @@ use crate::element::lanes::{Real, on_lanes};
 const COLUMNS: usize = 4;
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Factor<'a> {
+pub struct Factor<'a> {
     pub form: Form,
     pub symbolic: &'a Symbolic,
     pub values: &'a [f64],
@@ -16,7 +16,7 @@ pub(super) struct Factor<'a> {
 
 on_lanes! {
     /// Replaces a right-hand side by the solution.
-    pub(super) fn solve(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = substitute
+    pub fn solve(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = substitute
 }
 
 #[inline(always)]

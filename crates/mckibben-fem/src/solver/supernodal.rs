@@ -24,7 +24,7 @@ const PIECE: usize = 50_000_000;
 
 /// Memory of a factorisation.
 #[derive(Debug)]
-pub(super) struct Numeric {
+pub struct Numeric {
     kernel: Kernel,
     /// Row of each unknown in the present supernode.
     local: Vec<u32>,
@@ -114,10 +114,9 @@ impl Numeric {
         (names, inside): (&[u32], Range<usize>),
         (block, height): (&mut [f64], usize),
     ) -> Result<(), Stopped> {
-        let stride = wide + names.len();
-        let part = |row: usize, column: usize| Matrix {
-            values: &from[column * stride + row..],
-            stride,
+        let from = Matrix {
+            values: from,
+            stride: wide + names.len(),
         };
         for columns in pieces(inside, COLUMNS) {
             for rows in pieces(columns.start..names.len(), ROWS) {
@@ -126,20 +125,12 @@ impl Numeric {
                     .resize((count * size).max(self.product.len()), 0.0);
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
-                    let (a, b) = (
-                        part(wide + rows.start, depth.start),
-                        part(wide + columns.start, depth.start),
-                    );
-                    let d = Matrix {
-                        stride: stride + 1,
-                        ..part(depth.start, depth.start)
-                    };
-                    let d = (self.form == Form::Indefinite).then_some(d);
-                    let (keep, depth) = (depth.start > 0, depth.len());
+                    let first = depth.start;
+                    let (keep, depth) = (first > 0, depth.len());
                     let factors = Product {
-                        a,
-                        b,
-                        d,
+                        a: from.from(wide + rows.start, first),
+                        b: from.from(wide + columns.start, first),
+                        d: self.form.pivots(from.from(first, first)),
                         rows: size,
                         columns: count,
                         depth,
@@ -174,28 +165,22 @@ impl Numeric {
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
             let (done, block) = block.split_at_mut(first * height);
-            let part = |row: usize, column: usize| Matrix {
-                values: &done[column * height + row..],
+            let done = Matrix {
+                values: done,
                 stride: height,
             };
             for depth in pieces(0..first, DEPTH) {
                 for rows in pieces(first..height, ROWS) {
-                    let d = Matrix {
-                        stride: height + 1,
-                        ..part(depth.start, depth.start)
-                    };
-                    let d = (form == Form::Indefinite).then_some(d);
-                    let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
-                    let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
+                    let (size, begin, depth) = (rows.len(), depth.start, depth.len());
                     let factors = Product {
-                        a,
-                        b,
-                        d,
+                        a: done.from(rows.start, begin),
+                        b: done.from(first, begin),
+                        d: form.pivots(done.from(begin, begin)),
                         rows: size,
                         columns: count,
                         depth,
                         keep: true,
-                        lower,
+                        lower: rows.start == first,
                     };
                     self.kernel
                         .product((&mut block[rows.start..], height), factors);

@@ -14,6 +14,7 @@
 //! merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]):
 //! wide supernodes are quick, and a child's rows lie within the parent's columns and rows.
 
+use super::kernel::{Matrix, Pivots};
 use std::ops::Range;
 
 /// Which share of zeros merged supernodes of at most so many columns may have.
@@ -26,11 +27,19 @@ const NONE: u32 = u32::MAX;
 
 /// The two forms of a factorisation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub enum Form {
     /// L Lᵀ.
     Positive,
     /// L D Lᵀ.
     Indefinite,
+}
+
+impl Form {
+    /// The pivots on the diagonal of a matrix, where there are any.
+    pub fn pivots(self, matrix: Matrix<'_>) -> Pivots<'_> {
+        let stride = matrix.stride + 1;
+        (self == Self::Indefinite).then_some(Matrix { stride, ..matrix })
+    }
 }
 
 /// The lower half of a symmetric matrix by columns: places of its entries.
@@ -69,7 +78,7 @@ impl Pattern {
 /// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those
 /// below.
 #[derive(Debug)]
-pub(super) struct Symbolic {
+pub struct Symbolic {
     /// First column of each supernode, and the number of all columns.
     begin: Vec<u32>,
     /// Where the rows below each begin and the last ones end.

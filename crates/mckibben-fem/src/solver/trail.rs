@@ -12,7 +12,7 @@ pub enum Along {
 }
 
 impl Along {
-    fn place(self, s: &State) -> f64 {
+    fn coordinate(self, s: &State) -> f64 {
         match self {
             Self::Pressure => s.pressure,
             Self::Length => s.terminal,
@@ -52,7 +52,7 @@ impl Trail {
         for (i, weight) in weights[..trail.len()].iter_mut().enumerate() {
             *weight = 1.0;
             for j in (0..trail.len()).filter(|&j| j != i) {
-                let (xi, xj) = (along.place(&trail[i]), along.place(&trail[j]));
+                let (xi, xj) = (along.coordinate(&trail[i]), along.coordinate(&trail[j]));
                 if xi == xj {
                     return false;
                 }

@@ -3,7 +3,7 @@
 use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use crate::element::brick::{Input, Output, ShapePoint, integrate_bricks};
-use crate::element::hexahedron::points;
+use crate::element::hexahedron::integration_points;
 use crate::element::lanes::Real;
 use crate::element::lanes::on_lanes;
 use crate::element::law::with_law;
@@ -19,10 +19,10 @@ use std::sync::LazyLock;
 /// all widths of lanes.
 const PIECE: usize = 1024;
 
-static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));
-static POINTS27: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(2));
-static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::points);
-static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
+static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| integration_points(1));
+static POINTS27: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| integration_points(2));
+static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::face_points);
+static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::face_points);
 
 /// What an assembly fills.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 
 use super::problem::{Freedom, Problem};
 use crate::element::brick::{Modes, modes};
-use crate::element::hexahedron::points;
+use crate::element::hexahedron::integration_points;
 use crate::element::lanes::Width;
 use crate::element::spatial::PAIRS;
 use crate::element::truss::{Pull, Truss};
@@ -98,7 +98,7 @@ impl Material {
         }
     }
 
-    fn all(problem: &Problem) -> Vec<Self> {
+    fn all_of(problem: &Problem) -> Vec<Self> {
         let end = problem.bricks.len();
         let first = problem.other.as_ref().map_or(end, |other| other.first);
         let rubber = Self::new(0..first, &problem.law, problem.bulk);
@@ -124,13 +124,13 @@ impl Discretisation {
     /// without enough memory, [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self> {
         let rest = rest_modes(&problem)?;
-        let (unknown, place, terminal) = number(&problem);
+        let (unknown, place, terminal) = number_unknowns(&problem);
         let free = place.len();
         let pattern = pattern(&problem, &unknown, &place)?;
         cancel::check()?;
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
-        let materials = Material::all(&problem);
+        let materials = Material::all_of(&problem);
         let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
@@ -168,7 +168,7 @@ impl Discretisation {
             problem,
         };
         cancel::check()?;
-        out.map()?;
+        out.map_entries()?;
         Ok(out)
     }
 
@@ -226,7 +226,7 @@ impl Discretisation {
         std::array::from_fn(|k| self.entry(x[k / 3], y[k % 3]))
     }
 
-    fn map(&mut self) -> Result<(), Cancelled> {
+    fn map_entries(&mut self) -> Result<(), Cancelled> {
         let unread = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
@@ -295,7 +295,7 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
 }
 
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
-    let points = points(problem.brick.order());
+    let points = integration_points(problem.brick.order());
     let element = |(e, nodes): (usize, &Vec<u32>)| {
         check_cancel(e)?;
         let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
@@ -307,7 +307,7 @@ fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
 }
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.
-fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
+fn number_unknowns(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
     let freedom = problem.freedom.as_flattened();
     let mut place: Vec<u32> = problem
         .order

@@ -22,7 +22,7 @@ fn dissected([through, around, along]: [f64; 3]) -> f64 {
 ///
 /// # Errors
 /// [`FemError::Large`], or where the numbers give no valid mesh.
-pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
+pub fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
     let [through, around, along, bonded] = BrickMesh::count(&Quarter::from_muscle(muscle), spec)?;
     let bricks = [through, around, along + bonded].map(|n| n as f64);
     size::elements("mesh", bricks.iter().product())?;

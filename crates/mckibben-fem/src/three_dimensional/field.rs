@@ -13,7 +13,7 @@ use super::model::ThreeDimensional;
 use super::muscle::MuscleInBricks;
 use super::saddle::dot;
 use crate::element::brick::{ShapePoint, determinant};
-use crate::element::hexahedron::at;
+use crate::element::hexahedron::shape_at;
 use crate::element::law::with_law;
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::SpatialLaw;
@@ -181,7 +181,7 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
         (0..8).map(gauss).collect()
     };
     let [at_nodes, at_points] =
-        [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
+        [&places, &points].map(|list| list.iter().map(|x| shape_at(order, *x, 1.0)).collect::<Vec<_>>());
     let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> = at_points

@@ -52,7 +52,7 @@ impl<'a> Finder<'a> {
     }
 
     /// Calls `each` with nodes and weights.
-    fn at(&self, r: f64, z: f64, mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64)) {
+    fn weigh_nodes(&self, r: f64, z: f64, mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64)) {
         let (i, x) = Self::triple(&self.lines, r);
         let (j, y) = Self::triple(&self.stations, z);
         for (b, wy) in y.into_iter().enumerate() {
@@ -83,7 +83,7 @@ impl MuscleInBricks {
             // What lies behind the beginning of the bond, and the plug, moves with the terminal.
             let bonded = node >= tube || x[2] > mesh.tube.half_mm;
             let z = x[2].min(mesh.tube.half_mm);
-            find.at(r, z, |n, w| {
+            find.weigh_nodes(r, z, |n, w| {
                 dr += w * (n.now_mm[0] - n.rest_mm[0]);
                 dz += w * (n.now_mm[1] - n.rest_mm[1]);
             });
@@ -108,7 +108,7 @@ impl MuscleInBricks {
             if e >= d.materials[0].bricks.end {
                 continue;
             }
-            find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
+            find.weigh_nodes(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
                 mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
             });
             state.p[e * d.modes] = mean;

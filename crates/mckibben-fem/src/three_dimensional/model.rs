@@ -7,7 +7,7 @@ use crate::simulation::FiniteElements;
 use mckibben::model::{Accuracy, ModelEntry, Reference};
 use mckibben::muscle::Muscle;
 
-pub(crate) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "fe3d",
     description: "three-dimensional finite elements: bricks and single strands; the reference for \
         fe",

@@ -175,7 +175,7 @@ impl body::Body for MuscleInBricks {
         &mut self.bricks.state
     }
 
-    fn hold(&mut self, control: Control) {
+    fn hold_control(&mut self, control: Control) {
         self.bricks.control = control;
     }
 

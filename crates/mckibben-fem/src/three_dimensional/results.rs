@@ -6,7 +6,7 @@ use super::kinematics::{gradient, largest_principal, now};
 use super::mesh::{Brick, BrickMesh};
 use super::muscle::MuscleInBricks;
 use crate::element::brick::{ShapePoint, determinant, jacobian};
-use crate::element::hexahedron::at;
+use crate::element::hexahedron::shape_at;
 use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most};
 use crate::{FemError, Result};
 use mckibben::cancel;
@@ -141,7 +141,7 @@ fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
     let d = &body.discretisation;
     let points: Vec<ShapePoint> = places
         .iter()
-        .map(|x| at(d.problem.brick.order(), *x, 1.0))
+        .map(|x| shape_at(d.problem.brick.order(), *x, 1.0))
         .collect();
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()]

@@ -40,7 +40,7 @@ impl Constraints<'_> {
 
     /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint
     /// that acts: first the bricks' (number 0 …), then the strands' (number bricks·modes …).
-    fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
+    fn each_constraint(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
             let nodes = &d.problem.bricks[e];
@@ -84,7 +84,7 @@ impl Constraints<'_> {
     /// G du for every constraint.
     fn defects(&self, du: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        self.each(|m, nodes, g, _, _, _| {
+        self.each_constraint(|m, nodes, g, _, _, _| {
             let mut sum = 0.0;
             for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
                 let at = 3 * *node as usize;
@@ -105,12 +105,12 @@ impl Constraints<'_> {
     /// z = (γ/V) r
     fn precondition(&self, r: &[f64], z: &mut [f64]) {
         z.fill(0.0);
-        self.each(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
+        self.each_constraint(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
     }
 
     /// out += Σ β G m, in displacements.
     pub fn forces(&self, m: &[f64], out: &mut [f64]) {
-        self.each(|number, nodes, g, _, compliance, augment| {
+        self.each_constraint(|number, nodes, g, _, compliance, augment| {
             let value = share(compliance, augment) * m[number];
             if value != 0.0 {
                 for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
@@ -129,7 +129,7 @@ impl Constraints<'_> {
         spread(self.d, b, du);
         let wanted = dm.to_vec();
         let mut shares = vec![0.0; dm.len()];
-        self.each(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
+        self.each_constraint(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
         dm.fill(0.0);
         if self.iterated() {
             let mut r = self.excess_defects(du, &wanted);
@@ -137,7 +137,7 @@ impl Constraints<'_> {
         }
         // Those that were condensed follow.
         let r = self.excess_defects(du, &wanted);
-        self.each(|m, _, _, volume, _, augment| {
+        self.each_constraint(|m, _, _, volume, _, augment| {
             if shares[m] == 0.0 {
                 dm[m] = augment / volume * r[m];
             }
@@ -181,7 +181,7 @@ impl Constraints<'_> {
             full.fill(0.0);
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);
-            self.each(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
+            self.each_constraint(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
             let curvature = inner(&p, &s);
             if curvature.is_nan() || curvature <= 0.0 {
                 return;

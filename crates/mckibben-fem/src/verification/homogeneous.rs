@@ -32,7 +32,7 @@ fn distance(body: &Body, stretch: f64) -> f64 {
     let mut worst = 0.0_f64;
     for j in 0..=2 * d.layout.along {
         for i in 0..d.layout.nodes() {
-            let ([r, z], k) = (d.mesh.node(i, j), d.layout.at(j) + 2 * i);
+            let ([r, z], k) = (d.mesh.node(i, j), d.layout.station_offset(j) + 2 * i);
             for (u, exact) in s.u[k..]
                 .iter()
                 .zip([(across - 1.0) * r, (stretch - 1.0) * z])

@@ -5,7 +5,7 @@
 //! stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm,
 //! MPa, N.
 
-pub mod bricks;
+mod bricks;
 mod endless;
 mod homogeneous;
 mod lay;
@@ -25,6 +25,7 @@ use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
 
+pub use bricks::COOK_FINE;
 pub use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// The rows of the cases, with the source of those that come next.
@@ -255,7 +256,7 @@ fn inflated(path: Option<Path>, pressure: f64, stretch: f64) -> Option<Body> {
 /// Radius now of node `i` of station `j`.
 fn radius(body: &Body, i: usize, j: usize) -> f64 {
     let d = &body.discretisation;
-    d.mesh.node(i, j)[0] + body.state.u[d.layout.at(j) + 2 * i]
+    d.mesh.node(i, j)[0] + body.state.u[d.layout.station_offset(j) + 2 * i]
 }
 
 /// A braid of strands that carry no compression; `stiffness` in N/mm.

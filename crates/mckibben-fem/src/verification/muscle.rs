@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 /// π D0² P (3 cos²θ − 1)/(4 sin²θ): blocked force in N at D0 50, θ 28°, P 0.25 of strands that do
 /// not stretch.
-pub(super) fn outer_diameter_limit_n() -> f64 {
+pub fn outer_diameter_limit_n() -> f64 {
     let theta = 28.0_f64.to_radians();
     PI * 2500.0 * 0.25 / (4.0 * theta.sin().powi(2)) * (3.0 * theta.cos().powi(2) - 1.0)
 }
@@ -68,7 +68,7 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Option<(f64, f64, f64)> {
 }
 
 /// The rubber and the strands of the prototype in other programs.
-pub(super) fn compared(tube: &mut Tube, braid: &mut Braid) {
+pub fn compared(tube: &mut Tube, braid: &mut Braid) {
     tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
         c10_mpa: 0.12,
         c01_mpa: 0.03,

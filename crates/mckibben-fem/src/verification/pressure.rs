@@ -46,7 +46,7 @@ pub fn follower_pressure(rows: &mut Rows) {
 
 /// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV =
 /// [PV] − ∫V dP.
-pub(super) fn balance(model: &dyn Simulation) -> Option<f64> {
+pub fn balance(model: &dyn Simulation) -> Option<f64> {
     const STEPS: usize = 32;
     let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
     let (mut work, mut stored) = (0.0, 0.0);

@@ -10,7 +10,7 @@ use crate::solver::body::Control;
 use mckibben::muscle::Bulk;
 
 /// (A, B, λz, a/A, p, b, N − πa²p).
-pub(super) const ROWS: [[f64; 7]; 5] = [
+pub const ROWS: [[f64; 7]; 5] = [
     [
         8.0,
         9.5,

@@ -1,7 +1,7 @@
 //! Every case of the elements that `mckibben validate` prints is a test of its own: each of its rows
 //! lies within its bound.
 
-use mckibben_fem::verification::{CASES, bricks::COOK_FINE, rows_of_case};
+use mckibben_fem::verification::{CASES, COOK_FINE, rows_of_case};
 
 fn check(name: &str) {
     let case = CASES.iter().chain([&COOK_FINE]).find(|case| case.0 == name);

@@ -1,15 +1,15 @@
 //! The cases with bricks: the same exact values, met by the three-dimensional elements.
 
 mod block;
-pub(super) mod cavity;
-pub(super) mod cook;
-pub(super) mod homogeneous;
-pub(super) mod muscle;
-pub(super) mod numerics;
-pub(super) mod paths;
-pub(super) mod snap;
-pub(super) mod torsion;
-pub(super) mod tube;
+pub mod cavity;
+pub mod cook;
+pub mod homogeneous;
+pub mod muscle;
+pub mod numerics;
+pub mod paths;
+pub mod snap;
+pub mod torsion;
+pub mod tube;
 
 use super::Case;
 use crate::simulation::Divided;
@@ -26,8 +26,8 @@ const BRICKS: [(Brick, &str); 2] = [
     (Brick::Quadratic, "27-node brick"),
 ];
 
-pub(super) const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
-pub(super) const CONDUCT: &str = "J: numerical conduct (bricks)";
+pub const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
+pub const CONDUCT: &str = "J: numerical conduct (bricks)";
 
 /// The finest meshes of Cook's membrane: some seconds in a program that is optimised, minutes in
 /// one that is not.

@@ -12,7 +12,7 @@ use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
 
 /// The muscle of the comparison: C10 0.12, C01 0.03, K 300 MPa, 48 strands of 0.3 mm² and 2500 MPa
 /// that carry compression.
-pub(super) fn peers() -> Option<Muscle> {
+pub fn peers() -> Option<Muscle> {
     changed(|tube, braid| {
         compared(tube, braid);
         (tube.rubber.bulk, braid.compression) = (Bulk::Modulus(300.0), true);

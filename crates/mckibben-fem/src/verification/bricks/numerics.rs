@@ -76,7 +76,7 @@ fn shaken(brick: Brick, law: Law, stiffness: f64) -> Option<Body> {
 }
 
 /// The tangent of the last assembly with both halves.
-pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
+pub fn dense_tangent(body: &Body) -> DMatrix<f64> {
     let d = &body.discretisation;
     let mut full = DMatrix::zeros(d.free, d.free);
     let pattern = d.pattern();
@@ -93,7 +93,7 @@ pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
 /// Largest difference between K v and central differences of the residual, over the largest force.
 ///
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
-pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
+pub fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discretisation.clone();
     // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible
     // rubber the tangent holds p; what the augmentation adds to the geometric part vanishes with
