@@ -1,9 +1,7 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::Result;
-use crate::solver::body::Body;
-use mckibben::model::Response;
-use mckibben::muscle::Muscle;
+use crate::{Result, solver::body::Body};
+use mckibben::{model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;

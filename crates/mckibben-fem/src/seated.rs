@@ -1,13 +1,17 @@
 //! Finite elements of a muscle with ends that yield: equilibria and tests with contraction, pull
 //! and volume of the whole muscle.
 
-use crate::results::{Sensitivity, Solution};
-use crate::simulation::{Detail, Given, Simulation};
-use crate::solver::curve::{Curve, CurvePoint, falling};
-use crate::{FemError, Result};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::model::{Response, Seated, Workspace};
-use mckibben::muscle::{EndState, Ends, Muscle};
+use crate::{
+    FemError, Result,
+    results::{Sensitivity, Solution},
+    simulation::{Detail, Given, Simulation},
+    solver::curve::{Curve, CurvePoint, falling},
+};
+use mckibben::{
+    cancel::{self, Cancelled},
+    model::{Response, Seated, Workspace},
+    muscle::{EndState, Ends, Muscle},
+};
 
 /// The elements themselves where `muscle` does not describe its ends, else the whole muscle;
 /// `model` is of [`Muscle::between_ends`].

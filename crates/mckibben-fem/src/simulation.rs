@@ -1,16 +1,22 @@
 //! What finite-element models have in common: equilibria and tests.
 
-use crate::FemError;
-use crate::axisymmetric::Axisymmetric;
-use crate::results::{MuscleBody, Solution};
-use crate::solver::body::Body as _;
-use crate::solver::continuation::Continuation;
-use crate::solver::curve::{Curve, CurvePoint, isometric};
-use mckibben::model::{
-    Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
-    Workspace,
+use crate::{
+    FemError,
+    axisymmetric::Axisymmetric,
+    results::{MuscleBody, Solution},
+    solver::{
+        body::Body as _,
+        continuation::Continuation,
+        curve::{Curve, CurvePoint, isometric},
+    },
 };
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{
+        Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
+        Result, Workspace,
+    },
+    muscle::Muscle,
+};
 
 /// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one
 /// over its pull. Both hold more than 95 % of random muscles, as `docs/finite-elements.md` counts

@@ -1,15 +1,21 @@
 //! Forces, volume defects and tangent of the whole body.
 
 use super::discretisation::{BraidSpec, Discretisation};
-use crate::element::law;
-use crate::element::plane::AnyPlaneLaw;
-use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::solid::{self, Contribution, Material, NodalRow};
-use crate::element::strand::STRAND_POINTS;
-use crate::load::cavity::volume;
-use crate::solver::body::{State, Totals};
-use crate::solver::chain::Chain;
-use crate::solver::newton::{Result, Stopped};
+use crate::{
+    element::{
+        law,
+        plane::AnyPlaneLaw,
+        q2::{MODES, NODES, PADDED},
+        solid::{self, Contribution, Material, NodalRow},
+        strand::STRAND_POINTS,
+    },
+    load::cavity::volume,
+    solver::{
+        body::{State, Totals},
+        chain::Chain,
+        newton::{Result, Stopped},
+    },
+};
 
 /// Below this strain a strand that carries no compression is slack. At rest a strand counts as
 /// taut.

@@ -10,17 +10,24 @@
 //! prescribes dw, so the end moves together with everything behind it; force control takes dw =
 //! (F + b)/S from it; pressure control the same with the condensed ∂V/∂x.
 
-use super::assembly::{Assembled, assemble};
-use super::discretisation::{Discretisation, Ends};
-use super::neighbour::Neighbours;
-use crate::element::q2::{MODES, NODES};
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::{Control, State, Totals};
-use crate::solver::dense;
-use crate::solver::newton::{NewtonSystem, Stopped};
-use crate::{FemError, Result};
-use mckibben::model::ThickWall;
-use mckibben::muscle::Crimp;
+use super::{
+    assembly::{Assembled, assemble},
+    discretisation::{Discretisation, Ends},
+    neighbour::Neighbours,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        q2::{MODES, NODES},
+        strand::STRAND_POINTS,
+    },
+    solver::{
+        body::{Control, State, Totals},
+        dense,
+        newton::{NewtonSystem, Stopped},
+    },
+};
+use mckibben::{model::ThickWall, muscle::Crimp};
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.

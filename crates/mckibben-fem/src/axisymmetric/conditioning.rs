@@ -6,19 +6,22 @@
 //! two states has the larger energy everywhere, the conditioned muscle is there the one of the
 //! first inflation.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, Memory};
-use super::results::elements;
-use crate::element::law;
-use crate::element::plane::AnyPlaneLaw;
-use crate::element::q2::{Geometry, POINTS};
-use crate::element::solid::gradient;
-use crate::solver::body::State;
-use crate::solver::continuation::Continuation;
-use crate::{FemError, Result};
-use mckibben::model::ThickWall;
-use mckibben::muscle::Muscle;
-use mckibben::rubber::over_time::OgdenRoxburgh;
+use super::{
+    body::Body,
+    discretisation::{Discretisation, Memory},
+    results::elements,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        law,
+        plane::AnyPlaneLaw,
+        q2::{Geometry, POINTS},
+        solid::gradient,
+    },
+    solver::{body::State, continuation::Continuation},
+};
+use mckibben::{model::ThickWall, muscle::Muscle, rubber::over_time::OgdenRoxburgh};
 use std::sync::Arc;
 
 impl Memory {

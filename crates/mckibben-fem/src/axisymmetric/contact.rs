@@ -18,12 +18,12 @@
 //! Crossings as in Davis & Caldwell 2006 \[davis2006\]; strands are tied to the tube, so that
 //! nothing slides on it. Where they are slack pc vanishes, and the friction with it.
 
-use super::Axisymmetric;
-use super::discretisation::Discretisation;
-use super::results::strand;
-use crate::Result;
-use crate::element::q2::{GAUSS2, along};
-use crate::simulation::Given;
+use super::{Axisymmetric, discretisation::Discretisation, results::strand};
+use crate::{
+    Result,
+    element::q2::{GAUSS2, along},
+    simulation::Given,
+};
 use mckibben::model::Workspace;
 use std::f64::consts::PI;
 
@@ -83,7 +83,12 @@ impl Axisymmetric {
     }
 }
 
-fn contact_at(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
+fn contact_at(
+    d: &Discretisation,
+    u: &[f64],
+    by: &[f64],
+    (slab, g): (usize, usize),
+) -> ContactPlace {
     let l = d.layout;
     let Some(braid) = d.problem.braid else {
         return ContactPlace::default();

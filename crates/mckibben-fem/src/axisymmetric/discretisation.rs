@@ -1,16 +1,18 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
-use super::body::Body;
-use super::layout::Layout;
-use super::mesh::Mesh;
-use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
-use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::{FemError, Result};
-use mckibben::muscle::{Bulk, Crimp, Parts, StrandLay};
-use mckibben::rubber::over_time::OgdenRoxburgh;
-use mckibben::rubber::{Law, RubberLaw};
+use super::{body::Body, layout::Layout, mesh::Mesh};
+use crate::{
+    FemError, Result,
+    element::{
+        q2::{Geometry, NODES, POINTS, Point, point},
+        strand::{self, STRAND_POINTS, StrandPoint},
+    },
+    solver::{body::Control, continuation::Continuation},
+};
+use mckibben::{
+    muscle::{Bulk, Crimp, Parts, StrandLay},
+    rubber::{Law, RubberLaw, over_time::OgdenRoxburgh},
+};
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
 pub(super) const LAYER: f64 = 1.4;
@@ -247,7 +249,8 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
             for i in 0..l.nodes() {
                 let [r, z] = cylinder.node(i, j);
                 let fall = ((z - half) / layer).exp();
-                path.body.state.u[l.station_offset(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
+                path.body.state.u[l.station_offset(j) + 2 * i] +=
+                    drawn(r, next * fall) - drawn(r, done * fall);
             }
         }
         match path.solve(Control::Length(0.0)) {

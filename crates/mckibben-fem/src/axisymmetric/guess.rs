@@ -17,10 +17,8 @@
 //!   cosφ = [rm² (2 cot²αm − 1) + r²] sin²αm/(2 rm² cosαm cosα),   dr/dZ = −λm sinφ.
 
 use super::discretisation::{BraidSpec, Discretisation, LAYER};
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::State;
-use mckibben::analysis::bisect;
-use mckibben::muscle::StrandLay;
+use crate::{element::strand::STRAND_POINTS, solver::body::State};
+use mckibben::{analysis::bisect, muscle::StrandLay};
 
 /// Steps of integration per station.
 const STEPS: usize = 4;
@@ -176,12 +174,7 @@ impl Line {
 
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal;
 /// `false` where no bulge brings the terminal there.
-pub fn shape(
-    d: &Discretisation,
-    state: &mut State,
-    terminal: f64,
-    outline: Outline,
-) -> bool {
+pub fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outline) -> bool {
     let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else {
         return false;
     };

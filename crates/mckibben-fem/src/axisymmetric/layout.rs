@@ -1,8 +1,10 @@
 //! Places of the unknowns.
 
-use crate::element::q2::{MODES, NODES};
-use crate::element::solid::Unknowns;
-use crate::element::strand::STRAND_POINTS;
+use crate::element::{
+    q2::{MODES, NODES},
+    solid::Unknowns,
+    strand::STRAND_POINTS,
+};
 
 /// A tube of `through` elements through the wall and `along` elements along the half length.
 ///

@@ -1,13 +1,19 @@
 //! The axisymmetric muscle as a force model.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, Memory, Problem};
-use super::mesh::{Mesh, MeshSpec};
-use super::sensitivity::slopes;
-use crate::Result;
-use crate::simulation::{Divided, FiniteElements, Given};
-use mckibben::model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
+use super::{
+    body::Body,
+    discretisation::{Discretisation, Memory, Problem},
+    mesh::{Mesh, MeshSpec},
+    sensitivity::slopes,
+};
+use crate::{
+    Result,
+    simulation::{Divided, FiniteElements, Given},
+};
+use mckibben::{
+    model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace},
+    muscle::Muscle,
+};
 use std::sync::Arc;
 
 pub const ENTRY: ModelEntry = ModelEntry {

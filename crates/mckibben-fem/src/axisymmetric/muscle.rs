@@ -1,15 +1,23 @@
 //! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come
 //! from the infinitely long muscle of the same rubber and braid.
 
-use super::body::Body;
-use super::guess::{self, Outline};
-use crate::Result;
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::{Body as _, Control, Settings, State, Totals};
-use crate::solver::continuation::TAUT;
-use crate::solver::newton::{NewtonOptions, NewtonSystem};
-use mckibben::analysis::bisect;
-use mckibben::model::{ForceModel, Ideal, Workspace};
+use super::{
+    body::Body,
+    guess::{self, Outline},
+};
+use crate::{
+    Result,
+    element::strand::STRAND_POINTS,
+    solver::{
+        body::{Body as _, Control, Settings, State, Totals},
+        continuation::TAUT,
+        newton::{NewtonOptions, NewtonSystem},
+    },
+};
+use mckibben::{
+    analysis::bisect,
+    model::{ForceModel, Ideal, Workspace},
+};
 use std::f64::consts::PI;
 
 /// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one
@@ -126,8 +134,9 @@ impl crate::solver::body::Body for Body {
     fn taut_pressure(&self, contraction: f64) -> f64 {
         let d = &self.discretisation;
         let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
-        let pulling =
-            self.pulling_pressure(contraction).filter(|p| *p < PULLS_BELOW * ring);
+        let pulling = self
+            .pulling_pressure(contraction)
+            .filter(|p| *p < PULLS_BELOW * ring);
         pulling.map_or(RINGS * ring, |p| TAUT * p)
     }
 
@@ -152,8 +161,7 @@ impl crate::solver::body::Body for Body {
         let ideal = self.endless.as_ref().map_or(1.0, |e| {
             Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0)
         });
-        let start =
-            self.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        let start = self.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
         Ok(1.4 * start + self.smallest_pressure())
     }
 
@@ -235,8 +243,9 @@ impl Body {
     /// The shape of strands alone, where the infinitely long muscle pulls.
     fn guess_net(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
-        let pulls =
-            self.expected_pull(pressure, contraction).is_some_and(|force| force > 0.0);
+        let pulls = self
+            .expected_pull(pressure, contraction)
+            .is_some_and(|force| force > 0.0);
         if !pulls {
             return false;
         }

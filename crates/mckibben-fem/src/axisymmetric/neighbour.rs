@@ -1,12 +1,12 @@
 //! Muscles that differ a little in one number, for differences by it.
 
-use super::discretisation::{Discretisation, Problem};
-use super::mesh::Mesh;
+use super::{
+    discretisation::{Discretisation, Problem},
+    mesh::Mesh,
+};
 use crate::Result;
-use mckibben::differences::STENCIL;
-use mckibben::muscle::Parts;
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use mckibben::{differences::STENCIL, muscle::Parts};
+use std::{collections::BTreeMap, sync::Arc};
 
 /// A muscle that differs in one number.
 #[derive(Debug)]

@@ -1,16 +1,20 @@
 //! What an equilibrium of the section tells.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, nodes};
-use super::sensitivity::slopes;
-use crate::Result;
-use crate::element::q2::{NODES, Point};
-use crate::element::solid::{Unknowns, gradient};
-use crate::element::strand::{STRAND_POINTS, Stretch};
-use crate::results::{
-    MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most,
+use super::{
+    body::Body,
+    discretisation::{Discretisation, nodes},
+    sensitivity::slopes,
 };
-use crate::solver::body::State;
+use crate::{
+    Result,
+    element::{
+        q2::{NODES, Point},
+        solid::{Unknowns, gradient},
+        strand::{STRAND_POINTS, Stretch},
+    },
+    results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
+    solver::body::State,
+};
 use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {

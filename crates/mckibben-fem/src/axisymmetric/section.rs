@@ -4,20 +4,28 @@
 //! is taken at the 2 × 2 points where it is most exact (Barlow 1976 \[barlow1976\]) and carried to
 //! the nodes by the bilinear function through them. Where elements meet, both are averaged.
 
-use super::discretisation::{Discretisation, nodes};
-use super::layout::Layout;
-use super::model::Axisymmetric;
-use super::results::{elements, strands};
-use crate::Result;
-use crate::element::law;
-use crate::element::plane::{AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
-use crate::element::softened::soften;
-use crate::element::solid::{Unknowns, gradient};
-use crate::results::{FieldNode, NodeMeans, StrandState};
-use crate::solver::body::State;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
+use super::{
+    discretisation::{Discretisation, nodes},
+    layout::Layout,
+    model::Axisymmetric,
+    results::{elements, strands},
+};
+use crate::{
+    Result,
+    element::{
+        law,
+        plane::{AnyPlaneLaw, Gradient},
+        q2::{GAUSS2, GAUSS3, NODES, Point, quadratic},
+        softened::soften,
+        solid::{Unknowns, gradient},
+    },
+    results::{FieldNode, NodeMeans, StrandState},
+    solver::body::State,
+};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::Muscle,
+};
 
 /// A node of the section: (R, Z) at rest, (r, z) now, Cauchy stress (σrr, σθθ, σzz, σrz).
 pub type SectionNode = FieldNode<2, 4>;

@@ -12,8 +12,10 @@
 //!
 //! The same code serves one, four or eight elements at a time ([`super::lanes`]).
 
-use super::lanes::Real;
-use super::spatial::{AT, PAIRS, Spatial, SpatialLaw, Symmetric};
+use super::{
+    lanes::Real,
+    spatial::{AT, PAIRS, Spatial, SpatialLaw, Symmetric},
+};
 
 /// A shape function's values at an integration point of the parent cube.
 #[derive(Debug, Clone)]

@@ -3,8 +3,10 @@
 //!
 //! Nodes run like the grid's: ξ first, then η, then ζ, from −1 to 1.
 
-use super::brick::ShapePoint;
-use super::q2::{GAUSS2, GAUSS3, functions};
+use super::{
+    brick::ShapePoint,
+    q2::{GAUSS2, GAUSS3, functions},
+};
 
 /// The brick of an order at a place.
 pub fn shape_at(order: usize, place: [f64; 3], weight: f64) -> ShapePoint {

@@ -1,9 +1,11 @@
 //! A law as elements take it: those in the invariants take the short way, others the way through
 //! principal stretches.
 
-use super::plane::{AnyPlaneLaw, ByInvariants};
-use super::spatial::SpatialLaw;
-use super::stretches::ByStretches;
+use super::{
+    plane::{AnyPlaneLaw, ByInvariants},
+    spatial::SpatialLaw,
+    stretches::ByStretches,
+};
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A law in both states of deformation.

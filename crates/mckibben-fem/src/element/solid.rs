@@ -5,10 +5,12 @@
 //! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for
 //! incompressible rubber.
 
-use super::lanes::four_at_a_time;
-use super::plane::{AnyPlaneLaw, Gradient, Stress};
-use super::q2::{Geometry, MODES, NODES, PADDED, POINTS, Point};
-use super::softened::soften;
+use super::{
+    lanes::four_at_a_time,
+    plane::{AnyPlaneLaw, Gradient, Stress},
+    q2::{Geometry, MODES, NODES, PADDED, POINTS, Point},
+    softened::soften,
+};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A row of nodal values.

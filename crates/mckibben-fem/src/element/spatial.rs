@@ -11,8 +11,10 @@
 
 pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
 
-use super::lanes::{MOST, Real};
-use super::spatial_stretches::{Stretches, by_stretches};
+use super::{
+    lanes::{MOST, Real},
+    spatial_stretches::{Stretches, by_stretches},
+};
 use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
 
 /// A law in I1 and I2, evaluated at several places at once.

@@ -6,9 +6,11 @@
 //!   c = Σ (∂τa/∂ln λb − 2 τa δab) na⊗na⊗nb⊗nb + Σ_{a<b} gab S⊗S,   S = na⊗nb + nb⊗na
 //!   gab = (τa λb² − τb λa²)/(λa² − λb²)
 
-use super::lanes::Real;
-use super::stretches::logarithmic;
-use super::tensor::{PAIRS, Spatial, Symmetric};
+use super::{
+    lanes::Real,
+    stretches::logarithmic,
+    tensor::{PAIRS, Spatial, Symmetric},
+};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.

@@ -54,7 +54,11 @@ pub struct Stretch {
 
 /// The points of a line element with its nodes at rest (middle, left, right), of a tube with the
 /// outer radius R in mm.
-pub fn strand_points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
+pub fn strand_points(
+    nodes: [[f64; 2]; 3],
+    radius: f64,
+    lay: &StrandLay,
+) -> [StrandPoint; STRAND_POINTS] {
     let (sin, cos0) = lay.angle_rad.sin_cos();
     let filled = lay.hoop_stretch(radius);
     let [middle, left, right] = nodes;

@@ -6,11 +6,15 @@
 //! of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with D1 = 2/K; Ogden's are written there as 2
 //! μi/αi². Data of the mesh are in comments `** key = value`.
 
-use crate::three_dimensional::{Brick, ThreeDimensional};
-use crate::{FemError, Result};
-use mckibben::model::ForceModel;
-use mckibben::muscle::Bulk;
-use mckibben::rubber::{Law, RubberLaw};
+use crate::{
+    FemError, Result,
+    three_dimensional::{Brick, ThreeDimensional},
+};
+use mckibben::{
+    model::ForceModel,
+    muscle::Bulk,
+    rubber::{Law, RubberLaw},
+};
 use std::collections::BTreeMap;
 
 /// Bulk modulus over shear modulus that an incompressible rubber gets.

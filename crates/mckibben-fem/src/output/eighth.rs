@@ -3,8 +3,10 @@
 //! Mirroring at a plane changes the sign of a displacement across it and of the shear stresses that
 //! have one index across it: σij → si sj σij with the signs s of the copy.
 
-use super::Shape;
-use super::vtu::{Grid, PointData};
+use super::{
+    Shape,
+    vtu::{Grid, PointData},
+};
 use crate::three_dimensional::{Brick, Field, NodeField, PieceField};
 use std::collections::HashMap;
 

@@ -3,10 +3,11 @@
 //! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and
 //! z follow the tube.
 
-use super::revolve::directions;
-use super::vtu::{Grid, PointData};
-use crate::axisymmetric::Section;
-use crate::results::StrandState;
+use super::{
+    revolve::directions,
+    vtu::{Grid, PointData},
+};
+use crate::{axisymmetric::Section, results::StrandState};
 
 /// Strands drawn of a family whose number is not known: for display only.
 pub const DRAWN: u32 = 24;

@@ -1,9 +1,13 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
-use super::stations::FIELDS;
-use super::vtu::{Grid, PointData};
-use crate::axisymmetric::{Section, SectionNode};
-use crate::three_dimensional::Brick;
+use super::{
+    stations::FIELDS,
+    vtu::{Grid, PointData},
+};
+use crate::{
+    axisymmetric::{Section, SectionNode},
+    three_dimensional::Brick,
+};
 use std::f64::consts::TAU;
 
 /// Divisions around the axis; whole quadrants, so that turning by 90° changes no digit.

@@ -1,7 +1,9 @@
 //! A series of equilibria as files that ParaView opens.
 
-use super::Shape;
-use super::vtu::{Grid, VtuError, collection};
+use super::{
+    Shape,
+    vtu::{Grid, VtuError, collection},
+};
 use mckibben::model::Response;
 
 /// The parts of a step.

@@ -5,10 +5,8 @@
 //! with the header (number of blocks, size of a block, size of a last shorter block or 0, size of
 //! each compressed block).
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use base64::{Engine as _, engine::general_purpose::STANDARD};
+use flate2::{Compression, write::ZlibEncoder};
 use mckibben::clean;
 use std::io::Write as _;
 use thiserror::Error;

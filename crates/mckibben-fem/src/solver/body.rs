@@ -2,8 +2,10 @@
 
 use super::newton::{NewtonOptions, NewtonSystem};
 use crate::Result;
-use std::f64::consts::PI;
-use std::slice::{from_mut, from_ref};
+use std::{
+    f64::consts::PI,
+    slice::{from_mut, from_ref},
+};
 
 /// The state of a body: unknowns, variables that are carried along, and the loads on it.
 #[derive(Debug, Clone, PartialEq, Default)]

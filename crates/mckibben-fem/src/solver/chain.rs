@@ -5,8 +5,7 @@
 //! slab loses its inside and its left station, and hands the Schur complement of its right station
 //! to the next. The last station remains.
 
-use super::dense;
-use super::newton::Stopped;
+use super::{dense, newton::Stopped};
 
 /// The chain and its factorisation.
 #[derive(Debug, Clone)]

@@ -16,13 +16,14 @@
 //! that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle
 //! does not lead to it, inflated from rest in the same way.
 
-use super::body::{Body, Control, State};
-use super::descent::Descent;
-use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
-use super::trail::Trail;
+use super::{
+    body::{Body, Control, State},
+    descent::Descent,
+    newton::{self, Effort, Interrupted, NewtonOptions, Stopped},
+    trail::Trail,
+};
 use crate::{FemError, Result};
-use mckibben::cancel;
-use mckibben::status::Status;
+use mckibben::{cancel, status::Status};
 use std::fmt;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to

@@ -1,7 +1,6 @@
 //! The stations of a descent in pressure at one length.
 
-use super::body::State;
-use super::newton::Interrupted;
+use super::{body::State, newton::Interrupted};
 
 /// A step is continuous if Newton's method moves no node further than this share of the radius from
 /// where the steps before predict it.

@@ -187,7 +187,11 @@ struct Strip<'a> {
 
 impl<'a> Strip<'a> {
     #[inline(always)]
-    fn multiply<R: Real, const N: usize>(self, strip: &'a mut [f64], (c, stride): (&mut [f64], usize)) {
+    fn multiply<R: Real, const N: usize>(
+        self,
+        strip: &'a mut [f64],
+        (c, stride): (&mut [f64], usize),
+    ) {
         let Self {
             left,
             mut right,

@@ -1,9 +1,11 @@
 //! Equilibria at one length, from the taut muscle down in pressure.
 
-use super::body::{Body, Control};
-use super::continuation::Continuation;
-use super::descent::CONTINUOUS;
-use super::newton::{Interrupted, Stopped};
+use super::{
+    body::{Body, Control},
+    continuation::Continuation,
+    descent::CONTINUOUS,
+    newton::{Interrupted, Stopped},
+};
 
 /// How often the pressure is raised, and by what factor, where the strands are not taut yet.
 const TIGHTENINGS: usize = 8;

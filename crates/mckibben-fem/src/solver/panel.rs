@@ -10,8 +10,10 @@
 //!
 //! No pivots are exchanged: systems are ordered and augmented so that none need be.
 
-use super::kernel::{Kernel, Matrix, Product, STRIP, Triangle};
-use super::symbolic::Form;
+use super::{
+    kernel::{Kernel, Matrix, Product, STRIP, Triangle},
+    symbolic::Form,
+};
 use std::ops::Range;
 
 /// Strips of so many columns from `first` on.

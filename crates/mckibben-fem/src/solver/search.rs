@@ -3,9 +3,11 @@
 //! Single equilibria at given pressures and contractions lead near; from there Newton's method runs
 //! with the pull held.
 
-use super::body::{Body, Control};
-use super::continuation::{Continuation, LARGEST_CONTRACTION};
-use super::newton::{Interrupted, Stopped};
+use super::{
+    body::{Body, Control},
+    continuation::{Continuation, LARGEST_CONTRACTION},
+    newton::{Interrupted, Stopped},
+};
 use crate::{FemError, Result};
 use mckibben::cancel;
 

@@ -7,10 +7,12 @@
 
 pub use super::symbolic::Pattern;
 
-use super::newton::Stopped;
-use super::substitution::{self, Factor};
-use super::supernodal::Numeric;
-use super::symbolic::{Form, Symbolic};
+use super::{
+    newton::Stopped,
+    substitution::{self, Factor},
+    supernodal::Numeric,
+    symbolic::{Form, Symbolic},
+};
 use crate::element::lanes::Width;
 use std::sync::Arc;
 

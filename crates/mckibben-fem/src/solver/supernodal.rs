@@ -5,10 +5,12 @@
 //! what every earlier supernode with rows in it takes off; then its columns are factorised, panel
 //! by panel.
 
-use super::kernel::{Kernel, Matrix, Product};
-use super::newton::Stopped;
-use super::panel::Panel;
-use super::symbolic::{Form, Pattern, Symbolic};
+use super::{
+    kernel::{Kernel, Matrix, Product},
+    newton::Stopped,
+    panel::Panel,
+    symbolic::{Form, Pattern, Symbolic},
+};
 use crate::element::lanes::Width;
 use mckibben::cancel;
 use std::ops::Range;

@@ -1,10 +1,12 @@
 //! Walks between equilibria, as large a step at a time as Newton's method allows.
 
-use super::body::{Body, Control};
-use super::continuation::{Continuation, TAUT};
-use super::descent::growth_of_step;
-use super::newton::{Interrupted, LastConverged, Stopped};
-use super::trail::{Along, Trail};
+use super::{
+    body::{Body, Control},
+    continuation::{Continuation, TAUT},
+    descent::growth_of_step,
+    newton::{Interrupted, LastConverged, Stopped},
+    trail::{Along, Trail},
+};
 
 /// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the
 /// share of the radius by which a step aims to miss its prediction.

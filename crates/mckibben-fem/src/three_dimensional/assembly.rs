@@ -1,19 +1,25 @@
 //! Residual and tangent of a body, element by element.
 
-use super::discretisation::{Discretisation, Material};
-use super::mesh::Brick;
-use crate::element::brick::{Input, Output, ShapePoint, integrate_bricks};
-use crate::element::hexahedron::integration_points;
-use crate::element::lanes::Real;
-use crate::element::lanes::on_lanes;
-use crate::element::law::with_law;
-use crate::element::spatial::{AT, SpatialLaw};
-use crate::load::cavity_faces::{self, FacePoint, skew, volume};
-use crate::solver::body::{State, Totals};
-use crate::solver::newton::{Result, Stopped};
+use super::{
+    discretisation::{Discretisation, Material},
+    mesh::Brick,
+};
+use crate::{
+    element::{
+        brick::{Input, Output, ShapePoint, integrate_bricks},
+        hexahedron::integration_points,
+        lanes::{Real, on_lanes},
+        law::with_law,
+        spatial::{AT, SpatialLaw},
+    },
+    load::cavity_faces::{self, FacePoint, skew, volume},
+    solver::{
+        body::{State, Totals},
+        newton::{Result, Stopped},
+    },
+};
 use mckibben::cancel;
-use std::ops::Range;
-use std::sync::LazyLock;
+use std::{ops::Range, sync::LazyLock};
 
 /// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of
 /// all widths of lanes.

@@ -5,13 +5,19 @@
 //! slow Newton's method down (Magisano, Leonetti & Garcea 2017). `saddle.rs` solves the linear
 //! systems.
 
-use super::assembly::{Assembled, assemble};
-use super::discretisation::{Discretisation, share};
-use super::saddle::{Constraints, constraint_residual, dot, gather};
-use crate::solver::body::{Control, State, Totals};
-use crate::solver::newton::{NewtonSystem, Stopped};
-use crate::solver::sparse::SparseCholesky;
-use crate::{FemError, Result};
+use super::{
+    assembly::{Assembled, assemble},
+    discretisation::{Discretisation, share},
+    saddle::{Constraints, constraint_residual, dot, gather},
+};
+use crate::{
+    FemError, Result,
+    solver::{
+        body::{Control, State, Totals},
+        newton::{NewtonSystem, Stopped},
+        sparse::SparseCholesky,
+    },
+};
 use mckibben::cancel;
 use std::sync::Arc;
 

@@ -2,19 +2,26 @@
 //! everything that does not change while it deforms.
 
 use super::problem::{Freedom, Problem};
-use crate::element::brick::{Modes, modes};
-use crate::element::hexahedron::integration_points;
-use crate::element::lanes::Width;
-use crate::element::spatial::PAIRS;
-use crate::element::truss::{Pull, Truss};
-use crate::solver::body::State;
-use crate::solver::sparse::{Analysis, Pattern};
-use crate::{FemError, Result};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::muscle::Bulk;
-use mckibben::rubber::{Law, RubberLaw};
-use std::ops::Range;
-use std::sync::Arc;
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{Modes, modes},
+        hexahedron::integration_points,
+        lanes::Width,
+        spatial::PAIRS,
+        truss::{Pull, Truss},
+    },
+    solver::{
+        body::State,
+        sparse::{Analysis, Pattern},
+    },
+};
+use mckibben::{
+    cancel::{self, Cancelled},
+    muscle::Bulk,
+    rubber::{Law, RubberLaw},
+};
+use std::{ops::Range, sync::Arc};
 
 /// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;

@@ -5,21 +5,27 @@
 //! brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the trilinear function
 //! carries it to the nodes. Where bricks meet, they are averaged.
 
-use super::Body;
-use super::discretisation::{Discretisation, Material};
-use super::kinematics::{gradient, largest_principal, left, now};
-use super::mesh::{Brick, BrickMesh};
-use super::model::ThreeDimensional;
-use super::muscle::MuscleInBricks;
-use super::saddle::dot;
-use crate::element::brick::{ShapePoint, determinant};
-use crate::element::hexahedron::shape_at;
-use crate::element::law::with_law;
-use crate::element::q2::GAUSS2;
-use crate::element::spatial::SpatialLaw;
-use crate::results::{FieldNode, NodeMeans};
-use crate::solver::newton::NewtonSystem as _;
-use crate::{FemError, Result};
+use super::{
+    Body,
+    discretisation::{Discretisation, Material},
+    kinematics::{gradient, largest_principal, left, now},
+    mesh::{Brick, BrickMesh},
+    model::ThreeDimensional,
+    muscle::MuscleInBricks,
+    saddle::dot,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{ShapePoint, determinant},
+        hexahedron::shape_at,
+        law::with_law,
+        q2::GAUSS2,
+        spatial::SpatialLaw,
+    },
+    results::{FieldNode, NodeMeans},
+    solver::newton::NewtonSystem as _,
+};
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 
@@ -180,8 +186,11 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     } else {
         (0..8).map(gauss).collect()
     };
-    let [at_nodes, at_points] =
-        [&places, &points].map(|list| list.iter().map(|x| shape_at(order, *x, 1.0)).collect::<Vec<_>>());
+    let [at_nodes, at_points] = [&places, &points].map(|list| {
+        list.iter()
+            .map(|x| shape_at(order, *x, 1.0))
+            .collect::<Vec<_>>()
+    });
     let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> = at_points

@@ -5,8 +5,7 @@
 //! [`crate::solver::continuation`] walks from rest.
 
 use super::muscle::MuscleInBricks;
-use crate::axisymmetric::Section;
-use crate::output::helices;
+use crate::{axisymmetric::Section, output::helices};
 use std::cmp::Ordering;
 
 /// Lagrange's weights through three places.
@@ -52,7 +51,12 @@ impl<'a> Finder<'a> {
     }
 
     /// Calls `each` with nodes and weights.
-    fn weigh_nodes(&self, r: f64, z: f64, mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64)) {
+    fn weigh_nodes(
+        &self,
+        r: f64,
+        z: f64,
+        mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64),
+    ) {
         let (i, x) = Self::triple(&self.lines, r);
         let (j, y) = Self::triple(&self.stations, z);
         for (b, wy) in y.into_iter().enumerate() {

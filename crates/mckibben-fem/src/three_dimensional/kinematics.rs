@@ -1,10 +1,11 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
-use super::body::Body;
-use super::saddle::dot;
-use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
-use crate::element::spatial::PAIRS;
-use crate::element::spatial_stretches::principal_axes;
+use super::{body::Body, saddle::dot};
+use crate::element::{
+    brick::{ShapePoint, adjugate, determinant, jacobian},
+    spatial::PAIRS,
+    spatial_stretches::principal_axes,
+};
 
 /// Place now of a node in mm.
 pub fn now(body: &Body, node: usize) -> [f64; 3] {

@@ -1,11 +1,14 @@
 //! The three-dimensional muscle as a force model.
 
-use super::mesh::{BrickMesh, BrickSpec};
-use super::muscle::MuscleMesh;
-use crate::Result;
-use crate::simulation::FiniteElements;
-use mckibben::model::{Accuracy, ModelEntry, Reference};
-use mckibben::muscle::Muscle;
+use super::{
+    mesh::{BrickMesh, BrickSpec},
+    muscle::MuscleMesh,
+};
+use crate::{Result, simulation::FiniteElements};
+use mckibben::{
+    model::{Accuracy, ModelEntry, Reference},
+    muscle::Muscle,
+};
 
 pub const ENTRY: ModelEntry = ModelEntry {
     name: "fe3d",

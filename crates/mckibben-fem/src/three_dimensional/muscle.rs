@@ -1,20 +1,28 @@
 //! A muscle in bricks, ready to be led from equilibrium to equilibrium; its first guesses are
 //! axisymmetric equilibria of the same muscle.
 
-use super::body::Body;
-use super::discretisation::Discretisation;
-use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use super::model::ENTRY;
-use super::plug::Plug;
-use super::problem::Problem;
-use crate::axisymmetric::{self, Axisymmetric, Section};
-use crate::simulation::Divided;
-use crate::solver::body::{self, Control, Settings, State, Totals};
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use crate::{FemError, Result};
-use mckibben::model::{ForceModel, ModelEntry};
-use mckibben::muscle::{BraidStiffness, Muscle};
+use super::{
+    body::Body,
+    discretisation::Discretisation,
+    mesh::{BrickMesh, BrickSpec, Quarter},
+    model::ENTRY,
+    plug::Plug,
+    problem::Problem,
+};
+use crate::{
+    FemError, Result,
+    axisymmetric::{self, Axisymmetric, Section},
+    simulation::Divided,
+    solver::{
+        body::{self, Control, Settings, State, Totals},
+        continuation::Continuation,
+        newton::{NewtonOptions, NewtonSystem, Stopped},
+    },
+};
+use mckibben::{
+    model::{ForceModel, ModelEntry},
+    muscle::{BraidStiffness, Muscle},
+};
 use std::sync::Arc;
 
 /// What of a muscle in bricks does not change.

@@ -1,7 +1,9 @@
 //! The plug's nodes, bricks and face among those of the mesh.
 
-use super::mesh::{BrickMesh, direction};
-use super::plug::PlugGrid;
+use super::{
+    mesh::{BrickMesh, direction},
+    plug::PlugGrid,
+};
 
 impl BrickMesh {
     /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to

@@ -1,11 +1,14 @@
 //! What a body is made of, before unknowns are numbered.
 
-use super::mesh::{Brick, BrickMesh};
-use super::plug::PlugGrid;
-use crate::element::truss::Truss;
-use crate::solver::dissection::Sheet;
-use mckibben::muscle::{Bulk, Muscle};
-use mckibben::rubber::{Law, NeoHookean};
+use super::{
+    mesh::{Brick, BrickMesh},
+    plug::PlugGrid,
+};
+use crate::{element::truss::Truss, solver::dissection::Sheet};
+use mckibben::{
+    muscle::{Bulk, Muscle},
+    rubber::{Law, NeoHookean},
+};
 
 /// What becomes of a displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

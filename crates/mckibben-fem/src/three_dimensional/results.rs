@@ -1,16 +1,21 @@
 //! What an equilibrium tells, in the words of the axisymmetric model: averages around the
 //! circumference.
 
-use super::body::Body;
-use super::kinematics::{gradient, largest_principal, now};
-use super::mesh::{Brick, BrickMesh};
-use super::muscle::MuscleInBricks;
-use crate::element::brick::{ShapePoint, determinant, jacobian};
-use crate::element::hexahedron::shape_at;
-use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most};
-use crate::{FemError, Result};
-use mckibben::cancel;
-use mckibben::muscle::Muscle;
+use super::{
+    body::Body,
+    kinematics::{gradient, largest_principal, now},
+    mesh::{Brick, BrickMesh},
+    muscle::MuscleInBricks,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{ShapePoint, determinant, jacobian},
+        hexahedron::shape_at,
+    },
+    results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
+};
+use mckibben::{cancel, muscle::Muscle};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {

@@ -8,10 +8,11 @@
 //! K⁻¹(…) − d by conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin &
 //! Glowinski 1983 \[fortin1983\]).
 
-use super::assembly::Assembled;
-use super::discretisation::{Discretisation, share};
-use crate::solver::body::State;
-use crate::solver::sparse::SparseCholesky;
+use super::{
+    assembly::Assembled,
+    discretisation::{Discretisation, share},
+};
+use crate::solver::{body::State, sparse::SparseCholesky};
 use mckibben::cancel;
 
 const ITERATIONS: usize = 60;
@@ -129,7 +130,9 @@ impl Constraints<'_> {
         spread(self.d, b, du);
         let wanted = dm.to_vec();
         let mut shares = vec![0.0; dm.len()];
-        self.each_constraint(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
+        self.each_constraint(|m, _, _, _, compliance, augment| {
+            shares[m] = share(compliance, augment)
+        });
         dm.fill(0.0);
         if self.iterated() {
             let mut r = self.excess_defects(du, &wanted);
@@ -181,7 +184,9 @@ impl Constraints<'_> {
             full.fill(0.0);
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);
-            self.each_constraint(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
+            self.each_constraint(|m, _, _, volume, compliance, _| {
+                s[m] += volume * compliance * p[m]
+            });
             let curvature = inner(&p, &s);
             if curvature.is_nan() || curvature <= 0.0 {
                 return;

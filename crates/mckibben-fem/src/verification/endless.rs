@@ -6,9 +6,11 @@
 
 use super::{Path, Rows, THROUGH, braid, inflated, pull, radius, rubber, stretched};
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben::model::ThickWall;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, StrandLay};
-use mckibben::rubber::RubberLaw;
+use mckibben::{
+    model::ThickWall,
+    muscle::{Braid, BraidStiffness, Muscle, StrandLay},
+    rubber::RubberLaw,
+};
 use std::f64::consts::PI;
 
 /// A, B.

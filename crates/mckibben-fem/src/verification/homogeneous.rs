@@ -4,9 +4,10 @@
 //! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
 use super::{Rows, body, rubber, stretched};
-use crate::axisymmetric::{Body, Ends, Mesh};
-use crate::element::law;
-use crate::element::plane::Gradient;
+use crate::{
+    axisymmetric::{Body, Ends, Mesh},
+    element::{law, plane::Gradient},
+};
 use mckibben::rubber::Law;
 use std::f64::consts::PI;
 

@@ -14,8 +14,10 @@
 
 use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, pull, radius, slice};
 use crate::axisymmetric::{Body, BraidSpec};
-use mckibben::model::ThickWall;
-use mckibben::muscle::{Braid, BraidStiffness, Crimp, StrandLay};
+use mckibben::{
+    model::ThickWall,
+    muscle::{Braid, BraidStiffness, Crimp, StrandLay},
+};
 use std::f64::consts::PI;
 
 const INNER: f64 = 6.0;

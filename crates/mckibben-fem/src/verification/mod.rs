@@ -15,15 +15,21 @@ mod pressure;
 mod sphere;
 mod tube;
 
-use crate::FemError;
-use crate::axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{self, Effort, NewtonOptions, NewtonSystem};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube};
-use mckibben::progress::Progress;
-use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
+use crate::{
+    FemError,
+    axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem},
+    solver::{
+        body::Control,
+        continuation::Continuation,
+        newton::{self, Effort, NewtonOptions, NewtonSystem},
+    },
+};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube},
+    progress::Progress,
+    rubber::{Law, MooneyRivlin, NeoHookean},
+};
 
 pub use bricks::COOK_FINE;
 pub use mckibben::verification::{CaseKind, Measure, VerificationRow};

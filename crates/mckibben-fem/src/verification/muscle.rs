@@ -4,10 +4,12 @@
 
 use super::{Rows, changed, section_pull};
 use crate::axisymmetric::Axisymmetric;
-use mckibben::differences::slope;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Tube};
-use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben::{
+    differences::slope,
+    model::{ForceModel, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Tube},
+    rubber::{Law, MooneyRivlin},
+};
 use std::f64::consts::PI;
 
 /// π D0² P (3 cos²θ − 1)/(4 sin²θ): blocked force in N at D0 50, θ 28°, P 0.25 of strands that do

@@ -8,16 +8,24 @@ use super::{
     Path, Rows, at_rest, body, changed, largest_difference, order_of_newton, radius, rubber,
     section_pull, stretched,
 };
-use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
-use crate::simulation::{Given, Simulation};
-use crate::solver::body::Control;
-use crate::solver::newton::{NewtonOptions, NewtonSystem as _};
-use mckibben::differences::{STENCIL, slope};
-use mckibben::model::Workspace;
-use mckibben::muscle::measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section};
-use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
-use mckibben::random::Random;
-use mckibben::rubber::Law;
+use crate::{
+    axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem},
+    simulation::{Given, Simulation},
+    solver::{
+        body::Control,
+        newton::{NewtonOptions, NewtonSystem as _},
+    },
+};
+use mckibben::{
+    differences::{STENCIL, slope},
+    model::Workspace,
+    muscle::{
+        BraidStiffness, Bulk, Muscle,
+        measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section},
+    },
+    random::Random,
+    rubber::Law,
+};
 
 const STIFFNESS: BraidStiffness = BraidStiffness::NewtonPerMm(321.0);
 

@@ -4,11 +4,12 @@
 //! pressures and lengths.
 
 use super::Rows;
-use crate::axisymmetric::Axisymmetric;
-use crate::load::cavity::volume;
-use crate::simulation::{Given, Simulation};
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
+use crate::{
+    axisymmetric::Axisymmetric,
+    load::cavity::volume,
+    simulation::{Given, Simulation},
+};
+use mckibben::{model::Workspace, muscle::Muscle};
 
 /// The rows of E.
 pub fn follower_pressure(rows: &mut Rows) {

@@ -5,8 +5,10 @@
 //! together, r is free.
 
 use super::{Rows, at_rest, body, neo_hookean, radius, rubber, stretched};
-use crate::axisymmetric::{Ends, Mesh, Problem};
-use crate::solver::body::Control;
+use crate::{
+    axisymmetric::{Ends, Mesh, Problem},
+    solver::body::Control,
+};
 use mckibben::muscle::Bulk;
 
 /// (A, B, λz, a/A, p, b, N − πa²p).

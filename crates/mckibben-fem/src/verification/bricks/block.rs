@@ -1,10 +1,11 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
-use crate::solver::dissection::Sheet;
-use crate::three_dimensional::{Brick, Problem};
-use crate::verification::rubber;
-use mckibben::muscle::Bulk;
-use mckibben::rubber::Law;
+use crate::{
+    solver::dissection::Sheet,
+    three_dimensional::{Brick, Problem},
+    verification::rubber,
+};
+use mckibben::{muscle::Bulk, rubber::Law};
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {

@@ -4,14 +4,12 @@
 //! Loaded and held: pressure inside, the length given or both along a path; the ends are bonded, or
 //! the far end of tube, braid and plug is held.
 
-use super::numerics::tangent_error;
-use super::{BRICKS, at_rest, coarse, maxwell, prototype, settle};
-use crate::solver::continuation::Continuation;
-use crate::three_dimensional::{
-    Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial, ThreeDimensional,
+use super::{BRICKS, at_rest, coarse, maxwell, numerics::tangent_error, prototype, settle};
+use crate::{
+    solver::continuation::Continuation,
+    three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial, ThreeDimensional},
+    verification::{Rows, pressure::balance},
 };
-use crate::verification::Rows;
-use crate::verification::pressure::balance;
 use mckibben::muscle::Muscle;
 
 /// The rows of the pressure.

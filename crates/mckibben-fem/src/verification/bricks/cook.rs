@@ -4,10 +4,11 @@
 //! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held
 //! everywhere.
 
-use super::block::Block;
-use super::{body, drive};
-use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{Rows, neo_hookean};
+use super::{block::Block, body, drive};
+use crate::{
+    three_dimensional::{Brick, Freedom},
+    verification::{Rows, neo_hookean},
+};
 use mckibben::muscle::Bulk;
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.

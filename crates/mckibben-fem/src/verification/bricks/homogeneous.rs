@@ -4,11 +4,12 @@
 //! Loaded and held: the faces of a block by given displacements in one or two directions, all else
 //! free.
 
-use super::block::bent_cube;
-use super::{BRICKS, body, push};
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::Rows;
+use super::{BRICKS, block::bent_cube, body, push};
+use crate::{
+    solver::newton::NewtonSystem as _,
+    three_dimensional::{Body, Brick, Freedom},
+    verification::Rows,
+};
 
 /// The bent cube; the planes through the origin held, and what `held` says of
 /// (node on the far faces x, y, z; direction).

@@ -12,12 +12,16 @@ pub mod torsion;
 pub mod tube;
 
 use super::Case;
-use crate::simulation::Divided;
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{self, Effort, NewtonOptions};
-use crate::three_dimensional::{
-    Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
+use crate::{
+    simulation::Divided,
+    solver::{
+        body::Control,
+        continuation::Continuation,
+        newton::{self, Effort, NewtonOptions},
+    },
+    three_dimensional::{
+        Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
+    },
 };
 use mckibben::muscle::Muscle;
 

@@ -3,12 +3,19 @@
 //!
 //! Loaded and held: pressure inside, the length given, both ends bonded.
 
-use crate::axisymmetric::Axisymmetric;
-use crate::three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional};
-use crate::verification::muscle::{compared, outer_diameter_limit_n};
-use crate::verification::{Rows, changed, pull};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
+use crate::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional},
+    verification::{
+        Rows, changed,
+        muscle::{compared, outer_diameter_limit_n},
+        pull,
+    },
+};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::{BraidStiffness, Bulk, Muscle},
+};
 
 /// The muscle of the comparison: C10 0.12, C01 0.03, K 300 MPa, 48 strands of 0.3 mm² and 2500 MPa
 /// that carry compression.

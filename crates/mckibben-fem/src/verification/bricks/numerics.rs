@@ -4,17 +4,18 @@
 //! Loaded and held: a short muscle shaken at random, its length given.
 
 use super::{BRICKS, body, prototype, solve, tight};
-use crate::element::spatial::AT;
-use crate::element::truss::Truss;
-use crate::solver::body::Control;
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::dot;
-use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
-use crate::verification::{Rows, changed, largest_difference, order_of_newton, rubber};
-use mckibben::differences::{STENCIL, slope};
-use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
-use mckibben::random::Random;
-use mckibben::rubber::Law;
+use crate::{
+    element::{spatial::AT, truss::Truss},
+    solver::{body::Control, newton::NewtonSystem as _},
+    three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter, dot},
+    verification::{Rows, changed, largest_difference, order_of_newton, rubber},
+};
+use mckibben::{
+    differences::{STENCIL, slope},
+    muscle::{BraidStiffness, Bulk, Muscle},
+    random::Random,
+    rubber::Law,
+};
 use nalgebra::{DMatrix, DVector};
 
 fn tube(half_mm: f64) -> Quarter {

@@ -4,14 +4,18 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; strands that carry
 //! compression shortened without pressure.
 
-use super::muscle::peers;
-use super::numerics::{dense_tangent, tangent_error};
-use super::{BRICKS, at_rest, coarse, prototype, settle};
-use crate::solver::continuation::Unstable;
-use crate::three_dimensional::{Body, Brick, BrickSpec};
-use crate::verification::{Rows, changed};
-use mckibben::muscle::Bulk;
-use mckibben::rubber::Law;
+use super::{
+    BRICKS, at_rest, coarse,
+    muscle::peers,
+    numerics::{dense_tangent, tangent_error},
+    prototype, settle,
+};
+use crate::{
+    solver::continuation::Unstable,
+    three_dimensional::{Body, Brick, BrickSpec},
+    verification::{Rows, changed},
+};
+use mckibben::{muscle::Bulk, rubber::Law};
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {

@@ -9,8 +9,7 @@
 //!
 //! Loaded and held: both supports held, the apex pushed down.
 
-use crate::element::truss::Truss;
-use crate::verification::Rows;
+use crate::{element::truss::Truss, verification::Rows};
 use mckibben::analysis::find_root;
 
 /// E·A in N.

@@ -4,11 +4,12 @@
 //! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the
 //! side free.
 
-use super::block::Block;
-use super::{body, push};
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Brick, Freedom, now};
-use crate::verification::{Rows, rubber};
+use super::{block::Block, body, push};
+use crate::{
+    solver::newton::NewtonSystem as _,
+    three_dimensional::{Brick, Freedom, now},
+    verification::{Rows, rubber},
+};
 use mckibben::muscle::Bulk;
 
 const RADIUS: f64 = 5.0;

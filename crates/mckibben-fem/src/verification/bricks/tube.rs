@@ -4,11 +4,11 @@
 //! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between
 //! planes of symmetry.
 
-use super::block::Block;
-use super::{BRICKS, body, drive};
-use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::tube::ROWS;
-use crate::verification::{Rows, rubber};
+use super::{BRICKS, block::Block, body, drive};
+use crate::{
+    three_dimensional::{Brick, Freedom},
+    verification::{Rows, rubber, tube::ROWS},
+};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
