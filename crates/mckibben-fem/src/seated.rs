@@ -219,12 +219,14 @@ impl Simulation for Whole {
                 pressures_mpa,
                 detail,
             );
-            let one = |point: Result<CurvePoint>| {
-                let point =
-                    point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-                Ok(whole_point(self, Some(e), point))
-            };
-            return points.into_iter().map(one).collect();
+            return points
+                .into_iter()
+                .map(|point: Result<CurvePoint>| {
+                    let point =
+                        point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
+                    Ok(whole_point(self, Some(e), point))
+                })
+                .collect();
         }
         // Each with its end state: in the order of the test, as the elements go from one to the
         // next.

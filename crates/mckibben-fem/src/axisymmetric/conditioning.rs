@@ -77,8 +77,11 @@ impl Memory {
 
 /// W0 of every integration point.
 fn energies(law: &dyn AnyPlaneLaw, d: &Discretisation, state: &State) -> Vec<[f64; POINTS]> {
-    let one = |(geometry, (_, u)): (&Geometry, (_, _))| {
-        std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
-    };
-    d.elements.iter().zip(elements(d, state)).map(one).collect()
+    d.elements
+        .iter()
+        .zip(elements(d, state))
+        .map(|(geometry, (_, u)): (&Geometry, (_, _))| {
+            std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
+        })
+        .collect()
 }

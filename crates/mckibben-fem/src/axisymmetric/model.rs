@@ -110,13 +110,15 @@ impl Axisymmetric {
         let known = slopes(&mut c.body, self.muscle(), |name| {
             names.iter().any(|n| n == name)
         })?;
-        let one = |name: &String| {
-            known
-                .iter()
-                .find(|s| s.name == *name)
-                .map(|s| s.force_n_per_unit)
-        };
-        Ok(names.iter().map(one).collect())
+        Ok(names
+            .iter()
+            .map(|name: &String| {
+                known
+                    .iter()
+                    .find(|s| s.name == *name)
+                    .map(|s| s.force_n_per_unit)
+            })
+            .collect())
     }
 }
 

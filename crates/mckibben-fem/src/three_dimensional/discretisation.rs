@@ -290,15 +290,17 @@ fn check_cancel(number: usize) -> Result<(), Cancelled> {
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
 /// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
-    let one = |m: &Material| {
-        let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-        let size = rest[m.bricks.clone()]
-            .iter()
-            .map(|r| r.volume.cbrt())
-            .fold(0.0, f64::max);
-        16.0 * f64::EPSILON * greatest * modulus * size
-    };
-    stiff.iter().map(one).fold(0.0, f64::max)
+    stiff
+        .iter()
+        .map(|m: &Material| {
+            let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
+            let size = rest[m.bricks.clone()]
+                .iter()
+                .map(|r| r.volume.cbrt())
+                .fold(0.0, f64::max);
+            16.0 * f64::EPSILON * greatest * modulus * size
+        })
+        .fold(0.0, f64::max)
 }
 
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {

@@ -107,17 +107,18 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
 
 fn pieces(body: &Body) -> Vec<PieceField> {
     let d = &body.discretisation;
-    let one = |t: usize| {
-        let pull = body.discretisation.pull(&body.state, t, 0.0);
-        let n = pull.direction;
-        PieceField {
-            ends: d.problem.trusses[t].0.map(|n| n as usize),
-            stretch: 1.0 + pull.strain,
-            angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
-            tension_n: pull.tension,
-        }
-    };
-    (0..d.problem.trusses.len()).map(one).collect()
+    (0..d.problem.trusses.len())
+        .map(|t: usize| {
+            let pull = body.discretisation.pull(&body.state, t, 0.0);
+            let n = pull.direction;
+            PieceField {
+                ends: d.problem.trusses[t].0.map(|n| n as usize),
+                stretch: 1.0 + pull.strain,
+                angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
+                tension_n: pull.tension,
+            }
+        })
+        .collect()
 }
 
 /// The plug's bricks, their nodes numbered from 0.

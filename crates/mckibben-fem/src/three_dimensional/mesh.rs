@@ -45,15 +45,16 @@ impl Brick {
         mut node: impl FnMut(usize, usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
-        let one = |e: usize| {
-            let (i, j, k) = (e % n0, e / n0 % n1, e / (n0 * n1));
-            let at = |a: usize| {
-                let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                node(p * i + x, p * j + y, p * k + z) as u32
-            };
-            (0..(p + 1).pow(3)).map(at).collect()
-        };
-        (0..n0 * n1 * n2).map(one).collect()
+        (0..n0 * n1 * n2)
+            .map(|e: usize| {
+                let (i, j, k) = (e % n0, e / n0 % n1, e / (n0 * n1));
+                let at = |a: usize| {
+                    let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                    node(p * i + x, p * j + y, p * k + z) as u32
+                };
+                (0..(p + 1).pow(3)).map(at).collect()
+            })
+            .collect()
     }
 
     /// Nodes of a sheet of so many faces along its first and its second direction.
@@ -63,11 +64,13 @@ impl Brick {
         node: impl Fn(usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
-        let one = |e: usize| {
-            let at = |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
-            (0..(p + 1).pow(2)).map(at).collect()
-        };
-        (0..n0 * n1).map(one).collect()
+        (0..n0 * n1)
+            .map(|e: usize| {
+                let at =
+                    |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
+                (0..(p + 1).pow(2)).map(at).collect()
+            })
+            .collect()
     }
 }
 

@@ -69,29 +69,31 @@ impl MuscleBody for MuscleInBricks {
             .braid()
             .strands
             .map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
-        let one = |k: usize| {
-            let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
-            let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
-            for t in pieces {
-                let pull = body.discretisation.pull(&body.state, t, 0.0);
-                stretch += 1.0 + pull.strain;
-                angle += pull.direction[0]
-                    .hypot(pull.direction[1])
-                    .atan2(pull.direction[2].abs());
-                tension += pull.tension;
-            }
-            let count = 2.0 * row as f64;
-            let per_width = tension / count / width;
-            let z = |k: usize| mesh.nodes[mesh.node(0, 0, k)][2];
-            StrandState {
-                rest_mm: 0.5 * (z(k) + z(k + 1)),
-                stretch: stretch / count,
-                angle_deg: (angle / count).to_degrees(),
-                tension_n_per_mm: per_width,
-                tension_n: spacing.map(|s| per_width * s),
-            }
-        };
-        (0..mesh.free_rows()).map(one).collect()
+        (0..mesh.free_rows())
+            .map(|k: usize| {
+                let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
+                let pieces =
+                    (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
+                for t in pieces {
+                    let pull = body.discretisation.pull(&body.state, t, 0.0);
+                    stretch += 1.0 + pull.strain;
+                    angle += pull.direction[0]
+                        .hypot(pull.direction[1])
+                        .atan2(pull.direction[2].abs());
+                    tension += pull.tension;
+                }
+                let count = 2.0 * row as f64;
+                let per_width = tension / count / width;
+                let z = |k: usize| mesh.nodes[mesh.node(0, 0, k)][2];
+                StrandState {
+                    rest_mm: 0.5 * (z(k) + z(k + 1)),
+                    stretch: stretch / count,
+                    angle_deg: (angle / count).to_degrees(),
+                    tension_n_per_mm: per_width,
+                    tension_n: spacing.map(|s| per_width * s),
+                }
+            })
+            .collect()
     }
 
     fn bulge_mm(&self) -> f64 {

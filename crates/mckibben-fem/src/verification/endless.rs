@@ -81,16 +81,24 @@ pub fn endless_braid(rows: &mut Rows) {
             ("a (mm)", a),
             ("b (mm)", b),
         ];
-        let begins = format!("infinitely long muscle, λz {stretch}: ");
-        rows.each(&begins, exact, ours, 1e-7);
+        rows.each(
+            &format!("infinitely long muscle, λz {stretch}: "),
+            exact,
+            ours,
+            1e-7,
+        );
     }
     rows.source = "F: infinitely long muscle with strands that stretch (thick-wall energy)";
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
             .and_then(|m| pull(ThickWall::new(&m), PRESSURE, e));
         let ours = inflated(slice(Some(k)), PRESSURE, 1.0 - e).map(|w| w.totals.pull);
-        let name = format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)");
-        rows.add(name, exact, ours, 1e-7);
+        rows.add(
+            format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)"),
+            exact,
+            ours,
+            1e-7,
+        );
     }
     rows.source = "F: strands carry nothing in compression";
     let exact = rubber().uniaxial_stress_mpa(0.9) * PI * (outer * outer - inner * inner);
@@ -111,11 +119,19 @@ pub fn long_muscles(rows: &mut Rows) {
         // F = F∞ + c1/L0 + c2/L0²: extrapolated from three lengths.
         let limit = (|| Some((8.0 * f4? - 6.0 * f2? + f1?) / 3.0))();
         rows.source = source;
-        let name = format!("bonded muscles of 400, 800, 1600 mm extrapolated, ε {e}: F (N)");
-        rows.add(name, exact, limit, 1e-4);
+        rows.add(
+            format!("bonded muscles of 400, 800, 1600 mm extrapolated, ε {e}: F (N)"),
+            exact,
+            limit,
+            1e-4,
+        );
         let ratio = (|| Some((f2? - exact) / (f4? - exact)))();
         rows.source = "G: the ends cost like 1/L0";
-        let name = format!("what the ends cost at 800 mm over that at 1600 mm, ε {e}");
-        rows.add(name, 2.0, ratio, 0.03);
+        rows.add(
+            format!("what the ends cost at 800 mm over that at 1600 mm, ε {e}"),
+            2.0,
+            ratio,
+            0.03,
+        );
     }
 }

@@ -74,8 +74,12 @@ pub fn homogeneous(rows: &mut Rows) {
             ("nominal stress (MPa)", nominal),
             ("distance from the linear field (mm)", 0.0),
         ];
-        let begins = format!("{name}, λ = 2, distorted patch: ");
-        rows.each(&begins, exact, ours, 1e-11);
+        rows.each(
+            &format!("{name}, λ = 2, distorted patch: "),
+            exact,
+            ours,
+            1e-11,
+        );
     }
     let rest = Gradient {
         a: 1.0,
@@ -89,8 +93,12 @@ pub fn homogeneous(rows: &mut Rows) {
         ..rest
     };
     let [rr, zz, ..] = cauchy(&rubber(), halved);
-    let name = "planar tension, λ = 2: nominal stress (MPa)";
-    rows.add(name, 0.45, (rr - zz) / 2.0, 1e-12);
+    rows.add(
+        "planar tension, λ = 2: nominal stress (MPa)",
+        0.45,
+        (rr - zz) / 2.0,
+        1e-12,
+    );
     let g = 0.7;
     let [rr, zz, hoop, rz] = cauchy(&rubber(), Gradient { b: g, ..rest });
     let ours = [rz, rr - hoop, zz - hoop];

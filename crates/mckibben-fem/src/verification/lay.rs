@@ -55,13 +55,21 @@ pub fn strand_lay(rows: &mut Rows) {
         let cos = stretch * lay.angle_rad.cos();
         let cot2 = cos * cos / (1.0 - cos * cos);
         let exact = PI * 0.3 * r * (2.0 * (r + lay.offset_mm) * cot2 - r);
-        let name = format!("braid {thickness} mm thick, λz {stretch}: F (N)");
-        rows.add(name, exact, thick(thickness, stretch), 1e-6);
+        rows.add(
+            format!("braid {thickness} mm thick, λz {stretch}: F (N)"),
+            exact,
+            thick(thickness, stretch),
+            1e-6,
+        );
     }
     // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
-    let name = "blocked force that 0.3 mm of braid add (%)";
-    rows.add(name, 2.3, gain, 0.01);
+    rows.add(
+        "blocked force that 0.3 mm of braid add (%)",
+        2.3,
+        gain,
+        0.01,
+    );
     rows.source = "K: inflation of the bare thick tube";
     let k = 1e4;
     for (diameter, stretch) in [(15.0, 1.0), (16.0, 0.95), (14.5, 1.0)] {
@@ -80,10 +88,14 @@ pub fn strand_lay(rows: &mut Rows) {
             let (a, b) = (above(1.001)?, above(1.002)?);
             (a > 0.0 && b > a).then(|| exact * (1.001 - 0.001 * a / (b - a)))
         })();
-        let name = format!(
-            "sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)"
+        rows.add(
+            format!(
+                "sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)"
+            ),
+            exact,
+            ours,
+            1e-5,
         );
-        rows.add(name, exact, ours, 1e-5);
     }
     rows.source = "K: strands that are longer by what their crimp gives";
     let k = 1e3;
@@ -104,6 +116,5 @@ pub fn strand_lay(rows: &mut Rows) {
     };
     let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
         .and_then(|m| pull(ThickWall::new(&m), 0.5, 0.1));
-    let name = "strands with 1 % of crimp, ε 0.1: F (N)";
-    rows.add(name, exact, ours, 1e-8);
+    rows.add("strands with 1 % of crimp, ε 0.1: F (N)", exact, ours, 1e-8);
 }

@@ -49,8 +49,12 @@ pub fn identities(rows: &mut Rows) {
                 (t.outer_diameter_mm, t.wall_mm, b.stiffness) = (50.0, s, stiffness)
             })
             .and_then(|m| section_pull(&m, 0.25, 0.0));
-            let name = format!("blocked force, D0 50, s {s}, P 0.25, {name} (N)");
-            rows.add(name, outer_diameter_limit_n(), ours, tolerance);
+            rows.add(
+                format!("blocked force, D0 50, s {s}, P 0.25, {name} (N)"),
+                outer_diameter_limit_n(),
+                ours,
+                tolerance,
+            );
         }
     }
 }
@@ -95,11 +99,19 @@ pub fn prototype(rows: &mut Rows) {
         (0.10, 0.10, 100.14),
         (0.10, 0.25, 440.59),
     ] {
-        let name = format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)");
         // 0.03 % of the blocked force.
-        rows.add(name, force, ours(p, e), 3e-4 * 846.0 / force);
+        rows.add(
+            format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)"),
+            force,
+            ours(p, e),
+            3e-4 * 846.0 / force,
+        );
     }
     rows.source = "FElupe 11.3, refined";
-    let name = "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5";
-    rows.add(name, 440.6, ours(0.25, 0.10), 0.5 / 440.6);
+    rows.add(
+        "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5",
+        440.6,
+        ours(0.25, 0.10),
+        0.5 / 440.6,
+    );
 }

@@ -54,9 +54,12 @@ pub fn numerics(rows: &mut Rows) {
                 tangent_error(&mut w.body)
             });
             let name = law.name();
-            let name =
-                format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}");
-            rows.add(name, 0.0, error, 2e-7);
+            rows.add(
+                format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}"),
+                0.0,
+                error,
+                2e-7,
+            );
         }
     }
     let order = bonded(rubber(), Bulk::Incompressible, STIFFNESS).and_then(|mut w| {
@@ -69,8 +72,12 @@ pub fn numerics(rows: &mut Rows) {
         };
         order_of_newton(&mut w.body, &options, 3e-13)
     });
-    let name = "order of Newton's last residuals (2 or more)";
-    rows.add(name, 2.0, order, 0.2);
+    rows.add(
+        "order of Newton's last residuals (2 or more)",
+        2.0,
+        order,
+        0.2,
+    );
     let in_steps = |n: usize| {
         let mut w = bonded(rubber(), Bulk::Incompressible, STIFFNESS)?;
         for i in 1..=n {
@@ -79,8 +86,12 @@ pub fn numerics(rows: &mut Rows) {
         }
         Some(w.body.totals.pull)
     };
-    let name = "F after one step against twenty (N)";
-    rows.add(name, in_steps(20), in_steps(1), 1e-8);
+    rows.add(
+        "F after one step against twenty (N)",
+        in_steps(20),
+        in_steps(1),
+        1e-8,
+    );
     // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled.
     // Theory: the energy, and with it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
@@ -151,8 +162,12 @@ pub fn sensitivities(rows: &mut Rows) {
         muscle.with_tube(tube).ok()
     };
     let slopes = solved.map_or(vec![], |s| s.sensitivities);
-    let name = "constants and measures with a ∂F";
-    rows.add(name, 7.0, slopes.len() as f64, 0.0);
+    rows.add(
+        "constants and measures with a ∂F",
+        7.0,
+        slopes.len() as f64,
+        0.0,
+    );
     for s in slopes {
         let pull = |h: f64| section_pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();

@@ -38,8 +38,12 @@ pub fn follower_pressure(rows: &mut Rows) {
     rows.add("∂V/∂x against differences", 0.0, slope, 1e-8);
     rows.add("∂²V/∂x∂x against differences (mm)", 0.0, curvature, 1e-8);
     rows.add("asymmetry of the pressure's tangent (mm)", 0.0, skew, 1e-12);
-    let name = "sum of the axial forces of the cavity (mm²)";
-    rows.add(name, 0.0, together, 1e-11);
+    rows.add(
+        "sum of the axial forces of the cavity (mm²)",
+        0.0,
+        together,
+        1e-11,
+    );
     let model = Axisymmetric::new(&Muscle::prototype()).ok();
     let ours = model.and_then(|m| balance(&m));
     rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, ours, 1e-7);

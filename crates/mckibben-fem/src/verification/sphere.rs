@@ -24,14 +24,22 @@ pub fn thick_sphere(rows: &mut Rows) {
     ] {
         let sphere = body(half_sphere(8, 20, |x| 1.0 + x), rubber(), None, Ends::Pole);
         let ours = stretched(sphere, pressure, 1.0).map(|b| radius(&b, 0, 0));
-        let name = format!("thick sphere 1/2, p {pressure}: a/A");
-        rows.add(name, swell, ours, 1e-5);
+        rows.add(
+            format!("thick sphere 1/2, p {pressure}: a/A"),
+            swell,
+            ours,
+            1e-5,
+        );
     }
     rows.source = "C: limit point at λ = 7^(1/6)";
     let limit = 7.0_f64.powf(1.0 / 6.0);
     let exact = 2.0 * MU * THIN * (1.0 / limit - limit.powi(-7));
-    let name = "thin neo-Hookean balloon: largest pressure (MPa)";
-    rows.add(name, exact, balloon(exact), 2e-3);
+    rows.add(
+        "thin neo-Hookean balloon: largest pressure (MPa)",
+        exact,
+        balloon(exact),
+        2e-3,
+    );
 }
 
 const MU: f64 = 0.24;

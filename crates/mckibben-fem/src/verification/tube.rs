@@ -79,16 +79,24 @@ pub fn thick_tube(rows: &mut Rows) {
             [a / inner, b_now, b.totals.pull]
         });
         let exact = [("a/A", swell), ("b (mm)", outside), ("N − πa²p (N)", axial)];
-        let begins = format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: ");
-        rows.each(&begins, exact, ours, 1e-7);
+        rows.each(
+            &format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: "),
+            exact,
+            ours,
+            1e-7,
+        );
     }
     // The difference that a finite bulk modulus makes goes like 1/K.
     let ratio = (|| {
         let limit = swollen(Bulk::Incompressible)?;
         Some((swollen(Bulk::Modulus(200.0))? - limit) / (swollen(Bulk::Modulus(2000.0))? - limit))
     })();
-    let name = "thick tube: what K = 200 MPa changes over what 2000 MPa changes";
-    rows.add(name, 10.0, ratio, 1e-2);
+    rows.add(
+        "thick tube: what K = 200 MPa changes over what 2000 MPa changes",
+        10.0,
+        ratio,
+        1e-2,
+    );
     // Plane strain: u(A) = (p A/(2G)) ((1 − 2ν) + B²/A²)/(B²/A² − 1).
     let (a, b, p, g) = (1.0, 2.0, 1e-7, 0.24);
     let k = 10.0 * g;
@@ -101,8 +109,12 @@ pub fn thick_tube(rows: &mut Rows) {
         Some(path.body.state.u[0])
     });
     rows.source = "B: Lamé & Clapeyron 1833";
-    let name = "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)";
-    rows.add(name, exact, ours, 2e-6);
+    rows.add(
+        "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)",
+        exact,
+        ours,
+        2e-6,
+    );
 }
 
 /// Inner radius under the pressure of the first row.

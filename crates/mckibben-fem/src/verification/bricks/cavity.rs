@@ -20,15 +20,23 @@ pub fn follower_pressure(rows: &mut Rows) {
             maxwell(&mut c.body.bricks)
         });
         let (by_pressure, by_length) = slopes.unzip();
-        let title = format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)");
-        rows.add(title, by_length, by_pressure, 1e-9);
+        rows.add(
+            format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"),
+            by_length,
+            by_pressure,
+            1e-9,
+        );
         let spec = BrickSpec {
             along: None,
             ..coarse(brick)
         };
         let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).ok();
-        let title = format!("{name}, (∫P dV + ∫F dL)/ΔW along a path");
-        rows.add(title, 1.0, model.and_then(|m| balance(&m)), 1e-7);
+        rows.add(
+            format!("{name}, (∫P dV + ∫F dL)/ΔW along a path"),
+            1.0,
+            model.and_then(|m| balance(&m)),
+            1e-7,
+        );
     }
 }
 
@@ -97,10 +105,18 @@ pub fn terminals(rows: &mut Rows) {
                 });
             let (slopes, error) = checks.unzip();
             let (by_pressure, by_length) = slopes.unzip();
-            let title = format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)");
-            row(&title, by_length, by_pressure, 1e-9);
-            let title = format!("{what} plug: tangent against differences");
-            row(&title, Some(0.0), error, 1e-7);
+            row(
+                &format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"),
+                by_length,
+                by_pressure,
+                1e-9,
+            );
+            row(
+                &format!("{what} plug: tangent against differences"),
+                Some(0.0),
+                error,
+                1e-7,
+            );
         }
     }
 }

@@ -53,7 +53,11 @@ pub fn cook_fine(rows: &mut Rows) {
 
 fn add_meshes(rows: &mut Rows, meshes: &[(usize, f64)]) {
     for &(n, exact) in meshes {
-        let name = format!("Cook's membrane, {n} × {n}: tip (mm)");
-        rows.add(name, exact, tip(n), 1e-5);
+        rows.add(
+            format!("Cook's membrane, {n} × {n}: tip (mm)"),
+            exact,
+            tip(n),
+            1e-5,
+        );
     }
 }

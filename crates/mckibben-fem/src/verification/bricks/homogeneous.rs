@@ -68,8 +68,12 @@ pub fn homogeneous(rows: &mut Rows) {
                 ("nominal stress (MPa)", exact),
                 ("largest displacement off (mm)", 0.0),
             ];
-            let begins = format!("{name}, patch test, {what} λ = 2: ");
-            rows.each(&begins, exact, stress(brick, 2.0, y), 1e-10);
+            rows.each(
+                &format!("{name}, patch test, {what} λ = 2: "),
+                exact,
+                stress(brick, 2.0, y),
+                1e-10,
+            );
         }
     }
 }
@@ -117,7 +121,11 @@ pub fn shear(rows: &mut Rows) {
             ("σ22 − σ33 (MPa)", -2.0 * 0.02 * GAMMA * GAMMA),
             ("largest displacement off (mm)", 0.0),
         ];
-        let begins = format!("{name}, simple shear γ = 1: ");
-        rows.each(&begins, exact, sheared(brick), 1e-10);
+        rows.each(
+            &format!("{name}, simple shear γ = 1: "),
+            exact,
+            sheared(brick),
+            1e-10,
+        );
     }
 }

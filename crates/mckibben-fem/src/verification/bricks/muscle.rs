@@ -41,8 +41,12 @@ pub fn muscle(rows: &mut Rows) {
         (0.10, 0.10, 99.37),
         (0.25, 0.10, 438.93),
     ] {
-        let title = format!("muscle, 2 × 12 × 39 8-node bricks, ε {e}, P {p}: F (N)");
-        rows.add(title, force, pull(&spec, p, e), 1e-4);
+        rows.add(
+            format!("muscle, 2 × 12 × 39 8-node bricks, ε {e}, P {p}: F (N)"),
+            force,
+            pull(&spec, p, e),
+            1e-4,
+        );
     }
     rows.source = "FElupe 11.3, limit of its refined meshes, ± 0.5 N";
     let quadratic = BrickSpec {
@@ -51,8 +55,12 @@ pub fn muscle(rows: &mut Rows) {
         brick: Brick::Quadratic,
         ..spec
     };
-    let title = "muscle, 1 × 8 × 26 27-node bricks, ε 0.1, P 0.25: F (N)";
-    rows.add(title, 440.6, pull(&quadratic, 0.25, 0.10), 0.5 / 440.6);
+    rows.add(
+        "muscle, 1 × 8 × 26 27-node bricks, ε 0.1, P 0.25: F (N)",
+        440.6,
+        pull(&quadratic, 0.25, 0.10),
+        0.5 / 440.6,
+    );
     rows.source = "I: 3D = axisymmetric as strands become many";
     for (d, s) in [(30.0, 3.0), (50.0, 1.0)] {
         axisymmetric_limit(rows, d, s);
@@ -78,8 +86,12 @@ fn axisymmetric_limit(rows: &mut Rows, d: f64, s: f64) {
             let force = (a.force_n - b.force_n) / blocked;
             Some([force.abs(), (a.volume_mm3? / b.volume_mm3? - 1.0).abs()])
         });
-        let begins = format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, ");
-        rows.each(&begins, [("F over blocked F", 0.0), ("V", 0.0)], off, 0.003);
+        rows.each(
+            &format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, "),
+            [("F over blocked F", 0.0), ("V", 0.0)],
+            off,
+            0.003,
+        );
     }
 }
 

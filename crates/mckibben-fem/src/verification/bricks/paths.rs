@@ -67,22 +67,33 @@ fn shortened() -> Option<(Option<Unstable>, [f64; 2])> {
 pub fn paths(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
-            let title =
-                format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
-            rows.add(title, 0.0, walked(brick, p, e), 1e-8);
+            rows.add(
+                format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference"),
+                0.0,
+                walked(brick, p, e),
+                1e-8,
+            );
         }
         for law in Law::examples() {
-            let title = format!(
-                "{name}, {}, incompressible: tangent against differences",
-                law.name()
+            rows.add(
+                format!(
+                    "{name}, {}, incompressible: tangent against differences",
+                    law.name()
+                ),
+                0.0,
+                incompressible(brick, law),
+                1e-7,
             );
-            rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
     let (noticed, negative) = shortened().unzip();
     let (noticed, pivots) = (noticed.flatten(), negative.map(|n| n[0]));
-    let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
-    rows.add(title, negative.map(|n| n[1]), pivots, 0.0);
+    rows.add(
+        "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues",
+        negative.map(|n| n[1]),
+        pivots,
+        0.0,
+    );
     let some = pivots.map(|n| n.min(1.0));
     rows.add("the same: there are some", 1.0, some, 0.0);
     let title = |what: &str| format!("the same: the first unstable equilibrium is noticed, {what}");

@@ -45,8 +45,12 @@ fn exact(d: f64) -> f64 {
 /// The rows of F with strands.
 pub fn snap(rows: &mut Rows) {
     for d in [0.2, 0.7, 1.4, 2.3] {
-        let name = format!("two strands, apex down by {d} mm: P (N)");
-        rows.add(name, exact(d), apex(d, true).0, 1e-10);
+        rows.add(
+            format!("two strands, apex down by {d} mm: P (N)"),
+            exact(d),
+            apex(d, true).0,
+            1e-10,
+        );
     }
     let l = (W * W * W.hypot(H)).cbrt();
     let limit = H - (l * l - W * W).sqrt();
@@ -62,14 +66,30 @@ pub fn snap(rows: &mut Rows) {
     // Where the load is the limit load again.
     let again = root(&|d| exact(d) - exact(limit), 2.0 * H, 4.0 * H);
     let landed = root(&|d| apex(d, true).0 - exact(limit), 2.0 * H, 4.0 * H);
-    let name = "two strands, snapped through under the limit load: d (mm)";
-    rows.add(name, again, landed, 1e-9);
+    rows.add(
+        "two strands, snapped through under the limit load: d (mm)",
+        again,
+        landed,
+        1e-9,
+    );
     let sign = |d: f64| stiffness(d).signum();
-    let name = "two strands, stiffness there is positive";
-    rows.add(name, 1.0, landed.map(sign), 0.0);
+    rows.add(
+        "two strands, stiffness there is positive",
+        1.0,
+        landed.map(sign),
+        0.0,
+    );
     let both = sign(limit - 0.05) + sign(limit + 0.05);
-    let name = "two strands, stiffness before the limit, past it";
-    rows.add(name, 0.0, both, 0.0);
-    let name = "two tension-only strands pushed together: P (N)";
-    rows.add(name, 0.0, apex(0.5, false).0, 0.0);
+    rows.add(
+        "two strands, stiffness before the limit, past it",
+        0.0,
+        both,
+        0.0,
+    );
+    rows.add(
+        "two tension-only strands pushed together: P (N)",
+        0.0,
+        apex(0.5, false).0,
+        0.0,
+    );
 }

@@ -62,7 +62,11 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
 /// The rows of D.
 pub fn torsion(rows: &mut Rows) {
     let (moment, axial) = loads(6).unzip();
-    let name = "solid cylinder, torsion: M (N·mm)";
-    rows.add(name, 11.780_972_45, moment, 2e-4);
+    rows.add(
+        "solid cylinder, torsion: M (N·mm)",
+        11.780_972_45,
+        moment,
+        2e-4,
+    );
     rows.add("solid cylinder, torsion: N (N)", -0.343_611_70, axial, 2e-3);
 }

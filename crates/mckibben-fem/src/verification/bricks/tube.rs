@@ -71,7 +71,11 @@ pub fn thick_tube(rows: &mut Rows) {
             ring(brick, [1.0, 2.0], 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
         let got = (|| Some((error(1)? / error(2)?).log2()))();
-        let title = format!("{name}, order of convergence of a/A");
-        rows.add(title, order, got, 0.1);
+        rows.add(
+            format!("{name}, order of convergence of a/A"),
+            order,
+            got,
+            0.1,
+        );
     }
 }
