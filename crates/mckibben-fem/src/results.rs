@@ -103,7 +103,10 @@ pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>
 
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
     pub(crate) fn new(count: usize) -> Self {
-        let (rest_mm, now_mm, stretches, stress_mpa) = ([0.0; N], [0.0; N], [0.0; 3], [0.0; M]);
+        let rest_mm = [0.0; N];
+        let now_mm = [0.0; N];
+        let stretches = [0.0; 3];
+        let stress_mpa = [0.0; M];
         Self(vec![
             (
                 FieldNode {
@@ -121,7 +124,9 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
     /// Adds what an element gives at a node.
     pub(crate) fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
         let (sum, count) = &mut self.0[node];
-        (sum.rest_mm, sum.now_mm, *count) = (at.rest_mm, at.now_mm, *count + 1.0);
+        sum.rest_mm = at.rest_mm;
+        sum.now_mm = at.now_mm;
+        *count = *count + 1.0;
         let values = at.stretches.iter().chain(&at.stress_mpa);
         sum.stretches
             .iter_mut()
@@ -229,16 +234,15 @@ pub trait MuscleBody: Body {
     /// What every model answers; factorises the tangent.
     fn response(&mut self, muscle: &Muscle) -> Result<Response> {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
-        let (state, totals) = (self.state(), self.totals());
+        let state = self.state();
+        let totals = self.totals();
         let largest = self
             .strands(muscle)
             .iter()
             .map(|s| s.tension_n_per_mm)
             .fold(0.0, f64::max);
-        let (cos, count) = (
-            muscle.braid().angle_rad().cos(),
-            muscle.braid().strands.map(|s| s.count),
-        );
+        let cos = muscle.braid().angle_rad().cos();
+        let count = muscle.braid().strands.map(|s| s.count);
         let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
         Ok(Response {
             // Zeros without a sign.
@@ -262,7 +266,8 @@ pub trait MuscleBody: Body {
     fn solution(&mut self, muscle: &Muscle) -> Result<Solution> {
         let response = self.response(muscle)?;
         let sensitivities = self.sensitivities(muscle)?;
-        let (pressure, totals) = (self.state().pressure, self.totals());
+        let pressure = self.state().pressure;
+        let totals = self.totals();
         Ok(Solution {
             profile: self.profile(),
             strands: self.strands(muscle),

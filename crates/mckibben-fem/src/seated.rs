@@ -91,7 +91,8 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
             .map(|point| point.pressure_mpa - p)
             .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
     };
-    let (mut low, mut low_miss) = (0.0, miss(0.0)?);
+    let mut low = 0.0;
+    let mut low_miss = miss(0.0)?;
     let mut p = low_miss;
     for _ in 0..Ends::STEPS {
         let here = miss(p)?;
@@ -188,7 +189,8 @@ impl Simulation for Whole {
         let solved = self.inner.solve(workspace, given);
         let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
         solution.response = whole(self, e, solution.response, &mut solution.sensitivities);
-        let (ends, r) = (&self.ends, &solution.response);
+        let ends = &self.ends;
+        let r = &solution.response;
         let load_n = ends.load_n(r.pressure_mpa, r.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
         solution.energies.ends_n_mm = 0.5 * slip_mm * load_n;

@@ -45,7 +45,8 @@ pub(super) struct EndSystem {
 
 impl EndSystem {
     fn new(d: &Discretisation) -> Self {
-        let (ends, nodes) = (d.problem.ends, d.layout.nodes());
+        let ends = d.problem.ends;
+        let nodes = d.layout.nodes();
         let free = if ends == Ends::Bonded { 0 } else { nodes };
         let place = |i: usize| match (ends, i % 2) {
             (Ends::Sliding, 0) | (Ends::Pole, 1) => Some((i, i / 2)),
@@ -225,7 +226,8 @@ impl Body {
 
     /// The tangent is that of the augmented system; so must be the right-hand side.
     fn augment(&self, rhs: &mut [f64]) {
-        let (d, l) = (&self.discretisation, self.discretisation.layout);
+        let d = &self.discretisation;
+        let l = self.discretisation.layout;
         let beta = 1.0 - d.augment * d.compliance;
         for slab in 0..l.along {
             let stations = l.stations(slab);
@@ -283,7 +285,8 @@ impl Body {
     /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with
     /// the derivatives of the last tangent.
     fn extrapolate_tensions(&mut self) {
-        let (d, l) = (&self.discretisation, self.discretisation.layout);
+        let d = &self.discretisation;
+        let l = self.discretisation.layout;
         let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else {
             return;
         };
@@ -345,7 +348,8 @@ impl NewtonSystem for Body {
         self.end.backward(&mut rhs[last..], dw);
         self.assembled.chain.backward(&mut rhs);
         self.step.u = rhs;
-        (self.step.terminal, self.step.pressure) = (dw, dp);
+        self.step.terminal = dw;
+        self.step.pressure = dp;
         self.extrapolate_tensions();
         self.add_step(1.0);
         let l = self.discretisation.layout;

@@ -93,7 +93,8 @@ fn contact_at(
     let Some(braid) = d.problem.braid else {
         return ContactPlace::default();
     };
-    let (point, line) = (&d.strands[slab][g], l.line(u, slab, 2 * l.through));
+    let point = &d.strands[slab][g];
+    let line = l.line(u, slab, 2 * l.through);
     let (stretch, q) = strand(d, u, slab, g);
     let [v_r, v_z, v_hoop] = stretch.vector;
     let meridian = v_r.hypot(v_z);
@@ -107,7 +108,8 @@ fn contact_at(
     let (n, slope) = along(GAUSS2[g].0);
     let (mut r, mut r1, mut z1, mut r2, mut z2) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for a in 0..3 {
-        let (r_a, z_a) = (nodes[a][0] + line[2 * a], nodes[a][1] + line[2 * a + 1]);
+        let r_a = nodes[a][0] + line[2 * a];
+        let z_a = nodes[a][1] + line[2 * a + 1];
         r += n[a] * r_a;
         r1 += slope[a] * r_a;
         z1 += slope[a] * z_a;
@@ -117,7 +119,8 @@ fn contact_at(
     let length = r1.hypot(z1);
     let bending = (r1 * z2 - z1 * r2) / length.powi(3);
     let midline = r + braid.lay.offset_mm;
-    let (sin2, cos2) = (v_hoop * v_hoop / square, meridian * meridian / square);
+    let sin2 = v_hoop * v_hoop / square;
+    let cos2 = meridian * meridian / square;
     let curvature = sin2 * z1 / (length * midline) + cos2 * bending;
     let area = 2.0 * PI * GAUSS2[g].1 * r * length;
     let pressed = 2.0 * q * stretch.value * curvature * point.area;

@@ -178,7 +178,8 @@ impl Discretisation {
                 .map(|slab| strand::strand_points(mesh.line(slab, outer), radius, &braid.lay))
                 .collect()
         });
-        let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
+        let inner = cylinder.node(0, 0)[0];
+        let radius = cylinder.node(outer, 0)[0];
         let shear = problem.law.shear_modulus_mpa();
         let (compliance, augment) = match problem.bulk {
             Bulk::Incompressible => (0.0, 20.0 * shear),
@@ -236,15 +237,15 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
         ..problem.clone()
     };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
-    let (half, layer) = (
-        path.body.discretisation.half_length(),
-        LAYER * path.body.discretisation.radius,
-    );
+    let half = path.body.discretisation.half_length();
+    let layer = LAYER * path.body.discretisation.radius;
     let l = path.body.discretisation.layout;
     let drawn = |r: f64, share: f64| (r * r + share * problem.plug_mm2).sqrt();
-    let (mut done, mut step) = (0.0, 0.25);
+    let mut done = 0.0;
+    let mut step = 0.25;
     while done < 1.0 {
-        let (before, next) = (path.body.state.clone(), f64::min(done + step, 1.0));
+        let before = path.body.state.clone();
+        let next = f64::min(done + step, 1.0);
         for j in 0..=2 * l.along {
             for i in 0..l.nodes() {
                 let [r, z] = cylinder.node(i, j);

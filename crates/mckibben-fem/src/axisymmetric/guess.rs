@@ -91,7 +91,8 @@ impl Line {
         };
         let sin2 = square(middle);
         let lowest = (2.0 * (1.0 - sin2) / sin2 - 1.0) * middle * middle;
-        let (mut place, mut before) = (0.0, 0.0);
+        let mut place = 0.0;
+        let mut before = 0.0;
         for i in 0..=NET {
             // Finer towards the middle, where dZ/dr is infinite.
             let t = 1.0 - i as f64 / NET as f64;
@@ -179,7 +180,9 @@ pub fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outl
         return false;
     };
     let angle_rad = lay.angle_rad;
-    let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
+    let sin2 = angle_rad.sin().powi(2);
+    let half = d.half_length();
+    let l = d.layout;
     let outer = 2 * l.through;
     let strain = stiffness
         .map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k)
@@ -227,16 +230,19 @@ pub fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outl
         if j > 0 {
             z += scale * line.advance(station(j - 1), at);
         }
-        let ((r, dr), (_, meridian)) = (line.radius(at), line.slope(at));
+        let (r, dr) = line.radius(at);
+        let (_, meridian) = line.slope(at);
         // The normal turns with the line, but not at the terminal, which holds the wall.
         let tilt = (-dr / meridian).clamp(-0.7, 0.7)
             * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
         let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
-            let (rest, from) = (d.cylinder.node(i, j), d.mesh.node(i, j));
+            let rest = d.cylinder.node(i, j);
+            let from = d.mesh.node(i, j);
             let k = l.station_offset(j) + 2 * i;
             if j == 2 * l.along {
-                (state.u[k], state.u[k + 1]) = (0.0, terminal);
+                state.u[k] = 0.0;
+                state.u[k + 1] = terminal;
                 continue;
             }
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.

@@ -148,7 +148,8 @@ impl crate::solver::body::Body for Body {
         };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
         let end = 1.2 * endless.muscle().max_ideal_contraction();
-        let (low, high) = (end.min(-0.05), end.max(0.05));
+        let low = end.min(-0.05);
+        let high = end.max(0.05);
         if pull(low).is_none() {
             return Ok(0.0);
         }
@@ -197,7 +198,8 @@ impl crate::solver::body::Body for Body {
     }
 
     fn taut(&self) -> bool {
-        let (state, l) = (&self.state, self.discretisation.layout);
+        let state = &self.state;
+        let l = self.discretisation.layout;
         let taut = |q: &f64| *q > 0.0;
         let unpressurised = state.pressure == 0.0 && state.terminal >= 0.0;
         unpressurised

@@ -43,10 +43,8 @@ impl Neighbours {
 /// The body with other measures; the mesh keeps its proportions.
 fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
     let mut mesh: Mesh = d.cylinder.clone();
-    let (outer, stretch) = (
-        to.tube.outer_radius_mm(),
-        to.tube.length_mm / from.tube.length_mm,
-    );
+    let outer = to.tube.outer_radius_mm();
+    let stretch = to.tube.length_mm / from.tube.length_mm;
     let inner = outer - to.tube.wall_mm;
     for node in &mut mesh.nodes {
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;

@@ -33,17 +33,17 @@ impl MuscleBody for Body {
     }
 
     fn profile(&self) -> Vec<ProfilePoint> {
-        let (d, s, l) = (
-            &self.discretisation,
-            &self.state,
-            self.discretisation.layout,
-        );
+        let d = &self.discretisation;
+        let s = &self.state;
+        let l = self.discretisation.layout;
         let station = |j: usize| {
             let at = |i: usize| {
-                let ([r, z], k) = (d.mesh.node(i, j), l.station_offset(j) + 2 * i);
+                let [r, z] = d.mesh.node(i, j);
+                let k = l.station_offset(j) + 2 * i;
                 (z + s.u[k + 1], r + s.u[k])
             };
-            let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
+            let (outer_z_mm, outer_r_mm) = at(2 * l.through);
+            let (inner_z_mm, inner_r_mm) = at(0);
             let rest_z_mm = d.cylinder.node(0, j)[1];
             ProfilePoint {
                 rest_z_mm,
@@ -123,7 +123,8 @@ fn largest(p: &Point, u: &Unknowns) -> f64 {
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie
 /// between them.
 fn highest([a, b, c]: [f64; 3]) -> f64 {
-    let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
+    let slope = 0.5 * (c - a);
+    let bend = a - 2.0 * b + c;
     let between = if bend < 0.0 && slope.abs() < -bend {
         b - 0.5 * slope * slope / bend
     } else {
@@ -177,7 +178,8 @@ pub fn elements(
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
     let through = d.layout.through;
     (0..d.elements.len()).map(move |index| {
-        let (slab, element) = (index / through, index % through);
+        let slab = index / through;
+        let element = index % through;
         let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
         let mut u = d.layout.element(&s.u, slab, element);
         for a in 0..NODES {

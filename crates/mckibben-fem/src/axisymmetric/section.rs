@@ -123,10 +123,12 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
     let l = d.layout;
     let mut out = NodeMeans::new(d.mesh.nodes.len());
     for (index, (rest, u)) in elements(d, s).enumerate() {
-        let (slab, e) = (index / l.through, index % l.through);
+        let slab = index / l.through;
+        let e = index % l.through;
         let stress = stresses(law, d, s, slab, e);
         for a in 0..NODES {
-            let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
+            let x = [-1.0, 0.0, 1.0][a % 3];
+            let y = [0.0, -1.0, 1.0][a / 3];
             let Some(p) = d.point(&rest, x, y) else {
                 continue;
             };
@@ -165,7 +167,8 @@ fn pressure(points: &[Point], u: &Unknowns, xi: f64, eta: f64) -> f64 {
 /// At local coordinates what has these values at the nine integration points.
 fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
     let outermost = GAUSS3[2].0;
-    let ((x, _), (y, _)) = (quadratic(xi / outermost), quadratic(eta / outermost));
+    let (x, _) = quadratic(xi / outermost);
+    let (y, _) = quadratic(eta / outermost);
     let mut sum = 0.0;
     for (k, value) in values.enumerate() {
         sum += x[k % 3] * y[k / 3] * value;
@@ -181,13 +184,12 @@ fn stresses(
     slab: usize,
     e: usize,
 ) -> [[f64; 4]; 4] {
-    let (index, rest, u) = (
-        slab * d.layout.through + e,
-        nodes(&d.mesh, slab, e),
-        d.layout.element(&s.u, slab, e),
-    );
+    let index = slab * d.layout.through + e;
+    let rest = nodes(&d.mesh, slab, e);
+    let u = d.layout.element(&s.u, slab, e);
     std::array::from_fn(|k| {
-        let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
+        let xi = GAUSS2[k % 2].0;
+        let eta = GAUSS2[k / 2].0;
         let Some(at) = d.point(&rest, xi, eta) else {
             return [0.0; 4];
         };
@@ -202,7 +204,8 @@ fn stresses(
                 s
             }
         };
-        let (Gradient { a, b, c, d, t }, j) = (f, f.volume());
+        let Gradient { a, b, c, d, t } = f;
+        let j = f.volume();
         let [pa, pb, pt] = first.r;
         let [pc, pd] = first.z;
         [pa * a + pb * b, pt * t, pc * c + pd * d, pa * c + pb * d].map(|x| x / j)
@@ -211,6 +214,7 @@ fn stresses(
 
 fn bilinear(values: &[[f64; 4]; 4], xi: f64, eta: f64) -> [f64; 4] {
     let weights = |x: f64| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)];
-    let (x, y) = (weights(xi), weights(eta));
+    let x = weights(xi);
+    let y = weights(eta);
     std::array::from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
 }

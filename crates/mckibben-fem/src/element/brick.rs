@@ -80,10 +80,14 @@ impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
     #[inline(always)]
     fn deform(&self, dn: &[[f64; 3]; NN]) -> (R, R, Symmetric<R>, [[R; 3]; NN]) {
         let s = R::splat;
-        let (rest, now) = (jacobian(&self.rest, dn), jacobian(&self.now, dn));
-        let (d0, d1) = (determinant(&rest), determinant(&now));
-        let (adj0, adj1) = (adjugate(&rest), adjugate(&now));
-        let (r0, r1) = (d0.recip(), d1.recip());
+        let rest = jacobian(&self.rest, dn);
+        let now = jacobian(&self.now, dn);
+        let d0 = determinant(&rest);
+        let d1 = determinant(&now);
+        let adj0 = adjugate(&rest);
+        let adj1 = adjugate(&now);
+        let r0 = d0.recip();
+        let r1 = d1.recip();
         // F = (∂x/∂ξ)(∂X/∂ξ)⁻¹
         let mut f = [[s(0.0); 3]; 3];
         for i in 0..3 {
@@ -297,7 +301,8 @@ fn add_forces<R: Real, const NN: usize>(
 /// c in a volume `dv`, and in c and τ what a pressure adds, times the volume now.
 #[inline(always)]
 fn weigh_tangent<R: Real>(state: &mut Spatial<R>, dv: R, pressure: R) {
-    let (c, tau) = (&mut state.c, &mut state.tau);
+    let c = &mut state.c;
+    let tau = &mut state.tau;
     for row in c.iter_mut() {
         for c in row {
             *c = *c * dv;
@@ -325,7 +330,9 @@ fn add_tangent<R: Real, const NN: usize>(
     let mut blocks = out.iter_mut();
     for a in 0..NN {
         // left = B_aᵀ c, three rows of six; t = τ g_a.
-        let (x, y, z) = (g[a][0], g[a][1], g[a][2]);
+        let x = g[a][0];
+        let y = g[a][1];
+        let z = g[a][2];
         let mut left = [[o; 6]; 3];
         for m in 0..6 {
             left[0][m] = x.mul_add(c[0][m], y.mul_add(c[3][m], z * c[5][m]));
@@ -337,7 +344,9 @@ fn add_tangent<R: Real, const NN: usize>(
             t[i] = x.mul_add(tau[AT[i][0]], y.mul_add(tau[AT[i][1]], z * tau[AT[i][2]]));
         }
         for (b, block) in (a..NN).zip(&mut blocks) {
-            let (x, y, z) = (g[b][0], g[b][1], g[b][2]);
+            let x = g[b][0];
+            let y = g[b][1];
+            let z = g[b][2];
             let straight = x.mul_add(t[0], y.mul_add(t[1], z * t[2]));
             for i in 0..3 {
                 let l = &left[i];
@@ -364,7 +373,8 @@ pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<M
         if !(d > 0.0 && d.is_finite()) {
             return None;
         }
-        let (weight, place) = (d * p.weight, p.place(rest));
+        let weight = d * p.weight;
+        let place = p.place(rest);
         out.volume += weight;
         for i in 0..3 {
             out.centre[i] += weight * place[i];

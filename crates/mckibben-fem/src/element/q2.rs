@@ -101,7 +101,8 @@ pub struct Geometry {
 /// Gradients at local coordinates (ξ through the wall, η along) of an element with the given nodes
 /// (R, Z) in mm. `None` where the map is not invertible or the point does not lie off the axis.
 pub fn point(nodes: &[[f64; 2]; NODES], xi: f64, eta: f64, weight: f64) -> Option<Point> {
-    let ((nx, dx), (ny, dy)) = (quadratic(xi), along(eta));
+    let (nx, dx) = quadratic(xi);
+    let (ny, dy) = along(eta);
     let mut value = [0.0; NODES];
     let mut slope = [[0.0; 2]; NODES];
     for j in 0..3 {

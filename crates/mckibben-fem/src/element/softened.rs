@@ -24,7 +24,8 @@ pub fn soften<const TANGENT: bool>(
     let eta = softening.factor(s.w, seen_mpa);
     if TANGENT {
         let slope = softening.slope(s.w, seen_mpa);
-        let (r, z) = (s.r, s.z);
+        let r = s.r;
+        let z = s.z;
         for i in 0..3 {
             for j in 0..3 {
                 s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];

@@ -86,7 +86,8 @@ fn spatial_by_stretches<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f6
         }
     }
     for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-        let (x, y) = (squares[a], squares[b]);
+        let x = squares[a];
+        let y = squares[b];
         let g = if (x - y).abs() < NEAR * (x + y) {
             0.25 * (log[a][a] + log[b][b]) - 0.5 * log[a][b] - 0.5 * (tau[a] + tau[b])
         } else {

@@ -66,10 +66,8 @@ pub fn strand_points(
         let (n, d) = along(eta);
         // r or z, and its slope along the element; without rounding on a cylinder.
         let [(r, r1), (z, z1)] = [0, 1].map(|c| {
-            let (half, bend) = (
-                0.5 * (right[c] - left[c]),
-                left[c] + right[c] - 2.0 * middle[c],
-            );
+            let half = 0.5 * (right[c] - left[c]);
+            let bend = left[c] + right[c] - 2.0 * middle[c];
             (
                 middle[c] + eta * half + 0.5 * eta * eta * bend,
                 half + eta * bend,
@@ -127,7 +125,8 @@ impl StrandPoint {
     /// ∂²λf/∂u_i∂u_j = (∂v/∂u_i·∂v/∂u_j − ∂λf/∂u_i ∂λf/∂u_j)/λf.
     #[inline(always)]
     pub fn curvature(&self, s: &Stretch, i: usize, j: usize) -> f64 {
-        let (a, b) = (i / 2, j / 2);
+        let a = i / 2;
+        let b = j / 2;
         let mut product = 0.0;
         if i % 2 == j % 2 {
             product = self.slope[a] * self.slope[b];

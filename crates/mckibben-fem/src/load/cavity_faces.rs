@@ -18,7 +18,8 @@ pub fn face_points<const N: usize>() -> Vec<FacePoint<N>> {
     let mut out = Vec::with_capacity(N);
     for (b, wb) in gauss {
         for (a, wa) in gauss {
-            let ((x, dx), (y, dy)) = (functions(p, *a), functions(p, *b));
+            let (x, dx) = functions(p, *a);
+            let (y, dy) = functions(p, *b);
             out.push((
                 std::array::from_fn(|k| x[k % p] * y[k / p]),
                 std::array::from_fn(|k| dx[k % p] * y[k / p]),
@@ -73,8 +74,12 @@ pub fn volume<const N: usize, const TANGENT: bool>(
             }
             s
         };
-        let (p, t, e) = (sum(n), sum(nx), sum(ny));
-        let (te, ep, pt) = (cross(t, e), cross(e, p), cross(p, t));
+        let p = sum(n);
+        let t = sum(nx);
+        let e = sum(ny);
+        let te = cross(t, e);
+        let ep = cross(e, p);
+        let pt = cross(p, t);
         let w = weight / 3.0;
         out.value += w * (p[0] * te[0] + p[1] * te[1] + p[2] * te[2]);
         for a in 0..N {
@@ -83,11 +88,9 @@ pub fn volume<const N: usize, const TANGENT: bool>(
             }
             if TANGENT {
                 for b in 0..N {
-                    let (se, st, sp) = (
-                        w * (n[a] * nx[b] - nx[a] * n[b]),
-                        w * (n[a] * ny[b] - ny[a] * n[b]),
-                        w * (nx[a] * ny[b] - ny[a] * nx[b]),
-                    );
+                    let se = w * (n[a] * nx[b] - nx[a] * n[b]);
+                    let st = w * (n[a] * ny[b] - ny[a] * n[b]);
+                    let sp = w * (nx[a] * ny[b] - ny[a] * nx[b]);
                     for i in 0..3 {
                         out.second[a][b][i] += -se * e[i] + st * t[i] - sp * p[i];
                     }

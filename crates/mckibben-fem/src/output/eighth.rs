@@ -56,7 +56,9 @@ impl Shape {
 
 /// Bricks and their copies. Nodes in a plane of symmetry are shared by the copies on both sides.
 fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
-    let (mut copies, mut number, mut cells) = (vec![], HashMap::new(), vec![]);
+    let mut copies = vec![];
+    let mut number = HashMap::new();
+    let mut cells = vec![];
     for sign in extent.signs() {
         let mut copy = |node: u32| {
             let rest = nodes[node as usize].rest_mm;
@@ -134,7 +136,8 @@ fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
 fn around(n: &NodeField) -> [f64; 2] {
     let [x, y, _] = n.now_mm;
     let r = x.hypot(y).max(f64::MIN_POSITIVE);
-    let (c, s) = (x / r, y / r);
+    let c = x / r;
+    let s = y / r;
     let [xx, yy, _, xy, ..] = n.stress_mpa;
     let twice = 2.0 * c * s * xy;
     [

@@ -36,7 +36,8 @@ pub struct Along {
 pub fn braid(section: &Section) -> Grid {
     let places = places(section);
     let lines = directions(drawn(section) as usize);
-    let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
+    let mut points = Vec::with_capacity(2 * lines.len() * places.len());
+    let mut data = vec![];
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
             for Along {
@@ -68,7 +69,8 @@ pub fn braid(section: &Section) -> Grid {
 /// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`]
 /// between them.
 pub fn places_of_half(section: &Section) -> Vec<Along> {
-    let (tan, along) = (section.angle_rad.tan(), section.along);
+    let tan = section.angle_rad.tan();
+    let along = section.along;
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
         let state = state(&section.strands, rest[1]);
@@ -82,7 +84,8 @@ pub fn places_of_half(section: &Section) -> Vec<Along> {
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
-        let (start, end) = (place(slab, -1.0).turn, place(slab, 1.0).turn);
+        let start = place(slab, -1.0).turn;
+        let end = place(slab, 1.0).turn;
         let pieces = (((end - start) / TURN).ceil() as usize).max(2);
         half.extend((1..=pieces).map(|k| place(slab, 2.0 * k as f64 / pieces as f64 - 1.0)));
     }
@@ -120,7 +123,8 @@ pub fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     ) {
         (Some(a), Some(b)) => {
             let share = (rest - a.rest_mm) / (b.rest_mm - a.rest_mm);
-            let (a, b) = (values(a), values(b));
+            let a = values(a);
+            let b = values(b);
             std::array::from_fn(|k| a[k] + share * (b[k] - a[k]))
         }
         (Some(s), None) | (None, Some(s)) => values(s),

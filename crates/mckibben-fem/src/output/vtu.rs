@@ -137,7 +137,8 @@ impl Grid {
             );
             out += &format!("{value:?}</DataArray>\n");
         }
-        let (points, cells) = (self.points.len(), self.offsets.len());
+        let points = self.points.len();
+        let cells = self.offsets.len();
         out += "</FieldData>\n";
         out += &format!(
             "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>\n"

@@ -56,7 +56,9 @@ impl Chain {
 
     /// Adds what came from the slab before and eliminates; slabs go in order.
     pub fn eliminate(&mut self, slab: usize) -> Result<(), Stopped> {
-        let (n, m, size) = (self.inside, self.station, self.size());
+        let n = self.inside;
+        let m = self.station;
+        let size = self.size();
         let a = &mut self.matrices[slab * size * size..(slab + 1) * size * size];
         for i in 0..m {
             for j in i..m {
@@ -78,7 +80,9 @@ impl Chain {
         rhs: &mut [f64],
         whole: fn(&[f64], usize, usize, &mut [f64]),
     ) {
-        let (n, m, size) = (self.inside, self.station, self.size());
+        let n = self.inside;
+        let m = self.station;
+        let size = self.size();
         let a = &self.matrices[slab * size * size..(slab + 1) * size * size];
         let part = &mut rhs[slab * (n + m)..][..size];
         let y = &mut self.scratch;

@@ -123,7 +123,8 @@ impl<B: Body> Continuation<B> {
     pub(super) fn note_unstable(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.is_none() {
-            let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
+            let step = self.steps.unwrap_or(0);
+            let pressure_mpa = self.body.state().pressure;
             let contraction = self.contraction();
             self.unstable = Some(Unstable {
                 step,
@@ -326,7 +327,8 @@ impl<B: Body> Continuation<B> {
     }
 
     fn near_kept(&mut self, pressure: f64, terminal: f64) -> bool {
-        let (near, half) = (B::SETTINGS, self.body.half_length());
+        let near = B::SETTINGS;
+        let half = self.body.half_length();
         let distance = |s: &State| {
             let p = (s.pressure - pressure).abs() / (s.pressure.abs().max(pressure.abs()) + 1e-12);
             (

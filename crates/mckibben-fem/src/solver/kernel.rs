@@ -117,7 +117,8 @@ fn product<R: Real>(
     factors: Product<'_>,
 ) {
     let Product { a, b, d, .. } = factors;
-    let (tile, most) = (VECTORS * R::LANES, columns(R::LANES));
+    let tile = VECTORS * R::LANES;
+    let most = columns(R::LANES);
     for first in (0..factors.depth).step_by(DEPTH) {
         let depth = DEPTH.min(factors.depth - first);
         let keep = factors.keep || first > 0;
@@ -204,10 +205,8 @@ impl<'a> Strip<'a> {
         // What a tile or two read is not worth to be copied.
         if pivots.is_some() || rows.len() > 2 * tile {
             for k in 0..depth {
-                let (from, to) = (
-                    &right.values[k * right.stride..][..N],
-                    &mut strip[k * N..][..N],
-                );
+                let from = &right.values[k * right.stride..][..N];
+                let to = &mut strip[k * N..][..N];
                 let d = pivots.map_or(1.0, |d| d.values[k * d.stride]);
                 for n in 0..N {
                     to[n] = d * from[n];
@@ -298,10 +297,8 @@ fn negative_product<R: Real, const V: usize, const N: usize>(
     let mut sum = [[R::splat(0.0); V]; N];
     let last = (V - 1) * R::LANES..rows;
     for k in 0..depth {
-        let (a, b) = (
-            &a.values[k * a.stride..][..rows],
-            &b.values[k * b.stride..][..N],
-        );
+        let a = &a.values[k * a.stride..][..rows];
+        let b = &b.values[k * b.stride..][..N];
         let mut x = [R::splat(0.0); V];
         for v in 0..V - 1 {
             x[v] = R::load(&a[v * R::LANES..(v + 1) * R::LANES]);

@@ -74,7 +74,8 @@ impl<B: Body> Continuation<B> {
     /// on the length alone.
     fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
         let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
-        let (from, mut step) = (self.descent.lowest(), self.descent.step());
+        let from = self.descent.lowest();
+        let mut step = self.descent.step();
         loop {
             let next = (from - step).max(0.0);
             self.descent.predict(next, self.body.state_mut());

@@ -135,7 +135,8 @@ impl<B: Body> Continuation<B> {
         if B::SETTINGS.take_unstable || self.body.certain() {
             return Ok(true);
         }
-        let (pressure, contraction) = (self.body.state().pressure, self.contraction());
+        let pressure = self.body.state().pressure;
+        let contraction = self.contraction();
         self.reach(pressure, contraction)?;
         Ok((self.pull() - force).abs()
             <= SAME_PULL

@@ -51,7 +51,8 @@ impl Analysis {
 impl SparseCholesky {
     /// Memory for a matrix with a pattern, where there is as much.
     pub fn new(analysis: Arc<Analysis>) -> Option<Self> {
-        let (entries, width) = (analysis.symbolic.entries(), Width::here());
+        let entries = analysis.symbolic.entries();
+        let width = Width::here();
         let numeric = Numeric::new(analysis.pattern.dimension(), width)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(entries).ok()?;
@@ -72,7 +73,8 @@ impl SparseCholesky {
     /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Cancelled`].
     pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
         let Analysis { pattern, symbolic } = &*self.analysis;
-        (self.negative, self.form) = (0, None);
+        self.negative = 0;
+        self.form = None;
         let mut run = |form| {
             let done = self
                 .numeric
@@ -83,7 +85,8 @@ impl SparseCholesky {
             Err(Stopped::Singular) => run(Form::Indefinite),
             done => done,
         }?;
-        (self.negative, self.form) = (negative(symbolic, &self.factor), Some(form));
+        self.negative = negative(symbolic, &self.factor);
+        self.form = Some(form);
         Ok(())
     }
 

@@ -49,7 +49,9 @@ impl Numeric {
         let mut local = vec![];
         local.try_reserve_exact(unknowns).ok()?;
         local.resize(unknowns, 0);
-        let (places, product, form) = (vec![], vec![], Form::Positive);
+        let places = vec![];
+        let product = vec![];
+        let form = Form::Positive;
         Some(Self {
             kernel: Kernel::new(width),
             local,
@@ -72,7 +74,8 @@ impl Numeric {
         self.form = form;
         factor.clear();
         for i in 0..s.count() {
-            let (columns, height) = (s.columns(i), s.height(i));
+            let columns = s.columns(i);
+            let height = s.height(i);
             let all = columns
                 .clone()
                 .chain(s.below(i).iter().map(|r| *r as usize));
@@ -122,13 +125,15 @@ impl Numeric {
         };
         for columns in pieces(inside, COLUMNS) {
             for rows in pieces(columns.start..names.len(), ROWS) {
-                let (count, size) = (columns.len(), rows.len());
+                let count = columns.len();
+                let size = rows.len();
                 self.product
                     .resize((count * size).max(self.product.len()), 0.0);
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
                     let first = depth.start;
-                    let (keep, depth) = (first > 0, depth.len());
+                    let keep = first > 0;
+                    let depth = depth.len();
                     let factors = Product {
                         a: from.from(wide + rows.start, first),
                         b: from.from(wide + columns.start, first),
@@ -165,7 +170,8 @@ impl Numeric {
     ) -> Result<(), Stopped> {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
-            let (first, count) = (columns.start, columns.len());
+            let first = columns.start;
+            let count = columns.len();
             let (done, block) = block.split_at_mut(first * height);
             let done = Matrix {
                 values: done,
@@ -173,7 +179,9 @@ impl Numeric {
             };
             for depth in pieces(0..first, DEPTH) {
                 for rows in pieces(first..height, ROWS) {
-                    let (size, begin, depth) = (rows.len(), depth.start, depth.len());
+                    let size = rows.len();
+                    let begin = depth.start;
+                    let depth = depth.len();
                     let factors = Product {
                         a: done.from(rows.start, begin),
                         b: done.from(first, begin),

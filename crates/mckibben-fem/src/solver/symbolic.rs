@@ -138,10 +138,14 @@ impl Symbolic {
 
     fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
-        let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
+        let mut begin = vec![];
+        let mut first_row = vec![0];
+        let mut rows = vec![];
         // The last supernode with a row; the children of each column: the last one, and the one
         // before each supernode.
-        let (mut last_in, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
+        let mut last_in = vec![NONE; n];
+        let mut child = vec![NONE; n];
+        let mut sibling = vec![];
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
@@ -163,7 +167,8 @@ impl Symbolic {
             }
             let this = begin.len() as u32;
             begin.push(j as u32);
-            (open, passed) = (below.collect(), 0);
+            open = below.collect();
+            passed = 0;
             open.iter().for_each(|r| last_in[*r as usize] = this);
             let mut next = child[j];
             while next != NONE {
@@ -183,7 +188,9 @@ impl Symbolic {
             first_row.push(rows.len());
         }
         begin.push(n as u32);
-        let (first_value, first_update, updates) = (vec![], vec![], vec![]);
+        let first_value = vec![];
+        let first_update = vec![];
+        let updates = vec![];
         Some(Self {
             begin,
             first_row,
@@ -197,9 +204,12 @@ impl Symbolic {
     /// Merges supernodes with the parents right behind them.
     fn merge(&mut self) {
         // Number of those that remain; first column, rows and zeros of the last one.
-        let (mut kept, mut start, mut zeros) = (0_usize, 0, 0.0);
+        let mut kept = 0_usize;
+        let mut start = 0;
+        let mut zeros = 0.0;
         for i in 0..self.count() {
-            let (columns, rows) = (self.columns(i), self.first_row[i]..self.first_row[i + 1]);
+            let columns = self.columns(i);
+            let rows = self.first_row[i]..self.first_row[i + 1];
             let together = match kept.checked_sub(1) {
                 Some(last) if self.below(last).first() == Some(&self.begin[i]) => {
                     let width = columns.end - start;
@@ -246,7 +256,8 @@ impl Symbolic {
         for i in 0..count {
             owner[self.columns(i)].fill(i as u32);
         }
-        let (owner, this) = (&owner, &*self);
+        let owner = &owner;
+        let this = &*self;
         let targets = |i: usize| {
             let mut before = NONE;
             let owners = this.below(i).iter().map(|r| owner[*r as usize]);
@@ -259,14 +270,16 @@ impl Symbolic {
         for i in 0..count {
             first[i + 1] += first[i];
         }
-        let (mut next, mut from) = (first.clone(), vec![0_u32; first[count]]);
+        let mut next = first.clone();
+        let mut from = vec![0_u32; first[count]];
         for i in 0..count {
             for t in targets(i) {
                 from[next[t as usize]] = i as u32;
                 next[t as usize] += 1;
             }
         }
-        (self.first_update, self.updates) = (first, from);
+        self.first_update = first;
+        self.updates = from;
     }
 }
 

@@ -52,7 +52,8 @@ impl Trail {
         for (i, weight) in weights[..trail.len()].iter_mut().enumerate() {
             *weight = 1.0;
             for j in (0..trail.len()).filter(|&j| j != i) {
-                let (xi, xj) = (along.coordinate(&trail[i]), along.coordinate(&trail[j]));
+                let xi = along.coordinate(&trail[i]);
+                let xj = along.coordinate(&trail[j]);
                 if xi == xj {
                     return false;
                 }

@@ -53,7 +53,8 @@ impl<B: Body> Continuation<B> {
     /// [`Stopped`]; the body then holds no equilibrium.
     pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
         let mut trail = Trail::default();
-        let (mut at, mut step) = (0.0, FIRST * terminal);
+        let mut at = 0.0;
+        let mut step = FIRST * terminal;
         if self.guessed(pressure, at).is_err() {
             self.body.rest();
             self.walk(pressure, at, B::SETTINGS.first_step)
@@ -75,7 +76,8 @@ impl<B: Body> Continuation<B> {
                 if solved.is_ok() && self.stable() && self.body.taut() {
                     // The difference from a cubic grows with the fourth power of a step.
                     let growth = (AIMED / self.effort.moved).powf(0.25);
-                    (step, at) = (growth.clamp(0.5, 2.0) * (next - at), next);
+                    step = growth.clamp(0.5, 2.0) * (next - at);
+                    at = next;
                     break;
                 }
                 step = 0.5 * (next - at);
@@ -114,9 +116,12 @@ impl<B: Body> Continuation<B> {
         reach: f64,
     ) -> Result<(), Interrupted> {
         self.base.copy_from(self.body.state());
-        let (p0, w0) = (self.base.pressure, self.base.terminal);
+        let p0 = self.base.pressure;
+        let w0 = self.base.terminal;
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.u.iter().all(|x| *x == 0.0);
-        let (mut done, mut step, mut step_before) = (0.0_f64, first, 0.0_f64);
+        let mut done = 0.0_f64;
+        let mut step = first;
+        let mut step_before = 0.0_f64;
         loop {
             let next = (done + step).min(1.0);
             let w = w0 + next * (terminal - w0);

@@ -186,12 +186,14 @@ impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
     /// Takes a brick into a lane.
     #[inline(always)]
     fn read_brick(&mut self, d: &Discretisation, s: &State, brick: usize, lane: usize) {
-        let (problem, modes) = (&d.problem, &d.rest[brick]);
+        let problem = &d.problem;
+        let modes = &d.rest[brick];
         for a in 0..NN {
             let node = problem.bricks[brick][a];
             let rest = problem.rest(brick, node);
             let node = node as usize;
-            let (x, u) = (&problem.nodes[node], &s.u[3 * node..3 * node + 3]);
+            let x = &problem.nodes[node];
+            let u = &s.u[3 * node..3 * node + 3];
             for i in 0..3 {
                 self.rest[a][i].set_lane(lane, rest[i]);
                 self.now[a][i].set_lane(lane, x[i] + u[i]);
@@ -265,7 +267,8 @@ fn assemble_trusses<const TANGENT: bool>(
     totals: &mut Totals,
 ) {
     for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
-        let (a, b) = (*a as usize, *b as usize);
+        let a = *a as usize;
+        let b = *b as usize;
         let pull = d.pull(s, t, s.q[t]);
         totals.braid += 0.5 * pull.tension * pull.tension * d.strand[t].0 * truss.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);

@@ -81,7 +81,8 @@ impl Body {
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .ok_or_else(|| FemError::too_large(discretisation.free))?;
         let d = &discretisation;
-        let (nodes, trusses) = (d.problem.nodes.len(), d.problem.trusses.len());
+        let nodes = d.problem.nodes.len();
+        let trusses = d.problem.trusses.len();
         let state = State::rest(3 * nodes, d.bricks() * d.modes, trusses);
         Ok(Self {
             assembled: Assembled::new(&discretisation),
@@ -121,10 +122,8 @@ impl Body {
 
     /// The terminal's column of the tangent, and its diagonal entry.
     fn terminal_column(&self) -> (&[f64], f64) {
-        let (entries, n) = (
-            self.discretisation.pattern().entries(),
-            self.discretisation.free,
-        );
+        let entries = self.discretisation.pattern().entries();
+        let n = self.discretisation.free;
         (
             &self.assembled.values[entries..entries + n],
             self.assembled.values[entries + n],
@@ -160,7 +159,8 @@ impl Body {
         for &i in &d.terminal {
             out.u[i as usize] = dw;
         }
-        let (assembled, cholesky) = (&self.assembled, &mut self.cholesky);
+        let assembled = &self.assembled;
+        let cholesky = &mut self.cholesky;
         let mut constraints = Constraints {
             d,
             assembled,
@@ -185,7 +185,8 @@ impl Body {
         }
         out.p.copy_from_slice(&dm[..bricks]);
         out.q.copy_from_slice(&dm[bricks..]);
-        (out.terminal, out.pressure) = (dw, cause.pressure);
+        out.terminal = dw;
+        out.pressure = cause.pressure;
         if cause.residual {
             // Strands that do not carry forget their tension.
             for ((q, s), (_, _, carries)) in out

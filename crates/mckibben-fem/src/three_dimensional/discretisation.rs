@@ -216,8 +216,10 @@ impl Discretisation {
     /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind
     /// it, or into the last number, which is not read.
     fn entry(&self, a: u32, b: u32) -> u32 {
-        let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
-        let (high, low) = (a.max(b), a.min(b));
+        let n = self.free as u32;
+        let entries = self.pattern().entries() as u32;
+        let high = a.max(b);
+        let low = a.min(b);
         let column = (high == n).then_some(entries + low);
         let place = if high < n {
             self.pattern().position(high, low)
@@ -243,7 +245,8 @@ impl Discretisation {
             for (a, b) in pairs(self.per_brick, 0) {
                 let [x, y] = [a, b].map(|a| self.unknown[nodes[a] as usize]);
                 for (k, entry) in self.block(nodes[a], nodes[b]).into_iter().enumerate() {
-                    let (i, j) = (k / 3, k % 3);
+                    let i = k / 3;
+                    let j = k % 3;
                     // Nodes that are one (wedges) and displacements that are one (the terminal's).
                     if a != b && x[i] == y[j] && x[i] as usize <= self.free {
                         twice.push((e as u32, (map.len() - start) as u32));
@@ -267,8 +270,10 @@ impl Discretisation {
         };
         let truss_map = self.problem.trusses.iter().map(truss).collect();
         let face_map = self.problem.faces.iter().flat_map(face).collect();
-        (self.brick_map, self.twice, self.truss_map, self.face_map) =
-            (map, twice, truss_map, face_map);
+        self.brick_map = map;
+        self.twice = twice;
+        self.truss_map = truss_map;
+        self.face_map = face_map;
         Ok(())
     }
 }
@@ -325,7 +330,8 @@ fn number_unknowns(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
         .collect();
     place.retain(|k| freedom[*k as usize] == Freedom::Free);
     let n = place.len() as u32;
-    let (mut numbers, mut terminal) = (vec![[n + 1; 3]; problem.nodes.len()], vec![]);
+    let mut numbers = vec![[n + 1; 3]; problem.nodes.len()];
+    let mut terminal = vec![];
     let flat = numbers.as_flattened_mut();
     for (number, k) in (0..).zip(&place) {
         flat[*k as usize] = number;
@@ -361,7 +367,8 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
         around.sort_unstable();
         around.dedup();
     }
-    let (mut columns, mut rows) = (vec![0], vec![]);
+    let mut columns = vec![0];
+    let mut rows = vec![];
     for (c, &place) in place.iter().enumerate() {
         check_cancel(c)?;
         let all = near[place as usize / 3]

@@ -90,7 +90,8 @@ impl ThreeDimensional {
 }
 
 fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
-    let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
+    let body = &mut muscle.bricks;
+    let mesh = &muscle.mesh;
     let force_n = body.totals.pull;
     body.residual()
         .map_err(|reason| FemError::Force { force_n, reason })?;
@@ -124,11 +125,13 @@ fn pieces(body: &Body) -> Vec<PieceField> {
 /// The plug's bricks, their nodes numbered from 0.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let grid = mesh.plug.as_ref()?;
-    let (rows, [_, nj, nk]) = (grid.first_row, mesh.grid());
+    let rows = grid.first_row;
+    let [_, nj, nk] = mesh.grid();
     if nk - rows < 2 {
         return None;
     }
-    let (mut number, mut which) = (HashMap::new(), vec![]);
+    let mut number = HashMap::new();
+    let mut which = vec![];
     let mut local = |m: usize, j: usize, k: usize| {
         let node = mesh.plug_node(grid, m, j, k);
         *number.entry(node).or_insert_with(|| {
@@ -171,10 +174,8 @@ fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
 /// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at
 /// the nodes or, of a plug, in the `middle` of its bricks.
 fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
-    let (problem, Material { bricks, law, .. }) = (
-        &body.discretisation.problem,
-        &body.discretisation.materials[material],
-    );
+    let problem = &body.discretisation.problem;
+    let Material { bricks, law, .. } = &body.discretisation.materials[material];
     let order = problem.brick.order();
     let p = order + 1;
     let corner =

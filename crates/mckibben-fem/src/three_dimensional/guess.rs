@@ -27,7 +27,8 @@ struct Finder<'a> {
 
 impl<'a> Finder<'a> {
     fn new(section: &'a Section) -> Self {
-        let (through, along) = (section.through, section.along);
+        let through = section.through;
+        let along = section.along;
         let at = |i, j| section.nodes[section.index(i, j)].rest_mm;
         Self {
             section,
@@ -73,17 +74,16 @@ impl<'a> Finder<'a> {
 impl MuscleInBricks {
     /// Fills displacements, pressures and tensions of the state.
     pub(super) fn carry_over(&mut self, section: &Section) {
-        let (d, mesh, width, state) = (
-            &self.bricks.discretisation,
-            &self.mesh,
-            self.width,
-            &mut self.bricks.state,
-        );
+        let d = &self.bricks.discretisation;
+        let mesh = &self.mesh;
+        let width = self.width;
+        let state = &mut self.bricks.state;
         let find = Finder::new(section);
         let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
         for (node, x) in d.problem.nodes.iter().enumerate() {
             let r = x[0].hypot(x[1]);
-            let (mut dr, mut dz) = (0.0, 0.0);
+            let mut dr = 0.0;
+            let mut dz = 0.0;
             // What lies behind the beginning of the bond, and the plug, moves with the terminal.
             let bonded = node >= tube || x[2] > mesh.tube.half_mm;
             let z = x[2].min(mesh.tube.half_mm);

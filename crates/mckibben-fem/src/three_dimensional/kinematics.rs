@@ -9,10 +9,8 @@ use crate::element::{
 
 /// Place now of a node in mm.
 pub fn now(body: &Body, node: usize) -> [f64; 3] {
-    let (x, u) = (
-        &body.discretisation.problem.nodes[node],
-        &body.state.u[3 * node..3 * node + 3],
-    );
+    let x = &body.discretisation.problem.nodes[node];
+    let u = &body.state.u[3 * node..3 * node + 3];
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
 
@@ -39,8 +37,10 @@ pub fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([[f64; 3];
         .map(|node| problem.rest(brick, *node))
         .collect();
     let here: Vec<[f64; 3]> = nodes.iter().map(|node| now(body, *node as usize)).collect();
-    let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
-    let (volume, inverse) = (determinant(&before), adjugate(&before));
+    let before = jacobian(&rest, &p.dn);
+    let after = jacobian(&here, &p.dn);
+    let volume = determinant(&before);
+    let inverse = adjugate(&before);
     let f = after
         .map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
     let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, n)| n * x[i]).sum());

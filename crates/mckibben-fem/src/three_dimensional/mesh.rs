@@ -47,9 +47,13 @@ impl Brick {
         let p = self.order();
         (0..n0 * n1 * n2)
             .map(|e: usize| {
-                let (i, j, k) = (e % n0, e / n0 % n1, e / (n0 * n1));
+                let i = e % n0;
+                let j = e / n0 % n1;
+                let k = e / (n0 * n1);
                 let at = |a: usize| {
-                    let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                    let x = a % (p + 1);
+                    let y = a / (p + 1) % (p + 1);
+                    let z = a / ((p + 1) * (p + 1));
                     node(p * i + x, p * j + y, p * k + z) as u32
                 };
                 (0..(p + 1).pow(3)).map(at).collect()
@@ -218,7 +222,8 @@ impl Quarter {
     /// That of a muscle.
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
+        let inner_mm = tube.inner_radius_mm();
+        let outer_mm = tube.outer_radius_mm();
         let angle_rad = muscle.braid().angle_rad();
         Self {
             inner_mm,

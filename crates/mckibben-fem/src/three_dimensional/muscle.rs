@@ -47,7 +47,8 @@ impl MuscleMesh {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
-        let (tube, braid) = (muscle.tube(), muscle.braid());
+        let tube = muscle.tube();
+        let braid = muscle.braid();
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
             ("braid.diameter", !braid.lay(tube).is_on(tube)),
@@ -147,7 +148,8 @@ impl MuscleInBricks {
         }
         let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
         let state = &mut self.bricks.state;
-        (state.pressure, state.terminal) = (pressure, terminal);
+        state.pressure = pressure;
+        state.terminal = terminal;
         self.carry_over(&section);
         true
     }

@@ -113,7 +113,8 @@ impl Plug {
 /// as many columns as suit `around` bricks.
 pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
     let columns = (around / 4).clamp(2, 16);
-    let (flat, round) = (inner - nose, columns * order);
+    let flat = inner - nose;
+    let round = columns * order;
     let mut out = vec![];
     // Thinner than rounding is no column.
     if flat > 1e-9 * inner {

@@ -133,7 +133,8 @@ impl Problem {
 
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn from_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Self {
-        let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
+        let [ni, nj, nk] = mesh.grid();
+        let rubber = muscle.rubber();
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
         for (j, k) in (0..nk).flat_map(|k| (0..nj).map(move |j| (j, k))) {
             let here = if k + 1 == nk {
@@ -168,7 +169,9 @@ impl Problem {
                 );
             }
         }
-        let (mut bricks, mut faces, mut other) = (mesh.bricks(), mesh.cavity_faces(), None);
+        let mut bricks = mesh.bricks();
+        let mut faces = mesh.cavity_faces();
+        let mut other = None;
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });

@@ -42,7 +42,8 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn profile(&self) -> Vec<ProfilePoint> {
-        let (body, mesh) = (&self.bricks, &self.mesh);
+        let body = &self.bricks;
+        let mesh = &self.mesh;
         let [ni, ..] = mesh.grid();
         let row = |k: usize| {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
@@ -61,9 +62,11 @@ impl MuscleBody for MuscleInBricks {
 
     /// Means over both families, row of quads by row.
     fn strands(&self, muscle: &Muscle) -> Vec<StrandState> {
-        let (body, mesh) = (&self.bricks, &self.mesh);
+        let body = &self.bricks;
+        let mesh = &self.mesh;
         let [_, nj, nk] = mesh.grid();
-        let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
+        let row = nj - 1;
+        let family = (nj - 1) * (nk - 1);
         let width = mesh.strand_width_mm(muscle);
         let spacing = muscle
             .braid()
@@ -71,7 +74,9 @@ impl MuscleBody for MuscleInBricks {
             .map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
         (0..mesh.free_rows())
             .map(|k: usize| {
-                let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
+                let mut stretch = 0.0;
+                let mut angle = 0.0;
+                let mut tension = 0.0;
                 let pieces =
                     (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
                 for t in pieces {
@@ -132,7 +137,9 @@ impl MuscleBody for MuscleInBricks {
 /// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
 fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
     let nj = mesh.grid()[1];
-    let (mut z, mut r, mut sum) = (0.0, 0.0, 0.0);
+    let mut z = 0.0;
+    let mut r = 0.0;
+    let mut sum = 0.0;
     for j in 0..nj {
         let w = if j == 0 || j + 1 == nj { 0.5 } else { 1.0 };
         let x = now(body, mesh.node(i, j, k));

@@ -45,7 +45,8 @@ impl Constraints<'_> {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
             let nodes = &d.problem.bricks[e];
-            let (volume, material) = (d.rest[e].volume, d.material(e));
+            let volume = d.rest[e].volume;
+            let material = d.material(e);
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];
@@ -156,7 +157,8 @@ impl Constraints<'_> {
         r: &mut [f64],
         x: &mut [f64],
     ) {
-        let (d, tolerance) = (self.d, self.tolerance);
+        let d = self.d;
+        let tolerance = self.tolerance;
         let n = r.len();
         let inner = |a: &[f64], b: &[f64]| {
             a.iter()
@@ -165,8 +167,11 @@ impl Constraints<'_> {
                 .map(|((x, y), w)| w * x * y)
                 .sum::<f64>()
         };
-        let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-        let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
+        let mut z = vec![0.0; n];
+        let mut p = vec![0.0; n];
+        let mut s = vec![0.0; n];
+        let mut full = vec![0.0; du.len()];
+        let mut b = vec![0.0; d.free];
         self.precondition(r, &mut z);
         p.copy_from_slice(&z);
         let mut rz = inner(r, &z);

@@ -14,7 +14,8 @@ use std::f64::consts::PI;
 /// A mesh of an annulus 1 ≤ R ≤ 2, 0 ≤ Z ≤ 3 whose inner nodes are moved about.
 fn distorted() -> Mesh {
     let mut mesh = Mesh::mapped(2, 3, |x, y| [1.0 + x, 3.0 * y]);
-    let (rows, stations) = (5, 7);
+    let rows = 5;
+    let stations = 7;
     for j in 1..stations - 1 {
         for i in 1..rows - 1 {
             let turn = (7 * i + 3 * j) as f64;
@@ -28,12 +29,14 @@ fn distorted() -> Mesh {
 
 /// Largest distance of the nodes from the homogeneous state (λ^(−1/2) R, λ Z), in mm.
 fn distance(body: &Body, stretch: f64) -> f64 {
-    let (d, s) = (&body.discretisation, &body.state);
+    let d = &body.discretisation;
+    let s = &body.state;
     let across = stretch.powf(-0.5);
     let mut worst = 0.0_f64;
     for j in 0..=2 * d.layout.along {
         for i in 0..d.layout.nodes() {
-            let ([r, z], k) = (d.mesh.node(i, j), d.layout.station_offset(j) + 2 * i);
+            let [r, z] = d.mesh.node(i, j);
+            let k = d.layout.station_offset(j) + 2 * i;
             for (u, exact) in s.u[k..]
                 .iter()
                 .zip([(across - 1.0) * r, (stretch - 1.0) * z])

@@ -85,7 +85,8 @@ pub fn strand_lay(rows: &mut Rows) {
             Some(tension(&body, k, &lay, stretch))
         };
         let ours = (|| {
-            let (a, b) = (above(1.001)?, above(1.002)?);
+            let a = above(1.001)?;
+            let b = above(1.002)?;
             (a > 0.0 && b > a).then(|| exact * (1.001 - 0.001 * a / (b - a)))
         })();
         rows.add(

@@ -293,7 +293,8 @@ fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> O
 /// The prototype of the paper, changed.
 fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
     let prototype = Muscle::prototype();
-    let (mut tube, mut braid) = (prototype.tube().clone(), Braid::paper());
+    let mut tube = prototype.tube().clone();
+    let mut braid = Braid::paper();
     change(&mut tube, &mut braid);
     prototype.with_tube(tube).ok()?.with_braid(braid).ok()
 }

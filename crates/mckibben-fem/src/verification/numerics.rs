@@ -34,7 +34,9 @@ const HALF: f64 = 142.5;
 /// A bonded muscle with one law, bulk and braid at rest.
 fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Path> {
     let muscle = changed(|tube, braid| {
-        (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
+        tube.rubber.law = law;
+        tube.rubber.bulk = bulk;
+        braid.stiffness = stiffness;
     })?;
     let mesh = Mesh::tube(12.0, 15.0, HALF, (1, 6, 2.0));
     at_rest(mesh, Problem::from_parts(muscle.parts()))
@@ -108,7 +110,8 @@ pub fn numerics(rows: &mut Rows) {
 /// for it with the factorised tangent, and compares with v.
 pub fn tangent_error(body: &mut Body) -> Option<f64> {
     body.factorise().ok()?;
-    let (l, state) = (body.discretisation.layout, body.state.clone());
+    let l = body.discretisation.layout;
+    let state = body.state.clone();
     let mut v = vec![0.0; state.u.len()];
     let mut random = Random(1);
     v[..l.end()]
@@ -136,7 +139,8 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring
 /// muscles.
 pub fn sensitivities(rows: &mut Rows) {
-    let (p, e) = (0.2, 0.1);
+    let p = 0.2;
+    let e = 0.1;
     let muscle = changed(|tube, braid| (tube.rubber.law, braid.stiffness) = (rubber(), STIFFNESS));
     let solved = muscle.as_ref().and_then(|m| {
         Axisymmetric::new(m)
@@ -145,7 +149,8 @@ pub fn sensitivities(rows: &mut Rows) {
             .ok()
     });
     let beside = |name: &str, value: f64| -> Option<Muscle> {
-        let (muscle, law) = (muscle.as_ref()?, rubber());
+        let muscle = muscle.as_ref()?;
+        let law = rubber();
         let measure = of_section("tube")
             .chain(of_section("braid"))
             .chain([&STIFFNESS_OF_FAMILY])

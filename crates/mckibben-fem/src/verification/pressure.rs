@@ -16,7 +16,9 @@ pub fn follower_pressure(rows: &mut Rows) {
     let x = [13.1, 10.3, 12.0, 4.9, 12.6, 16.2];
     let v = volume::<true>(&x);
     let h = 1e-3;
-    let (mut slope, mut curvature, mut skew) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut slope = 0.0_f64;
+    let mut curvature = 0.0_f64;
+    let mut skew = 0.0_f64;
     for i in 0..6 {
         let [up, down] = [h, -h].map(|h| {
             let mut moved = x;
@@ -53,14 +55,17 @@ pub fn follower_pressure(rows: &mut Rows) {
 /// [PV] − ∫V dP.
 pub fn balance(model: &dyn Simulation) -> Option<f64> {
     const STEPS: usize = 32;
-    let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
-    let (mut work, mut stored) = (0.0, 0.0);
+    let p = |t: f64| 0.10 + 0.15 * t;
+    let e = |t: f64| 0.02 + 0.08 * t;
+    let mut work = 0.0;
+    let mut stored = 0.0;
     for i in 0..=STEPS {
         let t = i as f64 / STEPS as f64;
         let s = model
             .solve(&mut Workspace::new(), Given::at(p(t), e(t)))
             .ok()?;
-        let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
+        let force = s.response.force_n;
+        let volume = s.response.volume_mm3?;
         let (weight, end) = match i {
             0 => (1.0, -1.0),
             STEPS => (1.0, 1.0),

@@ -98,7 +98,10 @@ pub fn thick_tube(rows: &mut Rows) {
         1e-2,
     );
     // Plane strain: u(A) = (p A/(2G)) ((1 − 2ν) + B²/A²)/(B²/A² − 1).
-    let (a, b, p, g) = (1.0, 2.0, 1e-7, 0.24);
+    let a = 1.0;
+    let b = 2.0;
+    let p = 1e-7;
+    let g = 0.24;
     let k = 10.0 * g;
     let nu = (3.0 * k - 2.0 * g) / (2.0 * (3.0 * k + g));
     let ratio = b * b / (a * a);

@@ -52,7 +52,8 @@ impl Block {
 
     /// The body, all free; `map` carries the unit cube to the places at rest.
     pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
-        let (p, [ni, nj, nk]) = (self.brick.order(), self.grid());
+        let p = self.brick.order();
+        let [ni, nj, nk] = self.grid();
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
         let nodes: Vec<[f64; 3]> = self
             .places()

@@ -65,12 +65,14 @@ fn plug(material: PlugMaterial, insertion_mm: f64, nose_mm: f64) -> Option<Plug>
 
 /// The rows of terminals.
 pub fn terminals(rows: &mut Rows) {
-    let (rigid, aluminium) = (PlugMaterial::Rigid, PlugMaterial::Aluminium);
+    let rigid = PlugMaterial::Rigid;
+    let aluminium = PlugMaterial::Aluminium;
     for (brick, name) in BRICKS {
         let mut row = |what: &str, reference: Option<f64>, ours: Option<f64>, tolerance: f64| {
             rows.add(format!("{name}, {what}"), reference, ours, tolerance);
         };
-        let (p, e) = (0.2, 0.1);
+        let p = 0.2;
+        let e = 0.1;
         let lid = reached(brick, None, (p, e)).map(|c| {
             // The lid is round, a plug's face has the rim of the inner surface: a prism of the
             // muscle's length lies between them.

@@ -20,7 +20,8 @@ fn tip(n: usize) -> Option<f64> {
     // First direction: the thickness (z); second and third: along and across.
     let bulk = Bulk::Modulus(400_889.806);
     let mut problem = block.problem(neo_hookean(80.1938), bulk, |[t, x, y]| {
-        let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
+        let low = 44.0 * x;
+        let high = 44.0 + 16.0 * x;
         [48.0 * x, low + (high - low) * y, t]
     });
     problem.dead = vec![[0.0; 3]; problem.nodes.len()];

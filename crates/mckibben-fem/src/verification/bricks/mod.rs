@@ -55,7 +55,8 @@ fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
 
 /// A small mesh: as many nodes of either brick.
 fn coarse(brick: Brick) -> BrickSpec {
-    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
+    let around = Some(4 / brick.order());
+    let along = Some(12 / brick.order());
     BrickSpec {
         brick,
         around,

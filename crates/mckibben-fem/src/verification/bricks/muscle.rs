@@ -22,7 +22,8 @@ use mckibben::{
 pub fn peers() -> Option<Muscle> {
     changed(|tube, braid| {
         compared(tube, braid);
-        (tube.rubber.bulk, braid.compression) = (Bulk::Modulus(300.0), true);
+        tube.rubber.bulk = Bulk::Modulus(300.0);
+        braid.compression = true;
     })
 }
 
@@ -99,7 +100,9 @@ fn axisymmetric_limit(rows: &mut Rows, d: f64, s: f64) {
 fn blocked(wall: f64, around: usize) -> Option<f64> {
     let muscle = changed(|tube, braid| {
         // At rest length the pull does not depend on it.
-        (tube.outer_diameter_mm, tube.wall_mm, tube.length_mm) = (50.0, wall, 120.0);
+        tube.outer_diameter_mm = 50.0;
+        tube.wall_mm = wall;
+        tube.length_mm = 120.0;
         braid.stiffness = BraidStiffness::Inextensible;
     })?;
     let spec = BrickSpec {

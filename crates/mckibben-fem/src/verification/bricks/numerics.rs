@@ -31,7 +31,8 @@ fn tube(half_mm: f64) -> Quarter {
 fn shaken(brick: Brick, law: Law, stiffness: f64) -> Option<Body> {
     let muscle = changed(|tube, braid| {
         tube.rubber.law = law;
-        (tube.rubber.bulk, tube.length_mm) = (Bulk::Modulus(20.0), 40.0);
+        tube.rubber.bulk = Bulk::Modulus(20.0);
+        tube.length_mm = 40.0;
         braid.stiffness = BraidStiffness::NewtonPerMm(stiffness);
         braid.compression = true;
     })?;

@@ -19,7 +19,8 @@ use mckibben::{muscle::Bulk, rubber::Law};
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
-    let (mut guessed, mut walked) = (prototype(brick)?, prototype(brick)?);
+    let mut guessed = prototype(brick)?;
+    let mut walked = prototype(brick)?;
     guessed.reach(pressure, contraction).ok()?;
     walked.walk_from_rest(pressure, contraction).ok()?;
     Some((walked.pull() / guessed.pull() - 1.0).abs())
@@ -87,7 +88,8 @@ pub fn paths(rows: &mut Rows) {
         }
     }
     let (noticed, negative) = shortened().unzip();
-    let (noticed, pivots) = (noticed.flatten(), negative.map(|n| n[0]));
+    let noticed = noticed.flatten();
+    let pivots = negative.map(|n| n[0]);
     rows.add(
         "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues",
         negative.map(|n| n[1]),

@@ -27,7 +27,8 @@ fn apex(d: f64, compression: bool) -> (f64, f64) {
         stiffness_n: EA,
         compression,
     };
-    let (mut load, mut stiffness) = (0.0, 0.0);
+    let mut load = 0.0;
+    let mut stiffness = 0.0;
     for side in [1.0, -1.0] {
         let at = [0.6 * side * W, 0.8 * side * W, H - d];
         let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
@@ -38,7 +39,8 @@ fn apex(d: f64, compression: bool) -> (f64, f64) {
 }
 
 fn exact(d: f64) -> f64 {
-    let (l0, l) = (W.hypot(H), W.hypot(H - d));
+    let l0 = W.hypot(H);
+    let l = W.hypot(H - d);
     2.0 * EA * (H - d) * (1.0 / l - 1.0 / l0)
 }
 

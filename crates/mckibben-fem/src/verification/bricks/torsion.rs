@@ -25,7 +25,8 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
     };
     // The square becomes a disc (the elliptical map).
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+        let u = 2.0 * x - 1.0;
+        let v = 2.0 * y - 1.0;
         [
             RADIUS * u * (1.0 - 0.5 * v * v).sqrt(),
             RADIUS * v * (1.0 - 0.5 * u * u).sqrt(),
@@ -50,9 +51,11 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
         [cos * x - sin * y - x, sin * x + cos * y - y, 0.0][i]
     })?;
     body.residual().ok()?;
-    let (mut moment, mut axial) = (0.0, 0.0);
+    let mut moment = 0.0;
+    let mut axial = 0.0;
     for n in (0..nodes.len()).filter(|&n| places[n][2] == last) {
-        let (x, f) = (now(&body, n), &body.assembled.force[3 * n..]);
+        let x = now(&body, n);
+        let f = &body.assembled.force[3 * n..];
         moment += x[0] * f[1] - x[1] * f[0];
         axial += f[2];
     }

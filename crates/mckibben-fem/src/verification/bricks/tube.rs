@@ -27,7 +27,8 @@ fn ring(
     };
     let [_, nj, nk] = block.grid();
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let (r, phi) = (inner + x * (outer - inner), FRAC_PI_2 * y);
+        let r = inner + x * (outer - inner);
+        let phi = FRAC_PI_2 * y;
         [r * phi.cos(), r * phi.sin(), z]
     });
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
