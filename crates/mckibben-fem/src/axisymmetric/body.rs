@@ -267,9 +267,8 @@ impl Body {
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
         let places = self.end.places.iter().filter(|(_, i)| *i < self.end.free);
-        let free = places
-            .map(|(p, _)| self.assembled.residual[last + p].abs())
-            .fold(0.0, f64::max);
+        let free = dense::largest(places
+            .map(|(p, _)| self.assembled.residual[last + p].abs()));
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);
@@ -354,9 +353,8 @@ impl NewtonSystem for Body {
         self.add_step(1.0);
         let l = self.discretisation.layout;
         let m = l.station();
-        let largest = (0..l.along)
-            .flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m])
-            .fold(0.0_f64, |a, x| a.max(x.abs()));
+        let moved = (0..l.along).flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m]);
+        let largest = dense::largest(moved.map(|x| x.abs()));
         let size = largest / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() {
             Ok(size)

@@ -13,7 +13,7 @@ use crate::{
         strand::{STRAND_POINTS, Stretch},
     },
     results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
-    solver::body::State,
+    solver::{body::State, dense::largest},
 };
 use mckibben::muscle::Muscle;
 
@@ -63,9 +63,8 @@ impl MuscleBody for Body {
     fn bulge_mm(&self) -> f64 {
         let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
         let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
-        slabs
-            .map(|j| highest([outer[j], outer[j + 1], outer[j + 2]]))
-            .fold(0.0, f64::max)
+        largest(slabs
+            .map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
     }
 
     fn largest_stretch(&self) -> StretchAt {
@@ -81,7 +80,7 @@ impl MuscleBody for Body {
                     };
                     // ψ of a single point still holds 1 + its place.
                     let at = StretchAt {
-                        value: largest(&p, &u),
+                        value: largest_principal(&p, &u),
                         rest_mm: [p.psi[1], p.psi[2]],
                     };
                     list.push((at, p.volume));
@@ -94,7 +93,7 @@ impl MuscleBody for Body {
     fn middle_stretch(&self) -> f64 {
         let d = &self.discretisation;
         let largest_at = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
-            d.point(rest, xi, -1.0).map(|p| largest(&p, u))
+            d.point(rest, xi, -1.0).map(|p| largest_principal(&p, u))
         };
         let first = elements(d, &self.state).take(d.layout.through);
         first
@@ -116,8 +115,8 @@ impl MuscleBody for Body {
 const PARTS: [usize; 2] = [4, 6];
 
 /// The largest principal stretch at a point.
-fn largest(p: &Point, u: &Unknowns) -> f64 {
-    gradient(p, u).principal().into_iter().fold(0.0, f64::max)
+fn largest_principal(p: &Point, u: &Unknowns) -> f64 {
+    largest(gradient(p, u).principal())
 }
 
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie

@@ -20,7 +20,7 @@ use crate::{
         solid::{Unknowns, gradient},
     },
     results::{FieldNode, NodeMeans, StrandState},
-    solver::body::State,
+    solver::{body::State, dense::largest},
 };
 use mckibben::{
     model::{ForceModel, Workspace},
@@ -139,7 +139,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
                 stretches: [
                     f.t,
                     f.b.hypot(f.d),
-                    f.principal().into_iter().fold(0.0, f64::max),
+                    largest(f.principal()),
                 ],
                 stress_mpa: bilinear(&stress, x, y),
             };

@@ -1,4 +1,4 @@
-//! Partial LDLᵀ of small dense symmetric matrices.
+//! Partial LDLᵀ of small dense symmetric matrices, and sums over lists of numbers.
 
 use crate::element::lanes::four_at_a_time;
 
@@ -47,6 +47,11 @@ fn eliminate_any(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize,
         row[k + 1..size].iter_mut().for_each(|x| *x *= inverse);
     }
     Ok(negative)
+}
+
+/// The largest of numbers that are not negative; zero of none.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, f64::max)
 }
 
 /// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and

@@ -14,7 +14,7 @@ use crate::{
     FemError, Result,
     solver::{
         body::{Control, State, Totals},
-        newton::{NewtonSystem, Stopped},
+        dense, newton::{NewtonSystem, Stopped},
         sparse::SparseCholesky,
     },
 };
@@ -235,11 +235,10 @@ impl Body {
     fn norm(&self) -> f64 {
         let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = d
+        let free = dense::largest(d
             .place
             .iter()
-            .map(|&i| self.assembled.force[i as usize].abs())
-            .fold(0.0, f64::max);
+            .map(|&i| self.assembled.force[i as usize].abs()));
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);
@@ -288,7 +287,7 @@ impl NewtonSystem for Body {
         }
         cancel::check()?;
         self.state.add(1.0, &step);
-        let largest = step.u.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+        let largest = dense::largest(step.u.iter().map(|x| x.abs()));
         let size = largest / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;

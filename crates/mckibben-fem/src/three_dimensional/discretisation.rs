@@ -12,7 +12,7 @@ use crate::{
         truss::{Pull, Truss},
     },
     solver::{
-        body::State,
+        body::State, dense::largest,
         sparse::{Analysis, Pattern},
     },
 };
@@ -138,14 +138,13 @@ impl Discretisation {
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all_of(&problem);
-        let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let greatest = largest(problem.nodes.iter().map(|x| x[2]));
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = problem
+        let radius = largest(problem
             .nodes
             .iter()
-            .map(|x| x[0].hypot(x[1]))
-            .fold(0.0, f64::max);
+            .map(|x| x[0].hypot(x[1])));
         let most = AUGMENT_STRAND * shear;
         let strand = problem
             .trusses
@@ -295,17 +294,15 @@ fn check_cancel(number: usize) -> Result<(), Cancelled> {
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
 /// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
-    stiff
+    largest(stiff
         .iter()
         .map(|m: &Material| {
             let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-            let size = rest[m.bricks.clone()]
+            let size = largest(rest[m.bricks.clone()]
                 .iter()
-                .map(|r| r.volume.cbrt())
-                .fold(0.0, f64::max);
+                .map(|r| r.volume.cbrt()));
             16.0 * f64::EPSILON * greatest * modulus * size
-        })
-        .fold(0.0, f64::max)
+        }))
 }
 
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {

@@ -230,12 +230,7 @@ fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
 fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
     let rest = &d.rest[e];
-    let monomials = [
-        1.0,
-        at[0] - rest.centre[0],
-        at[1] - rest.centre[1],
-        at[2] - rest.centre[2],
-    ];
+    let monomials = rest.monomials(&at);
     (0..d.modes)
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();

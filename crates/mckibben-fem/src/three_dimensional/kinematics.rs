@@ -1,10 +1,13 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::{body::Body, saddle::dot};
-use crate::element::{
-    brick::{ShapePoint, adjugate, determinant, jacobian},
-    spatial::PAIRS,
-    spatial_stretches::principal_axes,
+use crate::{
+    element::{
+        brick::{ShapePoint, adjugate, determinant, jacobian},
+        spatial::PAIRS,
+        spatial_stretches::principal_axes,
+    },
+    solver::dense::largest,
 };
 
 /// Place now of a node in mm.
@@ -21,10 +24,8 @@ pub fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
 
 /// Largest principal stretch at F.
 pub fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
-    principal_axes(&left(f))
-        .0
-        .into_iter()
-        .fold(0.0, f64::max)
+    largest(principal_axes(&left(f))
+        .0)
         .sqrt()
 }
 
@@ -43,6 +44,5 @@ pub fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([[f64; 3];
     let inverse = adjugate(&before);
     let f = after
         .map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
-    let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, n)| n * x[i]).sum());
-    (volume != 0.0).then_some((f, at))
+    (volume != 0.0).then_some((f, p.place(&rest)))
 }

@@ -14,6 +14,7 @@ use crate::{
         hexahedron::shape_at,
     },
     results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
+    solver::dense::largest,
 };
 use mckibben::{cancel, muscle::Muscle};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -102,10 +103,9 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn bulge_mm(&self) -> f64 {
-        self.profile()
+        largest(self.profile()
             .iter()
-            .map(|p| p.outer_r_mm)
-            .fold(0.0, f64::max)
+            .map(|p| p.outer_r_mm))
     }
 
     /// Looked at in three layers of every brick.
@@ -167,15 +167,10 @@ fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
             let Some((f, _)) = gradient(body, e, p) else {
                 continue;
             };
-            let at = [0, 1, 2].map(|i| {
-                rest.iter()
-                    .zip(&p.n)
-                    .map(|(x, share)| share * x[i])
-                    .sum::<f64>()
-            });
+            let [x, y, z] = p.place(&rest);
             let at = StretchAt {
                 value: largest_principal(&f),
-                rest_mm: [at[0].hypot(at[1]), at[2]],
+                rest_mm: [x.hypot(y), z],
             };
             list.push((at, determinant(&jacobian(&rest, &p.dn)).abs()));
         }

@@ -20,7 +20,7 @@ use crate::{
     axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem},
     solver::{
         body::Control,
-        continuation::Continuation,
+        continuation::Continuation, dense::largest,
         newton::{self, Effort, NewtonOptions, NewtonSystem},
     },
 };
@@ -312,7 +312,7 @@ fn section_pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, f64::max)
+    largest(differences)
 }
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is
