@@ -1,6 +1,9 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::{Result, solver::{body::Body, dense::largest}};
+use crate::{
+    Result,
+    solver::{body::Body, dense::largest},
+};
 use mckibben::{model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -41,7 +44,7 @@ pub struct StrandState {
 }
 
 /// A principal stretch and where it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct StretchAt {
     /// The stretch.
     pub value: f64,
@@ -85,7 +88,7 @@ pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
 }
 
 /// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct FieldNode<const N: usize, const M: usize> {
     /// Place at rest in mm.
     pub rest_mm: [f64; N],
@@ -149,7 +152,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
 }
 
 /// Energies of the whole muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub struct Energies {
     /// Elastic energy of the rubber in N·mm (mJ).
@@ -163,7 +166,7 @@ pub struct Energies {
 }
 
 /// Everything an equilibrium tells.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Solution {
     /// What every model tells.
@@ -236,10 +239,7 @@ pub trait MuscleBody: Body {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
         let state = self.state();
         let totals = self.totals();
-        let largest = largest(self
-            .strands(muscle)
-            .iter()
-            .map(|s| s.tension_n_per_mm));
+        let largest = largest(self.strands(muscle).iter().map(|s| s.tension_n_per_mm));
         let cos = muscle.braid().angle_rad().cos();
         let count = muscle.braid().strands.map(|s| s.count);
         let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;

@@ -225,10 +225,8 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
-        match self.divided.limit() {
-            Some(limit) => limit.force_n(workspace, pressure_mpa, 0.0),
-            None => self.force_n(workspace, pressure_mpa, 0.0),
-        }
+        let model = self.companion().unwrap_or(self);
+        model.force_n(workspace, pressure_mpa, 0.0)
     }
 
     fn mesh_error_n(
@@ -309,14 +307,11 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         force_n: f64,
         pressure_mpa: f64,
     ) -> Option<f64> {
-        let point = self.reach(
-            workspace,
-            Given::PressureAndPull {
-                pressure_mpa,
-                force_n,
-            },
-        );
-        point.ok().map(|point| point.contraction)
+        let given = Given::PressureAndPull {
+            pressure_mpa,
+            force_n,
+        };
+        Some(self.led_to(workspace, given).ok()?.contraction())
     }
 }
 

@@ -267,8 +267,7 @@ impl Body {
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
         let places = self.end.places.iter().filter(|(_, i)| *i < self.end.free);
-        let free = dense::largest(places
-            .map(|(p, _)| self.assembled.residual[last + p].abs()));
+        let free = dense::largest(places.map(|(p, _)| self.assembled.residual[last + p].abs()));
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);

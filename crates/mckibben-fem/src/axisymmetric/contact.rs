@@ -32,7 +32,7 @@ use std::f64::consts::PI;
 const CURVED: [f64; 3] = [-2.0, 1.0, 1.0];
 
 /// Contact of the strands at a place along the half muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct ContactPlace {
     /// Z at rest in mm, from the middle.
     pub rest_mm: f64,
@@ -45,7 +45,7 @@ pub struct ContactPlace {
 }
 
 /// Contact of the strands of a muscle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Contact {
     /// From the middle to the terminal.
     pub places: Vec<ContactPlace>,

@@ -21,7 +21,7 @@ pub(super) const LAYER: f64 = 1.4;
 const SMALLEST_DRAW: f64 = 1.0 / 256.0;
 
 /// What holds the last station.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ends {
     /// Bonded to a rigid terminal: r fixed, all z together.
     Bonded,
@@ -32,7 +32,7 @@ pub enum Ends {
 }
 
 /// The braid of a model.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct BraidSpec {
     /// Where the strands lie.
     pub lay: StrandLay,
@@ -45,7 +45,7 @@ pub struct BraidSpec {
 }
 
 /// Rubber, braid and ends of a model.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Problem {
     /// The law of the rubber.
     pub law: Law,
@@ -95,7 +95,7 @@ impl Problem {
 }
 
 /// How the rubber softens, and what each of its points has seen.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Memory {
     /// Softening constants.
     pub softening: OgdenRoxburgh,

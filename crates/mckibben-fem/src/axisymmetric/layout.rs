@@ -12,7 +12,7 @@ use crate::element::{
 /// 2·through + 1 nodes from the inner surface outwards; the inside of a slab holds its middle
 /// station, the pressure modes of its elements and, for strands that do not stretch, their
 /// tensions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// Elements through the wall.
     pub through: usize,

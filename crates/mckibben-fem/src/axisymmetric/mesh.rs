@@ -89,7 +89,7 @@ fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
 }
 
 /// Nodes of a mesh, station by station along the muscle, each from the inner surface outwards.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Mesh {
     /// Elements through the wall.
     pub through: usize,

@@ -63,8 +63,7 @@ impl MuscleBody for Body {
     fn bulge_mm(&self) -> f64 {
         let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
         let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
-        largest(slabs
-            .map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
+        largest(slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
     }
 
     fn largest_stretch(&self) -> StretchAt {

@@ -26,13 +26,14 @@ use mckibben::{
     model::{ForceModel, Workspace},
     muscle::Muscle,
 };
+use std::array::from_fn;
 
 /// A node of the section: (R, Z) at rest, (r, z) now, Cauchy stress (σrr, σθθ, σzz, σrz).
 pub type SectionNode = FieldNode<2, 4>;
 
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its
 /// mirror image.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Section {
     /// Elements through the wall.
     pub through: usize,
@@ -136,11 +137,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let node = FieldNode {
                 rest_mm: rest[a],
                 now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
-                stretches: [
-                    f.t,
-                    f.b.hypot(f.d),
-                    largest(f.principal()),
-                ],
+                stretches: [f.t, f.b.hypot(f.d), largest(f.principal())],
                 stress_mpa: bilinear(&stress, x, y),
             };
             out.add(
@@ -187,7 +184,7 @@ fn stresses(
     let index = slab * d.layout.through + e;
     let rest = nodes(&d.mesh, slab, e);
     let u = d.layout.element(&s.u, slab, e);
-    std::array::from_fn(|k| {
+    from_fn(|k| {
         let xi = GAUSS2[k % 2].0;
         let eta = GAUSS2[k / 2].0;
         let Some(at) = d.point(&rest, xi, eta) else {
@@ -216,5 +213,5 @@ fn bilinear(values: &[[f64; 4]; 4], xi: f64, eta: f64) -> [f64; 4] {
     let weights = |x: f64| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)];
     let x = weights(xi);
     let y = weights(eta);
-    std::array::from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
+    from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
 }

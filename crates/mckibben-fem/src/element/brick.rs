@@ -18,7 +18,7 @@ use super::{
 };
 
 /// A shape function's values at an integration point of the parent cube.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct ShapePoint {
     /// N_a
     pub n: Vec<f64>,
@@ -29,7 +29,7 @@ pub struct ShapePoint {
 }
 
 /// Pressure modes at rest: ψ_k = Σ_{m ≤ k} a_km (1, X − Xc, Y − Yc, Z − Zc)_m.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Modes {
     /// Xc in mm.
     pub centre: [f64; 3],
@@ -55,7 +55,7 @@ impl Modes {
 }
 
 /// What a kernel reads, one element a lane.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Input<R, const NN: usize, const NM: usize> {
     /// Places at rest in mm.
     pub rest: [[R; 3]; NN],
@@ -135,7 +135,7 @@ impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
 }
 
 /// What a kernel writes, one element a lane.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Output<R, const NN: usize, const NM: usize> {
     /// r_e, with the condensed pressure.
     pub force: [[R; 3]; NN],

@@ -9,7 +9,6 @@ use super::{
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A law in both states of deformation.
-#[derive(Clone, Copy)]
 pub struct ElementLaw<'a> {
     /// In an axisymmetric state.
     pub plane: &'a dyn AnyPlaneLaw,

@@ -18,7 +18,7 @@ use super::spatial::inverse_cube_root;
 use mckibben::rubber::InvariantLaw;
 
 /// A law in I1 and I2.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct ByInvariants<'a, L>(pub &'a L);
 
 impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {

@@ -1,7 +1,7 @@
 //! Deformation and stress of an axisymmetric state, and what a law must tell of them.
 
 /// Deformation gradient of an axisymmetric state.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Gradient {
     /// F_rR
     pub a: f64,

@@ -17,7 +17,7 @@ use mckibben::rubber::over_time::OgdenRoxburgh;
 pub type NodalRow = [f64; PADDED];
 
 /// Nodal displacements (mm) and pressure modes (MPa) of an element.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Unknowns {
     /// u_r
     pub r: NodalRow,
@@ -53,7 +53,7 @@ pub struct Contribution {
 }
 
 /// The rubber of an element.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Material<'a> {
     /// The law of the first loading.
     pub law: &'a dyn AnyPlaneLaw,

@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 pub const STRAND_POINTS: usize = 2;
 
 /// A point of the line at rest.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct StrandPoint {
     /// cosθ0 dN/dZ, nodes in the order middle, left, right.
     pub slope: [f64; 3],
@@ -42,7 +42,7 @@ pub struct StrandPoint {
 }
 
 /// λf at a point and its derivatives in the six unknowns (r, z of middle, left, right).
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Stretch {
     /// λf
     pub value: f64,

@@ -10,7 +10,7 @@ use super::plane_law::{Gradient, PlaneLaw, Stress};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct ByStretches<'a, L>(pub &'a L);
 
 /// Where two stretches are nearer than this, the divided difference is replaced by its limit.

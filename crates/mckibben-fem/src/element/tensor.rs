@@ -11,7 +11,7 @@ pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), 
 pub const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// Energy, stress and tangent per volume at rest.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Spatial<R> {
     /// Energy in MPa.
     pub w: R,

@@ -9,7 +9,7 @@
 use super::tensor::PAIRS;
 
 /// A strand at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Truss {
     /// L0 in mm.
     pub length_mm: f64,
@@ -20,7 +20,7 @@ pub struct Truss {
 }
 
 /// What a strand does to its second node; the first has the opposite.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Pull {
     /// λ − 1
     pub strain: f64,

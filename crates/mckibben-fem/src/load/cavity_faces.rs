@@ -7,6 +7,7 @@
 //! cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
 use crate::element::q2::{GAUSS2, GAUSS3, functions};
+use std::array::from_fn;
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
 pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
@@ -21,9 +22,9 @@ pub fn face_points<const N: usize>() -> Vec<FacePoint<N>> {
             let (x, dx) = functions(p, *a);
             let (y, dy) = functions(p, *b);
             out.push((
-                std::array::from_fn(|k| x[k % p] * y[k / p]),
-                std::array::from_fn(|k| dx[k % p] * y[k / p]),
-                std::array::from_fn(|k| x[k % p] * dy[k / p]),
+                from_fn(|k| x[k % p] * y[k / p]),
+                from_fn(|k| dx[k % p] * y[k / p]),
+                from_fn(|k| x[k % p] * dy[k / p]),
                 wa * wb,
             ));
         }
@@ -32,7 +33,7 @@ pub fn face_points<const N: usize>() -> Vec<FacePoint<N>> {
 }
 
 /// Volume under a face and its derivatives.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Volume<const N: usize> {
     /// V in mm³.
     pub value: f64,

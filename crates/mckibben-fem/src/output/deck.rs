@@ -6,6 +6,7 @@
 //! of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with D1 = 2/K; Ogden's are written there as 2
 //! μi/αi². Data of the mesh are in comments `** key = value`.
 
+use super::vtu;
 use crate::{
     FemError, Result,
     three_dimensional::{Brick, ThreeDimensional},
@@ -119,9 +120,11 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     out += "*ELEMENT, TYPE=C3D8, ELSET=TUBE\n";
     let bricks = mesh.bricks();
     // Ours run through the wall, around, along; theirs around the face.
-    const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
     for (e, nodes) in bricks.iter().enumerate() {
-        let list: Vec<String> = ORDER.iter().map(|&a| (nodes[a] + 1).to_string()).collect();
+        let list: Vec<String> = vtu::ORDER
+            .iter()
+            .map(|&a| (nodes[a] + 1).to_string())
+            .collect();
         out += &format!("{}, {}\n", e + 1, list.join(", "));
     }
     strands(&mut out, model, bricks.len())?;

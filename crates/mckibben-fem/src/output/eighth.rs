@@ -11,7 +11,7 @@ use crate::three_dimensional::{Brick, Field, NodeField, PieceField};
 use std::collections::HashMap;
 
 /// How much of the muscle is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Extent {
     /// What was computed.
     #[default]

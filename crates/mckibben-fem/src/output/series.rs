@@ -10,7 +10,7 @@ use mckibben::model::Response;
 const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 
 /// A file of a series.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct VtuFile {
     /// Its name in the folder.
     pub name: String,

@@ -16,6 +16,9 @@ pub const POLY_LINE: u8 = 4;
 /// Eight corners: four counter-clockwise seen from above, then the four above them.
 pub const HEXAHEDRON: u8 = 12;
 
+/// Ours run through the wall, around, along; those of other programs around the face.
+pub const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+
 /// A number that is none.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{file} is not written: its {name} contains a value that is not a finite number")]
@@ -93,7 +96,6 @@ impl Grid {
 
     /// Hexahedra with eight points each, the first direction running fastest.
     pub fn of_hexahedra(points: Vec<[f64; 3]>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
-        const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
         let connectivity: Vec<i64> = cells
             .iter()
             .flat_map(|cell| ORDER.map(|a| i64::from(cell[a])))

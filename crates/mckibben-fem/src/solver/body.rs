@@ -101,7 +101,7 @@ impl State {
 }
 
 /// What is kept fixed while the rest reaches equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Control {
     /// Pressure and the terminal's displacement (mm).
     Length(f64),
@@ -132,7 +132,7 @@ impl Control {
 
 /// What the elements of a body add up to, for the part of the muscle that is computed: a half in
 /// the section, an eighth in bricks.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Totals {
     /// Elastic energy of the rubber in N·mm.
     pub rubber: f64,
@@ -150,7 +150,7 @@ pub struct Totals {
 }
 
 /// Settings of a continuation for a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug)]
 pub struct Settings {
     /// Settings of Newton's method.
     pub newton: NewtonOptions,

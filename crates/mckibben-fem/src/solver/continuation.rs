@@ -33,7 +33,7 @@ pub(crate) const TAUT: f64 = 1.3;
 pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
 
 /// An equilibrium that is not stable and that was met.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Unstable {
     /// Step of the walk from rest; 0 for an answer that no walk led to.
     pub step: usize,

@@ -85,31 +85,32 @@ impl Descent {
 
     /// Fills `out` with what lies between a station and the next one at a pressure.
     pub fn between(&self, above: usize, pressure: f64, out: &mut State) {
-        let last = &self.stations[above];
-        out.copy_from(last);
-        if let Some(next) = self.stations.get(above + 1) {
-            out.extrapolate(
-                last,
-                next,
-                (last.pressure - pressure) / (next.pressure - last.pressure),
-            );
-        }
-        out.pressure = pressure;
+        predict(
+            &self.stations[above],
+            self.stations.get(above + 1),
+            pressure,
+            out,
+        );
     }
 
     /// Fills `out` with what the last two stations predict at a pressure.
     pub fn predict(&self, pressure: f64, out: &mut State) {
         match &self.stations[..] {
-            [.., before, last] => {
-                out.extrapolate(
-                    last,
-                    before,
-                    (last.pressure - pressure) / (before.pressure - last.pressure),
-                );
-            }
-            [only] => out.copy_from(only),
-            [] => {}
+            [.., before, last] => predict(last, Some(before), pressure, out),
+            [only] => predict(only, None, pressure, out),
+            [] => out.pressure = pressure,
         }
-        out.pressure = pressure;
     }
+}
+
+/// Fills `out` with what lies on the line through two stations at a pressure.
+fn predict(last: &State, other: Option<&State>, pressure: f64, out: &mut State) {
+    match other {
+        Some(other) => {
+            let ratio = (last.pressure - pressure) / (other.pressure - last.pressure);
+            out.extrapolate(last, other, ratio);
+        }
+        None => out.copy_from(last),
+    }
+    out.pressure = pressure;
 }

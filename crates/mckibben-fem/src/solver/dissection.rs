@@ -8,7 +8,7 @@ use std::ops::Range;
 
 /// Grid lines around and along, and how far apart lines are that separate (1 for linear, 2 for
 /// quadratic elements).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Sheet {
     /// Lines around.
     pub around: usize,

@@ -90,7 +90,7 @@ impl Kernel {
 }
 
 /// A small triangle t below its diagonal, with what each column is multiplied by.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Triangle {
     pub count: usize,
     pub below: [[f64; STRIP]; STRIP],

@@ -7,7 +7,7 @@ use crate::element::lanes::{Real, on_lanes};
 /// Columns at a time.
 const COLUMNS: usize = 4;
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Factor<'a> {
     pub form: Form,
     pub symbolic: &'a Symbolic,

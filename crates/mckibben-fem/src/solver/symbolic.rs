@@ -26,7 +26,7 @@ const MOST: u64 = i32::MAX as u64;
 const NONE: u32 = u32::MAX;
 
 /// The two forms of a factorisation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Form {
     /// L Lᵀ.
     Positive,

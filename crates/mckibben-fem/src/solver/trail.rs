@@ -3,7 +3,7 @@
 use super::body::State;
 
 /// Along what a path runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Along {
     /// Pressures at one length or one pull.
     Pressure,

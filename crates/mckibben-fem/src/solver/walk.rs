@@ -4,7 +4,7 @@ use super::{
     body::{Body, Control},
     continuation::{Continuation, TAUT},
     descent::growth_of_step,
-    newton::{Interrupted, LastConverged, Stopped},
+    newton::{Interrupted, LastConverged, Stopped, Walked},
     trail::{Along, Trail},
 };
 
@@ -16,7 +16,7 @@ const AIMED: f64 = 0.1;
 
 impl<B: Body> Continuation<B> {
     /// From rest to a pressure at rest length, and from there to a displacement of the terminal.
-    pub(super) fn restart(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    pub(super) fn restart(&mut self, pressure: f64, terminal: f64) -> Walked {
         self.body.rest();
         self.steps = Some(0);
         self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
@@ -25,12 +25,7 @@ impl<B: Body> Continuation<B> {
 
     /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the
     /// pressure down.
-    pub(super) fn long_way(
-        &mut self,
-        pressure: f64,
-        terminal: f64,
-        guess: bool,
-    ) -> Result<(), Interrupted> {
+    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Walked {
         let pulling = self
             .body
             .pulling_pressure(-terminal / self.body.half_length());
@@ -95,7 +90,7 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
-    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
+    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Walked {
         self.walk_in_steps(
             pressure,
             terminal,
@@ -114,7 +109,7 @@ impl<B: Body> Continuation<B> {
         first: f64,
         smallest: f64,
         reach: f64,
-    ) -> Result<(), Interrupted> {
+    ) -> Walked {
         self.base.copy_from(self.body.state());
         let p0 = self.base.pressure;
         let w0 = self.base.terminal;

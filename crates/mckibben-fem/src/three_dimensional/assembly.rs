@@ -19,7 +19,7 @@ use crate::{
     },
 };
 use mckibben::cancel;
-use std::{ops::Range, sync::LazyLock};
+use std::{array::from_fn, ops::Range, sync::LazyLock};
 
 /// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of
 /// all widths of lanes.
@@ -301,9 +301,9 @@ fn assemble_faces<const N: usize, const TANGENT: bool>(
 ) {
     let mut map = d.face_map.iter();
     for nodes in &d.problem.faces {
-        let x: [[f64; 3]; N] = std::array::from_fn(|a| {
+        let x: [[f64; 3]; N] = from_fn(|a| {
             let n = nodes[a] as usize;
-            std::array::from_fn(|i| d.problem.nodes[n][i] + s.u[3 * n + i])
+            from_fn(|i| d.problem.nodes[n][i] + s.u[3 * n + i])
         });
         let v = volume::<N, TANGENT>(points, &x);
         totals.volume += v.value;

@@ -14,7 +14,8 @@ use crate::{
     FemError, Result,
     solver::{
         body::{Control, State, Totals},
-        dense, newton::{NewtonSystem, Stopped},
+        dense,
+        newton::{NewtonSystem, Stopped},
         sparse::SparseCholesky,
     },
 };
@@ -48,7 +49,7 @@ pub struct Body {
 }
 
 /// What moves a body away from its present state, as far as its tangent tells.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(PartialEq)]
 struct Cause {
     /// Whether its residual.
     residual: bool,
@@ -235,10 +236,11 @@ impl Body {
     fn norm(&self) -> f64 {
         let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = dense::largest(d
-            .place
-            .iter()
-            .map(|&i| self.assembled.force[i as usize].abs()));
+        let free = dense::largest(
+            d.place
+                .iter()
+                .map(|&i| self.assembled.force[i as usize].abs()),
+        );
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);

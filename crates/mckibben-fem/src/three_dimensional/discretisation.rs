@@ -12,7 +12,8 @@ use crate::{
         truss::{Pull, Truss},
     },
     solver::{
-        body::State, dense::largest,
+        body::State,
+        dense::largest,
         sparse::{Analysis, Pattern},
     },
 };
@@ -21,7 +22,7 @@ use mckibben::{
     muscle::Bulk,
     rubber::{Law, RubberLaw},
 };
-use std::{ops::Range, sync::Arc};
+use std::{array::from_fn, ops::Range, sync::Arc};
 
 /// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;
@@ -141,10 +142,7 @@ impl Discretisation {
         let greatest = largest(problem.nodes.iter().map(|x| x[2]));
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = largest(problem
-            .nodes
-            .iter()
-            .map(|x| x[0].hypot(x[1])));
+        let radius = largest(problem.nodes.iter().map(|x| x[0].hypot(x[1])));
         let most = AUGMENT_STRAND * shear;
         let strand = problem
             .trusses
@@ -231,7 +229,7 @@ impl Discretisation {
     /// The places of nine numbers: rows of a node, columns of another.
     fn block(&self, a: u32, b: u32) -> [u32; 9] {
         let [x, y] = [a, b].map(|node| self.unknown[node as usize]);
-        std::array::from_fn(|k| self.entry(x[k / 3], y[k % 3]))
+        from_fn(|k| self.entry(x[k / 3], y[k % 3]))
     }
 
     fn map_entries(&mut self) -> Result<(), Cancelled> {
@@ -260,7 +258,7 @@ impl Discretisation {
                 .map(|n| self.block(n, n))
                 .map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
             let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
-            std::array::from_fn(|_| entries.next().unwrap_or(unread))
+            from_fn(|_| entries.next().unwrap_or(unread))
         };
         let face = |nodes: &Vec<u32>| {
             pairs(nodes.len(), 1)
@@ -294,15 +292,11 @@ fn check_cancel(number: usize) -> Result<(), Cancelled> {
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
 /// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
-    largest(stiff
-        .iter()
-        .map(|m: &Material| {
-            let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-            let size = largest(rest[m.bricks.clone()]
-                .iter()
-                .map(|r| r.volume.cbrt()));
-            16.0 * f64::EPSILON * greatest * modulus * size
-        }))
+    largest(stiff.iter().map(|m: &Material| {
+        let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
+        let size = largest(rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()));
+        16.0 * f64::EPSILON * greatest * modulus * size
+    }))
 }
 
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {

@@ -27,13 +27,13 @@ use crate::{
     solver::newton::NewtonSystem as _,
 };
 use mckibben::model::Workspace;
-use std::collections::HashMap;
+use std::{array::from_fn, collections::HashMap};
 
 /// A node of the bricks: (x, y, z) at rest and now, Cauchy stress xx, yy, zz, xy, yz, zx.
 pub type NodeField = FieldNode<3, 6>;
 
 /// A piece of a strand between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PieceField {
     /// Its nodes.
     pub ends: [usize; 2],
@@ -46,7 +46,7 @@ pub struct PieceField {
 }
 
 /// One eighth, node by node.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Field {
     /// The grid.
     pub mesh: BrickMesh,
@@ -59,7 +59,7 @@ pub struct Field {
 }
 
 /// The terminal as a body; its nodes are numbered separately.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
     pub nodes: Vec<NodeField>,
@@ -224,7 +224,7 @@ fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;
-    std::array::from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
+    from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
 }
 
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
@@ -246,7 +246,7 @@ fn carried(values: &[[f64; 6]], at: [f64; 3]) -> [f64; 6] {
     let [only] = values else {
         let weights = at.map(|x| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)]);
         let weight = |k: usize| weights[0][k % 2] * weights[1][k / 2 % 2] * weights[2][k / 4];
-        return std::array::from_fn(|c| {
+        return from_fn(|c| {
             values
                 .iter()
                 .enumerate()

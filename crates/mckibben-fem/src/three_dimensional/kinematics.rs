@@ -24,9 +24,7 @@ pub fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
 
 /// Largest principal stretch at F.
 pub fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
-    largest(principal_axes(&left(f))
-        .0)
-        .sqrt()
+    largest(principal_axes(&left(f)).0).sqrt()
 }
 
 /// F at a point of a brick, and its place in the reference configuration.

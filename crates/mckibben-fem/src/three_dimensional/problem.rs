@@ -11,7 +11,7 @@ use mckibben::{
 };
 
 /// What becomes of a displacement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Freedom {
     /// An unknown.
     #[default]
@@ -40,7 +40,7 @@ impl Freedom {
 }
 
 /// Nodes, elements, loads and supports of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Problem {
     /// Places at rest in mm.
     pub nodes: Vec<[f64; 3]>,
@@ -79,7 +79,7 @@ pub struct Problem {
 }
 
 /// A second material.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Other {
     /// The first brick of it.
     pub first: usize,

@@ -103,9 +103,7 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn bulge_mm(&self) -> f64 {
-        largest(self.profile()
-            .iter()
-            .map(|p| p.outer_r_mm))
+        largest(self.profile().iter().map(|p| p.outer_r_mm))
     }
 
     /// Looked at in three layers of every brick.

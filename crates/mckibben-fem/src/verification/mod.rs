@@ -20,7 +20,8 @@ use crate::{
     axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem},
     solver::{
         body::Control,
-        continuation::Continuation, dense::largest,
+        continuation::Continuation,
+        dense::largest,
         newton::{self, Effort, NewtonOptions, NewtonSystem},
     },
 };
