@@ -225,8 +225,9 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
-        let model = self.companion().unwrap_or(self);
-        model.force_n(workspace, pressure_mpa, 0.0)
+        self.companion()
+            .unwrap_or(self)
+            .force_n(workspace, pressure_mpa, 0.0)
     }
 
     fn mesh_error_n(

@@ -268,8 +268,7 @@ impl Assembly<'_> {
                         for i in 0..6 {
                             let column = at.matrix[i / 2] + i % 2;
                             let low = row.min(column);
-                            let high = row.max(column);
-                            matrix[low * size + high] += both * stretch.first[i];
+                            matrix[low * size + row.max(column)] += both * stretch.first[i];
                         }
                     } else {
                         matrix[row * size + row] = -both / d.augment_strand;

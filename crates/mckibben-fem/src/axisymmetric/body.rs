@@ -220,8 +220,7 @@ impl Body {
             rhs[2 * i + 1] = 0.0;
         }
         self.assembled.chain.forward(rhs);
-        let last = self.discretisation.layout.end();
-        self.end.forward(&rhs[last..])
+        self.end.forward(&rhs[self.discretisation.layout.end()..])
     }
 
     /// The tangent is that of the augmented system; so must be the right-hand side.
@@ -353,8 +352,7 @@ impl NewtonSystem for Body {
         let l = self.discretisation.layout;
         let m = l.station();
         let moved = (0..l.along).flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m]);
-        let largest = dense::largest(moved.map(|x| x.abs()));
-        let size = largest / self.discretisation.radius;
+        let size = dense::largest(moved.map(|x| x.abs())) / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() {
             Ok(size)
         } else {

@@ -128,8 +128,10 @@ impl Mesh {
         Self::mapped(through, along, |x, y| {
             let j = (y * (2 * along) as f64).round() as usize;
             // An odd station is the middle of an element.
-            let z = 0.5 * (corner(j / 2) + corner(j.div_ceil(2)));
-            [inner + (outer - inner) * x, z]
+            [
+                inner + (outer - inner) * x,
+                0.5 * (corner(j / 2) + corner(j.div_ceil(2))),
+            ]
         })
     }
 

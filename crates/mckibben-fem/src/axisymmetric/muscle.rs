@@ -229,8 +229,7 @@ impl Body {
             let r = endless
                 .response(&mut Workspace::new(), pressure, contraction)
                 .ok()?;
-            let radius = 0.5 * r.bulged_diameter_mm?;
-            (r.braid_tension_n? <= 0.0).then_some(radius)
+            (r.braid_tension_n? <= 0.0).then_some(0.5 * r.bulged_diameter_mm?)
         });
         let Some(radius) = radius else { return false };
         self.guess_ideal(pressure, terminal);

@@ -61,8 +61,10 @@ pub fn braid(section: &Section) -> Grid {
         add("tension_n", 3);
     }
     let half = lines.len() * places.len();
-    let values = [vec![1.0; half], vec![-1.0; half]].concat();
-    data.push(PointData::scalar("family", values));
+    data.push(PointData::scalar(
+        "family",
+        [vec![1.0; half], vec![-1.0; half]].concat(),
+    ));
     Grid::of_lines(points, places.len(), data)
 }
 

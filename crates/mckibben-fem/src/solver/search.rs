@@ -136,8 +136,7 @@ impl<B: Body> Continuation<B> {
             return Ok(true);
         }
         let pressure = self.body.state().pressure;
-        let contraction = self.contraction();
-        self.reach(pressure, contraction)?;
+        self.reach(pressure, self.contraction())?;
         Ok((self.pull() - force).abs()
             <= SAME_PULL
                 * force

@@ -70,8 +70,7 @@ impl Pattern {
     /// Place of entry (`row`, `column`) of the lower half.
     pub fn position(&self, row: u32, column: u32) -> Option<u32> {
         let all = self.column(column as usize);
-        let found = self.rows[all.clone()].binary_search(&row).ok()?;
-        Some((all.start + found) as u32)
+        Some((all.start + self.rows[all.clone()].binary_search(&row).ok()?) as u32)
     }
 }
 

@@ -70,8 +70,7 @@ impl<B: Body> Continuation<B> {
                 let solved = self.solve(Control::Length(next));
                 if solved.is_ok() && self.stable() && self.body.taut() {
                     // The difference from a cubic grows with the fourth power of a step.
-                    let growth = (AIMED / self.effort.moved).powf(0.25);
-                    step = growth.clamp(0.5, 2.0) * (next - at);
+                    step = (AIMED / self.effort.moved).powf(0.25).clamp(0.5, 2.0) * (next - at);
                     at = next;
                     break;
                 }

@@ -83,8 +83,7 @@ impl Body {
             .ok_or_else(|| FemError::too_large(discretisation.free))?;
         let d = &discretisation;
         let nodes = d.problem.nodes.len();
-        let trusses = d.problem.trusses.len();
-        let state = State::rest(3 * nodes, d.bricks() * d.modes, trusses);
+        let state = State::rest(3 * nodes, d.bricks() * d.modes, d.problem.trusses.len());
         Ok(Self {
             assembled: Assembled::new(&discretisation),
             step: state.clone(),
@@ -251,8 +250,9 @@ impl Body {
         } else {
             0.0
         };
-        let scale = scale.max(d.rounding_n / ROUNDING);
-        (free / scale).max(held).max(defect)
+        (free / scale.max(d.rounding_n / ROUNDING))
+            .max(held)
+            .max(defect)
     }
 }
 
@@ -289,8 +289,7 @@ impl NewtonSystem for Body {
         }
         cancel::check()?;
         self.state.add(1.0, &step);
-        let largest = dense::largest(step.u.iter().map(|x| x.abs()));
-        let size = largest / self.discretisation.radius;
+        let size = dense::largest(step.u.iter().map(|x| x.abs())) / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
         if sum.is_finite() {

@@ -194,9 +194,8 @@ impl BrickSpec {
 
     /// Insertion and nose of the plug in mm; zeros without one.
     fn plug_measures(&self, tube: &Quarter) -> Result<(f64, f64)> {
-        let none = Ok((0.0, 0.0));
         self.plug
-            .map_or(none, |p| p.measures(tube.inner_mm, tube.half_mm))
+            .map_or(Ok((0.0, 0.0)), |p| p.measures(tube.inner_mm, tube.half_mm))
     }
 
     /// Bricks around: that number of a few which leaves the smallest part of a row over.
@@ -419,8 +418,8 @@ impl BrickMesh {
         let outer = |j, k| self.node(ni - 1, j, k) as u32;
         let quads = || (0..nk - 1).flat_map(move |k| (0..nj - 1).map(move |j| (j, k)));
         let left = quads().map(|(j, k)| [outer(j, k), outer(j + 1, k + 1)]);
-        let right = quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]);
-        left.chain(right).collect()
+        left.chain(quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]))
+            .collect()
     }
 
     /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands

@@ -72,8 +72,7 @@ impl MuscleMesh {
             insertion_mm: p.insertion_mm.or(Some(insertion)),
             ..p
         });
-        let spec = &BrickSpec { plug, ..*spec };
-        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), spec)?;
+        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), &BrickSpec { plug, ..*spec })?;
         Ok(Self {
             limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
@@ -120,8 +119,7 @@ fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
     }
     braid.angle_deg = mesh.tube.angle_rad.to_degrees();
     braid.measured = None;
-    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
-    Axisymmetric::new(&muscle).ok()
+    Axisymmetric::new(&muscle.with_tube(tube).ok()?.with_braid(braid).ok()?).ok()
 }
 
 /// A muscle in bricks with its state.

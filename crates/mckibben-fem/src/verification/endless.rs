@@ -111,8 +111,11 @@ pub fn long_muscles(rows: &mut Rows) {
     let source = rows.source;
     let pull = |length: f64, e: f64| {
         let m = muscle(length, BraidStiffness::Inextensible)?;
-        let model = Axisymmetric::with_mesh(&m, &MeshSpec::parse("2x48:3")?);
-        pull(model.ok()?, PRESSURE, e)
+        pull(
+            Axisymmetric::with_mesh(&m, &MeshSpec::parse("2x48:3")?).ok()?,
+            PRESSURE,
+            e,
+        )
     };
     for (e, [_, exact, ..]) in [(0.1, ROWS[2]), (0.2, ROWS[3])] {
         let [f1, f2, f4] = [400.0, 800.0, 1600.0].map(|length| pull(length, e));

@@ -81,8 +81,12 @@ pub fn strand_lay(rows: &mut Rows) {
             MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
         let above = |share: f64| {
             let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)));
-            let body = inflated(slice, share * exact, stretch)?;
-            Some(tension(&body, k, &lay, stretch))
+            Some(tension(
+                &inflated(slice, share * exact, stretch)?,
+                k,
+                &lay,
+                stretch,
+            ))
         };
         let ours = (|| {
             let a = above(1.001)?;

@@ -236,8 +236,9 @@ fn body(mesh: Mesh, law: Law, braid: Option<BraidSpec>, ends: Ends) -> Option<Pa
 }
 
 fn at_rest(mesh: Mesh, problem: Problem) -> Option<Path> {
-    let discretisation = Discretisation::new(mesh, problem).ok()?;
-    Some(Path::new(Body::new(discretisation)))
+    Some(Path::new(Body::new(
+        Discretisation::new(mesh, problem).ok()?,
+    )))
 }
 
 /// The body at a pressure and an axial stretch of the whole, to the last digit.
@@ -278,8 +279,12 @@ fn braid(lay: StrandLay, stiffness: Option<f64>) -> BraidSpec {
 
 /// A slice of an infinitely long muscle of radii `inner` and `outer` in mm.
 fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Path> {
-    let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
-    body(mesh, law, Some(braid), Ends::Sliding)
+    body(
+        Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)),
+        law,
+        Some(braid),
+        Ends::Sliding,
+    )
 }
 
 /// Elements through the wall of a slice.
@@ -302,8 +307,9 @@ fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
 
 /// Pull in N by a model.
 fn pull(model: impl ForceModel, pressure_mpa: f64, contraction: f64) -> Option<f64> {
-    let workspace = &mut Workspace::new();
-    model.force_n(workspace, pressure_mpa, contraction).ok()
+    model
+        .force_n(&mut Workspace::new(), pressure_mpa, contraction)
+        .ok()
 }
 
 /// The same of a muscle by the section.
@@ -312,8 +318,7 @@ fn section_pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    largest(differences)
+    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is

@@ -38,8 +38,10 @@ fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Path> {
         tube.rubber.bulk = bulk;
         braid.stiffness = stiffness;
     })?;
-    let mesh = Mesh::tube(12.0, 15.0, HALF, (1, 6, 2.0));
-    at_rest(mesh, Problem::from_parts(muscle.parts()))
+    at_rest(
+        Mesh::tube(12.0, 15.0, HALF, (1, 6, 2.0)),
+        Problem::from_parts(muscle.parts()),
+    )
 }
 
 /// The rows of J.
@@ -97,8 +99,12 @@ pub fn numerics(rows: &mut Rows) {
     // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled.
     // Theory: the energy, and with it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
-        let mesh = Mesh::mapped(n, 1, |x, y| [1.0 + x, y]);
-        let body = body(mesh, rubber(), None, Ends::Sliding);
+        let body = body(
+            Mesh::mapped(n, 1, |x, y| [1.0 + x, y]),
+            rubber(),
+            None,
+            Ends::Sliding,
+        );
         let b = stretched(body, 0.137_772_857_4, 1.0)?;
         Some((radius(&b, 0, 0) - 2.0).abs())
     };

@@ -46,8 +46,9 @@ pub fn follower_pressure(rows: &mut Rows) {
         together,
         1e-11,
     );
-    let model = Axisymmetric::new(&Muscle::prototype()).ok();
-    let ours = model.and_then(|m| balance(&m));
+    let ours = Axisymmetric::new(&Muscle::prototype())
+        .ok()
+        .and_then(|m| balance(&m));
     rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, ours, 1e-7);
 }
 

@@ -68,8 +68,10 @@ impl Block {
             along: nk,
             stride: p,
         };
-        let columns = sheet.order().into_iter();
-        let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
+        let order = sheet
+            .order()
+            .into_iter()
+            .flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
         let order = order.map(|(i, j, k)| self.node(i, j, k) as u32).collect();
         Problem::free(nodes, (self.brick, bricks), order, (law, bulk))
     }

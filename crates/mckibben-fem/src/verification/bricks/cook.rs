@@ -43,8 +43,10 @@ fn tip(n: usize) -> Option<f64> {
 
 /// The rows of H.
 pub fn cook(rows: &mut Rows) {
-    let meshes = [(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)];
-    add_meshes(rows, &meshes);
+    add_meshes(
+        rows,
+        &[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)],
+    );
 }
 
 /// Those of the finest meshes.

@@ -40,8 +40,10 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
         if far[n][i] { stretch[i] - 1.0 } else { 0.0 }
     })?;
     body.residual().ok()?;
-    let pulled = (0..far.len()).filter(|&n| far[n][0]);
-    let sum = pulled.map(|n| body.assembled.force[3 * n]).sum();
+    let sum = (0..far.len())
+        .filter(|&n| far[n][0])
+        .map(|n| body.assembled.force[3 * n])
+        .sum();
     Some([sum, distance(&body, |rest, i| (stretch[i] - 1.0) * rest[i])])
 }
 
@@ -50,8 +52,7 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
 fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
     for (k, u) in body.state.u.iter().enumerate() {
-        let rest = &body.discretisation.problem.nodes[k / 3];
-        worst = worst.max((u - exact(rest, k % 3)).abs());
+        worst = worst.max((u - exact(&body.discretisation.problem.nodes[k / 3], k % 3)).abs());
     }
     worst
 }

@@ -42,8 +42,11 @@ fn body(problem: Problem) -> Option<Body> {
 }
 
 fn at_rest(muscle: &Muscle, spec: &BrickSpec) -> Option<Continuation<MuscleInBricks>> {
-    let mesh = MuscleMesh::new(muscle, spec).ok()?;
-    mesh.at_rest().ok().map(Continuation::new)
+    MuscleMesh::new(muscle, spec)
+        .ok()?
+        .at_rest()
+        .ok()
+        .map(Continuation::new)
 }
 
 /// The prototype in a small mesh.

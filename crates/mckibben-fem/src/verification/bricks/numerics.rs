@@ -43,8 +43,10 @@ fn shaken(brick: Brick, law: Law, stiffness: f64) -> Option<Body> {
         through: Some(1),
         ..BrickSpec::default()
     };
-    let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
-    let mut body = body(Problem::from_muscle(&muscle, &mesh))?;
+    let mut body = body(Problem::from_muscle(
+        &muscle,
+        &BrickMesh::new(&tube(20.0), &spec).ok()?,
+    ))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = random.between(-0.3, 0.3);

@@ -42,8 +42,10 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
     let values = dense_tangent(body).symmetric_eigenvalues();
-    let finite = values.iter().all(|x| x.is_finite());
-    finite.then(|| values.iter().filter(|x| **x < 0.0).count())
+    values
+        .iter()
+        .all(|x| x.is_finite())
+        .then(|| values.iter().filter(|x| **x < 0.0).count())
 }
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues)
@@ -56,8 +58,8 @@ fn shortened() -> Option<(Option<Unstable>, [f64; 2])> {
         ..BrickSpec::default()
     };
     let mut c = at_rest(&peers()?, &spec)?;
-    let half = c.body.bricks.discretisation.half;
-    c.walk(0.0, -0.02 * half, 0.25).ok()?;
+    c.walk(0.0, -0.02 * c.body.bricks.discretisation.half, 0.25)
+        .ok()?;
     let body = &mut c.body.bricks;
     body.factorise().ok()?;
     let negative = [body.unstable_directions(), negative_eigenvalues(body)?];

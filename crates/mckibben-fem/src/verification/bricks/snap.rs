@@ -57,8 +57,9 @@ pub fn snap(rows: &mut Rows) {
     let l = (W * W * W.hypot(H)).cbrt();
     let limit = H - (l * l - W * W).sqrt();
     let root = |f: &dyn Fn(f64) -> f64, low: f64, high: f64| {
-        let root = find_root(|d| Ok::<_, ()>(f(d)), low, high, 1e-14);
-        root.ok().flatten()
+        find_root(|d| Ok::<_, ()>(f(d)), low, high, 1e-14)
+            .ok()
+            .flatten()
     };
     let stiffness = |d: f64| apex(d, true).1;
     let top = root(&stiffness, 0.1 * H, 0.9 * H);

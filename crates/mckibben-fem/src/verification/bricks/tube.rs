@@ -53,8 +53,10 @@ fn ring(
         body.state.pressure = 0.25 * f64::from(i) * p;
         super::solve(&mut body, stretch - 1.0)?;
     }
-    let at = block.node(0, 0, 0);
-    Some((1.0 + body.state.u[3 * at] / inner, body.totals.pull))
+    Some((
+        1.0 + body.state.u[3 * block.node(0, 0, 0)] / inner,
+        body.totals.pull,
+    ))
 }
 
 /// The rows of B.
