@@ -105,7 +105,7 @@ pub struct FieldNode<const N: usize, const M: usize> {
 pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>, f64)>);
 
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
-    pub(crate) fn new(count: usize) -> Self {
+    pub fn new(count: usize) -> Self {
         let rest_mm = [0.0; N];
         let now_mm = [0.0; N];
         let stretches = [0.0; 3];
@@ -125,7 +125,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
     }
 
     /// Adds what an element gives at a node.
-    pub(crate) fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
+    pub fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
         let (sum, count) = &mut self.0[node];
         sum.rest_mm = at.rest_mm;
         sum.now_mm = at.now_mm;
@@ -139,7 +139,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
     }
 
     /// The nodes.
-    pub(crate) fn means(self) -> Vec<FieldNode<N, M>> {
+    pub fn means(self) -> Vec<FieldNode<N, M>> {
         let mean = |(mut node, count): (FieldNode<N, M>, f64)| {
             node.stretches
                 .iter_mut()

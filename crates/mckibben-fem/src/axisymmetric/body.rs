@@ -34,12 +34,12 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub(super) struct EndSystem {
     /// Number of the unknowns of the last station that are free.
-    pub(super) free: usize,
+    pub free: usize,
     /// Unknowns of the last station that are not held, with their places here: those that follow the
     /// terminal are the last one.
     places: Vec<(usize, usize)>,
     /// Factorised (free, w).
-    pub(super) matrix: Vec<f64>,
+    pub matrix: Vec<f64>,
     y: Vec<f64>,
 }
 
@@ -74,7 +74,7 @@ impl EndSystem {
     }
 
     /// S = dF/dw.
-    pub(super) fn stiffness(&self) -> f64 {
+    pub fn stiffness(&self) -> f64 {
         self.matrix[self.matrix.len() - 1]
     }
 

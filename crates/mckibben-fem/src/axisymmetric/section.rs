@@ -15,7 +15,7 @@ use crate::{
     element::{
         law,
         plane::{AnyPlaneLaw, Gradient},
-        q2::{GAUSS2, GAUSS3, NODES, Point, quadratic},
+        q2::{GAUSS2, GAUSS3, NODES, Point, multilinear, quadratic},
         softened::soften,
         solid::{Unknowns, gradient},
     },
@@ -138,7 +138,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
                 rest_mm: rest[a],
                 now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
                 stretches: [f.t, f.b.hypot(f.d), largest(f.principal())],
-                stress_mpa: bilinear(&stress, x, y),
+                stress_mpa: multilinear(&stress, [x, y]),
             };
             out.add(
                 Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3,
@@ -207,11 +207,4 @@ fn stresses(
         let [pc, pd] = first.z;
         [pa * a + pb * b, pt * t, pc * c + pd * d, pa * c + pb * d].map(|x| x / j)
     })
-}
-
-fn bilinear(values: &[[f64; 4]; 4], xi: f64, eta: f64) -> [f64; 4] {
-    let weights = |x: f64| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)];
-    let x = weights(xi);
-    let y = weights(eta);
-    from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
 }

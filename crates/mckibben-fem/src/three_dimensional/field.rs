@@ -20,7 +20,7 @@ use crate::{
         brick::{ShapePoint, determinant},
         hexahedron::shape_at,
         law::with_law,
-        q2::GAUSS2,
+        q2::{GAUSS2, multilinear},
         spatial::SpatialLaw,
     },
     results::{FieldNode, NodeMeans},
@@ -208,7 +208,10 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
                 rest_mm: problem.nodes[k],
                 now_mm: now(body, k),
                 stretches: stretches(&f, at),
-                stress_mpa: carried(&stress, places[a]),
+                stress_mpa: match stress[..] {
+                    [only] => only,
+                    _ => multilinear(&stress, places[a]),
+                },
             };
             out.add(k, &node);
         }
@@ -239,20 +242,4 @@ fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
             psi * (body.state.p[i] + augment * body.assembled.defect[i] / rest.volume)
         })
         .sum()
-}
-
-/// The trilinear function through 2 × 2 × 2 points, or the only value there is.
-fn carried(values: &[[f64; 6]], at: [f64; 3]) -> [f64; 6] {
-    let [only] = values else {
-        let weights = at.map(|x| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)]);
-        let weight = |k: usize| weights[0][k % 2] * weights[1][k / 2 % 2] * weights[2][k / 4];
-        return from_fn(|c| {
-            values
-                .iter()
-                .enumerate()
-                .map(|(k, v)| weight(k) * v[c])
-                .sum()
-        });
-    };
-    *only
 }
