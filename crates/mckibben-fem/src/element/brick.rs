@@ -14,7 +14,7 @@
 
 use super::{
     lanes::Real,
-    spatial::{AT, PAIRS, Spatial, SpatialLaw, Symmetric},
+    spatial::{AT, PAIRS, Spatial, SpatialLaw, Symmetric, Vector},
 };
 
 /// A shape function's values at an integration point of the parent cube.
@@ -23,7 +23,7 @@ pub struct ShapePoint {
     /// N_a
     pub n: Vec<f64>,
     /// ∂N_a/∂(ξ, η, ζ)
-    pub dn: Vec<[f64; 3]>,
+    pub dn: Vec<Vector>,
     /// Weight.
     pub weight: f64,
 }
@@ -32,7 +32,7 @@ pub struct ShapePoint {
 #[derive(Debug, Clone, Default)]
 pub struct Modes {
     /// Xc in mm.
-    pub centre: [f64; 3],
+    pub centre: Vector,
     /// a_km
     pub factors: [[f64; 4]; 4],
     /// V in mm³.
@@ -41,14 +41,14 @@ pub struct Modes {
 
 impl ShapePoint {
     /// The place of the point in a brick with these nodes.
-    pub fn place(&self, nodes: &[[f64; 3]]) -> [f64; 3] {
+    pub fn place(&self, nodes: &[Vector]) -> Vector {
         [0, 1, 2].map(|i| self.n.iter().zip(nodes).map(|(n, x)| n * x[i]).sum())
     }
 }
 
 impl Modes {
     /// 1, X − Xc, Y − Yc, Z − Zc
-    pub fn monomials(&self, x: &[f64; 3]) -> [f64; 4] {
+    pub fn monomials(&self, x: &Vector) -> [f64; 4] {
         let c = &self.centre;
         [1.0, x[0] - c[0], x[1] - c[1], x[2] - c[2]]
     }
@@ -78,7 +78,7 @@ pub struct Input<R, const NN: usize, const NM: usize> {
 impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
     /// |∂X/∂ξ|, J, b = F Fᵀ and the gradients of the shape functions in the present places.
     #[inline(always)]
-    fn deform(&self, dn: &[[f64; 3]; NN]) -> (R, R, Symmetric<R>, [[R; 3]; NN]) {
+    fn deform(&self, dn: &[Vector; NN]) -> (R, R, Symmetric<R>, [[R; 3]; NN]) {
         let s = R::splat;
         let rest = jacobian(&self.rest, dn);
         let now = jacobian(&self.now, dn);
@@ -216,7 +216,7 @@ pub(crate) fn adjugate<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// ∂x/∂ξ
 #[inline(always)]
-pub(crate) fn jacobian<R: Real>(x: &[[R; 3]], dn: &[[f64; 3]]) -> [[R; 3]; 3] {
+pub(crate) fn jacobian<R: Real>(x: &[[R; 3]], dn: &[Vector]) -> [[R; 3]; 3] {
     let mut m = [[R::splat(0.0); 3]; 3];
     for (x, dn) in x.iter().zip(dn) {
         for j in 0..3 {
@@ -247,7 +247,7 @@ pub fn integrate_bricks<R: Real, const NN: usize, const NM: usize, const TANGENT
         out.tangent.fill([o; 9]);
     }
     for point in points {
-        let Ok(dn) = <&[[f64; 3]; NN]>::try_from(&point.dn[..]) else {
+        let Ok(dn) = <&[Vector; NN]>::try_from(&point.dn[..]) else {
             continue;
         };
         let (d0, j, b, g) = input.deform(dn);
@@ -365,7 +365,7 @@ fn add_tangent<R: Real, const NN: usize>(
 
 /// The pressure modes of an element at rest, made orthonormal by Gram and Schmidt; `None` where the
 /// element is turned inside out at rest.
-pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<Modes> {
+pub fn modes(points: &[ShapePoint], rest: &[Vector], count: usize) -> Option<Modes> {
     let mut out = Modes::default();
     let mut at = Vec::with_capacity(points.len());
     for p in points {
@@ -382,7 +382,7 @@ pub fn modes(points: &[ShapePoint], rest: &[[f64; 3]], count: usize) -> Option<M
         at.push((weight, place));
     }
     out.centre = out.centre.map(|x| x / out.volume);
-    let value = |row: &[f64; 4], x: &[f64; 3]| -> f64 {
+    let value = |row: &[f64; 4], x: &Vector| -> f64 {
         let m = out.monomials(x);
         (0..4).map(|i| row[i] * m[i]).sum()
     };

@@ -9,7 +9,7 @@
 //!
 //! Order of components: xx, yy, zz, xy, yz, zx.
 
-pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
+pub use super::tensor::{AT, PAIRS, Spatial, Symmetric, Vector};
 
 use super::{
     lanes::{MOST, Real},

@@ -2,6 +2,9 @@
 
 use super::lanes::Real;
 
+/// A place in mm, a displacement or a direction in x, y, z.
+pub type Vector = [f64; 3];
+
 /// A symmetric tensor.
 pub type Symmetric<R> = [R; 6];
 

@@ -6,7 +6,10 @@
 //! exactly: forces and tangent are its exact derivatives, and the tangent is symmetric because the
 //! cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
-use crate::element::q2::{GAUSS2, GAUSS3, functions};
+use crate::element::{
+    q2::{GAUSS2, GAUSS3, functions},
+    spatial::Vector,
+};
 use std::array::from_fn;
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
@@ -38,12 +41,12 @@ pub struct Volume<const N: usize> {
     /// V in mm³.
     pub value: f64,
     /// ∂V/∂x in mm².
-    pub first: [[f64; 3]; N],
+    pub first: [Vector; N],
     /// ∂²V/∂x_a∂x_b is the skew matrix of this vector in mm: δa·(w × δb). See [`skew`].
-    pub second: [[[f64; 3]; N]; N],
+    pub second: [[Vector; N]; N],
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -58,7 +61,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
 pub fn volume<const N: usize, const TANGENT: bool>(
     points: &[FacePoint<N>],
-    x: &[[f64; 3]; N],
+    x: &[Vector; N],
 ) -> Volume<N> {
     let mut out = Volume {
         value: 0.0,
@@ -66,7 +69,7 @@ pub fn volume<const N: usize, const TANGENT: bool>(
         second: [[[0.0; 3]; N]; N],
     };
     for (n, nx, ny, weight) in points {
-        let sum = |w: &[f64; N]| -> [f64; 3] {
+        let sum = |w: &[f64; N]| -> Vector {
             let mut s = [0.0; 3];
             for a in 0..N {
                 for i in 0..3 {
@@ -103,6 +106,6 @@ pub fn volume<const N: usize, const TANGENT: bool>(
 }
 
 /// ∂²V/∂x_a∂x_b as a matrix from its vector w: δa·(w × δb).
-pub fn skew(w: &[f64; 3]) -> [[f64; 3]; 3] {
+pub fn skew(w: &Vector) -> [Vector; 3] {
     [[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]]
 }

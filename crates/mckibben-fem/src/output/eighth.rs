@@ -7,7 +7,10 @@ use super::{
     Shape,
     vtu::{Grid, PointData},
 };
-use crate::three_dimensional::{Brick, Field, NodeField, PieceField};
+use crate::{
+    element::spatial::Vector,
+    three_dimensional::{Brick, Field, NodeField, PieceField},
+};
 use std::collections::HashMap;
 
 /// How much of the muscle is shown.
@@ -22,7 +25,7 @@ pub enum Extent {
 
 impl Extent {
     /// Signs of x, y, z of the copies of one eighth.
-    fn signs(self) -> Vec<[f64; 3]> {
+    fn signs(self) -> Vec<Vector> {
         const SIGNS: [f64; 2] = [1.0, -1.0];
         let copies = if self == Self::Eighth { 1 } else { 8 };
         (0..copies)
@@ -32,7 +35,7 @@ impl Extent {
 }
 
 /// A place or a displacement, mirrored.
-fn mirrored(x: [f64; 3], sign: [f64; 3]) -> [f64; 3] {
+fn mirrored(x: Vector, sign: Vector) -> Vector {
     [0, 1, 2].map(|i| x[i] * sign[i])
 }
 
@@ -86,8 +89,8 @@ fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
 }
 
 /// Hexahedra between copies of nodes, each with its signs, and what is known of the nodes.
-fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
-    let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
+fn grid(copies: &[(&NodeField, Vector)], cells: &[Vec<u32>]) -> Grid {
+    let vector = |value: &dyn Fn(&NodeField) -> Vector| -> Vec<Vector> {
         copies
             .iter()
             .map(|(node, sign)| mirrored(value(node), *sign))

@@ -5,6 +5,7 @@
 //! with the header (number of blocks, size of a block, size of a last shorter block or 0, size of
 //! each compressed block).
 
+use crate::element::spatial::Vector;
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use flate2::{Compression, write::ZlibEncoder};
 use mckibben::clean;
@@ -51,7 +52,7 @@ impl PointData {
     }
 
     /// Three numbers at each point.
-    pub fn vector(name: &'static str, values: Vec<[f64; 3]>) -> Self {
+    pub fn vector(name: &'static str, values: Vec<Vector>) -> Self {
         Self {
             name,
             components: 3,
@@ -66,7 +67,7 @@ pub struct Grid {
     /// VTK's number of the kind.
     pub kind: u8,
     /// Places in mm.
-    pub points: Vec<[f64; 3]>,
+    pub points: Vec<Vector>,
     /// Points of all cells.
     pub connectivity: Vec<i64>,
     /// Where each cell ends in `connectivity`.
@@ -79,7 +80,7 @@ pub struct Grid {
 
 impl Grid {
     /// Lines of so many points each, one after the other.
-    pub fn of_lines(points: Vec<[f64; 3]>, per_line: usize, data: Vec<PointData>) -> Self {
+    pub fn of_lines(points: Vec<Vector>, per_line: usize, data: Vec<PointData>) -> Self {
         let connectivity = (0..points.len() as i64).collect();
         let offsets = (1..=points.len() / per_line)
             .map(|c| (per_line * c) as i64)
@@ -95,7 +96,7 @@ impl Grid {
     }
 
     /// Hexahedra with eight points each, the first direction running fastest.
-    pub fn of_hexahedra(points: Vec<[f64; 3]>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
+    pub fn of_hexahedra(points: Vec<Vector>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
         let connectivity: Vec<i64> = cells
             .iter()
             .flat_map(|cell| ORDER.map(|a| i64::from(cell[a])))

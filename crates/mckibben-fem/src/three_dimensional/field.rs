@@ -21,7 +21,7 @@ use crate::{
         hexahedron::shape_at,
         law::with_law,
         q2::{GAUSS2, multilinear},
-        spatial::SpatialLaw,
+        spatial::{SpatialLaw, Vector},
     },
     results::{FieldNode, NodeMeans},
     solver::newton::NewtonSystem as _,
@@ -158,10 +158,10 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 }
 
 /// Stretches at F around, along and the largest; `at` says where around and along are.
-fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
+fn stretches(f: &[Vector; 3], at: Vector) -> [f64; 3] {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
-    let length = |v: [f64; 3]| {
+    let length = |v: Vector| {
         f.map(|row| dot(&row, &v))
             .map(|x| x * x)
             .iter()
@@ -181,7 +181,7 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
     let corner =
         |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
     let places = |a: usize| if middle { [0.0; 3] } else { corner(a) };
-    let places: Vec<[f64; 3]> = (0..problem.brick.nodes()).map(places).collect();
+    let places: Vec<Vector> = (0..problem.brick.nodes()).map(places).collect();
     let gauss = |k: usize| [GAUSS2[k % 2].0, GAUSS2[k / 2 % 2].0, GAUSS2[k / 4].0];
     let points = if order == 1 || middle {
         vec![[0.0; 3]]
@@ -231,7 +231,7 @@ fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6
 }
 
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
-fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
+fn pressure(d: &Discretisation, body: &Body, e: usize, at: Vector) -> f64 {
     let rest = &d.rest[e];
     let monomials = rest.monomials(&at);
     (0..d.modes)

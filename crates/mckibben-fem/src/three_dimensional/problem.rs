@@ -4,7 +4,10 @@ use super::{
     mesh::{Brick, BrickMesh},
     plug::PlugGrid,
 };
-use crate::{element::truss::Truss, solver::dissection::Sheet};
+use crate::{
+    element::{spatial::Vector, truss::Truss},
+    solver::dissection::Sheet,
+};
 use mckibben::{
     muscle::{Bulk, Muscle},
     rubber::{Law, NeoHookean},
@@ -43,7 +46,7 @@ impl Freedom {
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Places at rest in mm.
-    pub nodes: Vec<[f64; 3]>,
+    pub nodes: Vec<Vector>,
     /// Which brick.
     pub brick: Brick,
     /// Nodes of every brick.
@@ -59,7 +62,7 @@ pub struct Problem {
     /// and counts three times here.
     pub cap_mm2: f64,
     /// Dead loads on nodes in N per MPa of pressure; empty without any.
-    pub dead: Vec<[f64; 3]>,
+    pub dead: Vec<Vector>,
     /// What becomes of the displacements.
     pub freedom: Vec<[Freedom; 3]>,
     /// Nodes in the order of elimination.
@@ -92,7 +95,7 @@ pub struct Other {
 impl Problem {
     /// A body without strands, cavity, dead loads and supports.
     pub fn free(
-        nodes: Vec<[f64; 3]>,
+        nodes: Vec<Vector>,
         (brick, bricks): (Brick, Vec<Vec<u32>>),
         order: Vec<u32>,
         (law, bulk): (Law, Bulk),
@@ -117,7 +120,7 @@ impl Problem {
 
     /// Place in mm of a node in the reference configuration of a brick.
     /// Rubber that was mounted with a stretch is wider there by √λp and shorter by 1/λp.
-    pub fn rest(&self, brick: usize, node: u32) -> [f64; 3] {
+    pub fn rest(&self, brick: usize, node: u32) -> Vector {
         let [x, y, z] = self.nodes[node as usize];
         if self.prestretch == 1.0
             || self

@@ -12,6 +12,7 @@ use crate::{
     element::{
         brick::{ShapePoint, determinant, jacobian},
         hexahedron::shape_at,
+        spatial::Vector,
     },
     results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
     solver::dense::largest,
@@ -114,7 +115,7 @@ impl MuscleBody for MuscleInBricks {
         } else {
             &LAYERS
         };
-        let places: Vec<[f64; 3]> = LAYERS
+        let places: Vec<Vector> = LAYERS
             .iter()
             .flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z]))
             .collect();
@@ -149,7 +150,7 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 /// The stretch at places of every brick of rubber.
-fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
+fn stretches_at(body: &Body, places: &[Vector]) -> Vec<(StretchAt, f64)> {
     let d = &body.discretisation;
     let points: Vec<ShapePoint> = places
         .iter()
@@ -160,7 +161,7 @@ fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
         .iter()
         .enumerate()
     {
-        let rest: Vec<[f64; 3]> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
+        let rest: Vec<Vector> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
         for p in &points {
             let Some((f, _)) = gradient(body, e, p) else {
                 continue;

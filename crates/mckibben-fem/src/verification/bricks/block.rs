@@ -1,6 +1,7 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
 use crate::{
+    element::spatial::Vector,
     solver::dissection::Sheet,
     three_dimensional::{Brick, Problem},
     verification::rubber,
@@ -51,11 +52,11 @@ impl Block {
     }
 
     /// The body, all free; `map` carries the unit cube to the places at rest.
-    pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
+    pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn(Vector) -> Vector) -> Problem {
         let p = self.brick.order();
         let [ni, nj, nk] = self.grid();
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
-        let nodes: Vec<[f64; 3]> = self
+        let nodes: Vec<Vector> = self
             .places()
             .iter()
             .map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)]))

@@ -6,6 +6,7 @@
 
 use super::{BRICKS, block::bent_cube, body, push};
 use crate::{
+    element::spatial::Vector,
     solver::newton::NewtonSystem as _,
     three_dimensional::{Body, Brick, Freedom},
     verification::Rows,
@@ -49,7 +50,7 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
 
 /// Largest distance of a node from its displacement in the homogeneous state, of (place at rest,
 /// direction).
-fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
+fn distance(body: &Body, exact: impl Fn(&Vector, usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
     for (k, u) in body.state.u.iter().enumerate() {
         worst = worst.max((u - exact(&body.discretisation.problem.nodes[k / 3], k % 3)).abs());
@@ -100,12 +101,12 @@ fn sheared(brick: Brick) -> Option<[f64; 4]> {
         }
     }
     let rest = problem.nodes.clone();
-    let sheared = |rest: &[f64; 3], i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
+    let sheared = |rest: &Vector, i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
     let mut body = body(problem)?;
     push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
     body.residual().ok()?;
     let forces = body.assembled.force.chunks_exact(3);
-    let p: [[f64; 3]; 3] = [0, 1, 2]
+    let p: [Vector; 3] = [0, 1, 2]
         .map(|i| [0, 1, 2].map(|j| forces.clone().zip(&rest).map(|(f, x)| f[i] * x[j]).sum()));
     let f = [[1.0, GAMMA, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let sigma = |i: usize, j: usize| (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>();
