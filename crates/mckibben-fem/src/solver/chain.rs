@@ -5,7 +5,10 @@
 //! slab loses its inside and its left station, and hands the Schur complement of its right station
 //! to the next. The last station remains.
 
-use super::{dense, newton::Stopped};
+use super::{
+    dense,
+    newton::{Solved, Stopped},
+};
 
 /// The chain and its factorisation.
 #[derive(Debug, Clone)]
@@ -55,7 +58,7 @@ impl Chain {
     }
 
     /// Adds what came from the slab before and eliminates; slabs go in order.
-    pub fn eliminate(&mut self, slab: usize) -> Result<(), Stopped> {
+    pub fn eliminate(&mut self, slab: usize) -> Solved {
         let n = self.inside;
         let m = self.station;
         let size = self.size();

@@ -19,7 +19,7 @@
 use super::{
     body::{Body, Control, State},
     descent::Descent,
-    newton::{self, Effort, Interrupted, NewtonOptions, Stopped},
+    newton::{self, Effort, Interrupted, NewtonOptions, Solved, Stopped},
     trail::Trail,
 };
 use crate::{FemError, Result};
@@ -176,13 +176,13 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+    pub fn solve(&mut self, control: Control) -> Solved {
         self.solve_within(control, self.newton.reach)
     }
 
     /// The same, where no more than this share of the radius may lie between the iterate and the
     /// equilibrium.
-    pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+    pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Solved {
         self.solve_by(
             control,
             NewtonOptions {
@@ -192,7 +192,7 @@ impl<B: Body> Continuation<B> {
         )
     }
 
-    fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Result<(), Stopped> {
+    fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Solved {
         // Of what is to end, not even the first tangent is assembled: a search tries many ways
         // before it gives up.
         cancel::check()?;

@@ -4,7 +4,7 @@ use super::{
     body::{Body, Control},
     continuation::Continuation,
     descent::CONTINUOUS,
-    newton::{Stopped, Walked},
+    newton::{Solved, Stopped, Walked},
 };
 
 /// How often the pressure is raised, and by what factor, where the strands are not taut yet.
@@ -157,7 +157,7 @@ impl<B: Body> Continuation<B> {
 
     /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it
     /// does, its tube has folded.
-    fn lowered(&self, stations: usize) -> Result<(), Stopped> {
+    fn lowered(&self, stations: usize) -> Solved {
         let folded = self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain();
         if folded { Err(Stopped::Branch) } else { Ok(()) }
     }

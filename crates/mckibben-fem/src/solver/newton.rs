@@ -81,6 +81,9 @@ pub struct Interrupted {
     pub last: LastConverged,
 }
 
+/// An equilibrium, or why there is none.
+pub type Solved = Result<()>;
+
 /// A walk to an equilibrium, or where it ended before.
 pub type Walked = Result<(), Interrupted>;
 

@@ -8,7 +8,7 @@
 pub use super::symbolic::Pattern;
 
 use super::{
-    newton::Stopped,
+    newton::{Solved, Stopped},
     substitution::{self, Factor},
     supernodal::Numeric,
     symbolic::{Form, Symbolic},
@@ -71,7 +71,7 @@ impl SparseCholesky {
     ///
     /// # Errors
     /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Cancelled`].
-    pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
+    pub fn factorise(&mut self, values: &[f64]) -> Solved {
         let Analysis { pattern, symbolic } = &*self.analysis;
         self.negative = 0;
         self.form = None;

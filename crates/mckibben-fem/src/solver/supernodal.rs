@@ -7,7 +7,7 @@
 
 use super::{
     kernel::{Kernel, Matrix, Product},
-    newton::Stopped,
+    newton::{Solved, Stopped},
     panel::Panel,
     symbolic::{Form, Pattern, Symbolic},
 };
@@ -70,7 +70,7 @@ impl Numeric {
         s: &Symbolic,
         (pattern, values): (&Pattern, &[f64]),
         factor: &mut Vec<f64>,
-    ) -> Result<(), Stopped> {
+    ) -> Solved {
         self.form = form;
         factor.clear();
         for i in 0..s.count() {
@@ -102,7 +102,7 @@ impl Numeric {
         Ok(())
     }
 
-    fn worked(&mut self, work: usize) -> Result<(), Stopped> {
+    fn worked(&mut self, work: usize) -> Solved {
         self.work += work;
         if self.work > PIECE {
             self.work = 0;
@@ -118,7 +118,7 @@ impl Numeric {
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
         (block, height): (&mut [f64], usize),
-    ) -> Result<(), Stopped> {
+    ) -> Solved {
         let from = Matrix {
             values: from,
             stride: wide + names.len(),
@@ -164,10 +164,7 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(
-        &mut self,
-        (block, height, width): (&mut [f64], usize, usize),
-    ) -> Result<(), Stopped> {
+    fn eliminate(&mut self, (block, height, width): (&mut [f64], usize, usize)) -> Solved {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
             let first = columns.start;

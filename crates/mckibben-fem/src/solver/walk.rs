@@ -4,7 +4,7 @@ use super::{
     body::{Body, Control},
     continuation::{Continuation, TAUT},
     descent::growth_of_step,
-    newton::{Interrupted, LastConverged, Stopped, Walked},
+    newton::{Interrupted, LastConverged, Solved, Stopped, Walked},
     trail::{Along, Trail},
 };
 
@@ -46,7 +46,7 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
+    pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Solved {
         let mut trail = Trail::default();
         let mut at = 0.0;
         let mut step = FIRST * terminal;

@@ -15,7 +15,7 @@ use crate::{
     solver::{
         body::{Control, State, Totals},
         dense,
-        newton::{NewtonSystem, Stopped},
+        newton::{NewtonSystem, Solved, Stopped},
         sparse::SparseCholesky,
     },
 };
@@ -89,7 +89,7 @@ impl Body {
     }
 
     /// Factorises the last assembled tangent.
-    pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
+    pub fn factorise_assembled(&mut self) -> Solved {
         self.cholesky.factorise(&self.assembled.values)
     }
 

@@ -134,25 +134,6 @@ pub struct MuscleInBricks {
     pub(super) width: f64,
 }
 
-impl MuscleInBricks {
-    /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
-    fn guess_from_section(&mut self, pressure: f64, terminal: f64) -> bool {
-        let contraction = -terminal / self.bricks.discretisation.half;
-        let Some((muscle, c)) = &mut self.section else {
-            return false;
-        };
-        if c.reach(pressure, contraction).is_err() {
-            return false;
-        }
-        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
-        let state = &mut self.bricks.state;
-        state.pressure = pressure;
-        state.terminal = terminal;
-        self.carry_over(&section);
-        true
-    }
-}
-
 impl body::Body for MuscleInBricks {
     const SETTINGS: Settings = Settings {
         newton: NewtonOptions {
@@ -212,11 +193,24 @@ impl body::Body for MuscleInBricks {
     }
 
     fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
-        (attempt == 0).then(|| self.guess_from_section(pressure, terminal))
+        (attempt == 0).then(|| self.guess_taut(pressure, terminal))
     }
 
+    /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.guess_from_section(pressure, terminal)
+        let contraction = -terminal / self.bricks.discretisation.half;
+        let Some((muscle, c)) = &mut self.section else {
+            return false;
+        };
+        if c.reach(pressure, contraction).is_err() {
+            return false;
+        }
+        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
+        let state = &mut self.bricks.state;
+        state.pressure = pressure;
+        state.terminal = terminal;
+        self.carry_over(&section);
+        true
     }
 
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
