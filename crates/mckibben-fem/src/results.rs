@@ -129,7 +129,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
         let (sum, count) = &mut self.0[node];
         sum.rest_mm = at.rest_mm;
         sum.now_mm = at.now_mm;
-        *count = *count + 1.0;
+        *count += 1.0;
         let values = at.stretches.iter().chain(&at.stress_mpa);
         sum.stretches
             .iter_mut()

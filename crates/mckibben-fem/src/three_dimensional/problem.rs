@@ -190,26 +190,8 @@ impl Problem {
             Some(_) => 0.0,
             None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
         };
-        let nodes = &mesh.nodes;
-        // A family is as stiff as the braid's; strands that do not stretch are infinitely stiff.
-        let width = mesh.strand_width_mm(muscle);
-        let stiffness_n = muscle
-            .family_stiffness_n_per_mm()
-            .map_or(f64::INFINITY, |k| k * width);
-        let trusses = mesh.strands().into_iter().map(|ends| {
-            let [a, b] = ends.map(|n| nodes[n as usize]);
-            let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            (
-                ends,
-                Truss {
-                    length_mm,
-                    stiffness_n,
-                    compression: muscle.braid().compression,
-                },
-            )
-        });
         Self {
-            trusses: trusses.collect(),
+            trusses: trusses(muscle, mesh),
             faces,
             cap_mm2,
             freedom,
@@ -217,13 +199,32 @@ impl Problem {
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
             ..Self::free(
-                nodes.clone(),
+                mesh.nodes.clone(),
                 (mesh.brick, bricks),
                 order,
                 (rubber.law.clone(), rubber.bulk),
             )
         }
     }
+}
+
+/// The strands of a mesh: a family is as stiff as the braid's; strands that do not stretch are
+/// infinitely stiff.
+fn trusses(muscle: &Muscle, mesh: &BrickMesh) -> Vec<([u32; 2], Truss)> {
+    let width = mesh.strand_width_mm(muscle);
+    let stiffness_n = muscle
+        .family_stiffness_n_per_mm()
+        .map_or(f64::INFINITY, |k| k * width);
+    let truss = |ends: [u32; 2]| {
+        let [a, b] = ends.map(|n| mesh.nodes[n as usize]);
+        let truss = Truss {
+            length_mm: (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt(),
+            stiffness_n,
+            compression: muscle.braid().compression,
+        };
+        (ends, truss)
+    };
+    mesh.strands().into_iter().map(truss).collect()
 }
 
 /// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an
