@@ -201,6 +201,11 @@ pub fn rows_of_case((_, source, add_rows): &Case) -> Vec<VerificationRow> {
     rows.list
 }
 
+/// The rows of the case that takes seconds.
+pub fn rows_of_fine_meshes() -> Vec<VerificationRow> {
+    rows_of_case(&COOK_FINE)
+}
+
 /// The rows of every case, one after the other.
 ///
 /// # Errors
