@@ -42,7 +42,7 @@ impl ValidateAnswer {
 pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer> {
     let mut rows = verification::cases(progress)?;
     if request.all {
-        rows.extend(verification::bricks::cook_fine());
+        rows.extend(verification::rows_of_fine_meshes());
     }
     rows.extend(joint::verification::cases());
     rows.extend(mckibben_motion::verification::cases());

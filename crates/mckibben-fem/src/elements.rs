@@ -1,13 +1,17 @@
 //! The finite-element models by name, with their mesh.
 
-use crate::axisymmetric::{self, Axisymmetric, MeshSpec};
-use crate::seated::with_ends;
-use crate::simulation::Simulation;
-use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
-use crate::{FemError, Result};
-use mckibben::model::{ModelEntry, unknown_model};
-use mckibben::muscle::Muscle;
-use mckibben::refused::Refused;
+use crate::{
+    FemError, Result,
+    axisymmetric::{self, Axisymmetric, MeshSpec},
+    seated::with_ends,
+    simulation::Simulation,
+    three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate},
+};
+use mckibben::{
+    model::{ModelEntry, unknown_model},
+    muscle::Muscle,
+    refused::Refused,
+};
 use std::str::FromStr;
 
 /// Which finite elements, and how fine.

@@ -1,11 +1,7 @@
 //! Why there is no answer.
 
 use crate::solver::newton::{LastConverged, Stopped};
-use mckibben::cancel::Cancelled;
-use mckibben::model::ModelError;
-use mckibben::muscle::Ends;
-use mckibben::size;
-use mckibben::status::Status;
+use mckibben::{cancel::Cancelled, model::ModelError, muscle::Ends, size, status::Status};
 use thiserror::Error;
 
 /// An answer, or why there is none.
@@ -164,7 +160,8 @@ fn ended(path: &FemError) -> String {
         _ => format!("no equilibrium found {point}"),
     };
     let because = of_muscle(reason);
-    let (last_mpa, at) = (last.pressure_mpa, percent(last.contraction));
+    let last_mpa = last.pressure_mpa;
+    let at = percent(last.contraction);
     let followed = if last_mpa > 0.0 || last.contraction != 0.0 {
         format!(
             "; on the way there from rest, the last one is at {last_mpa:.4}\u{a0}MPa and {at} %"
@@ -182,7 +179,8 @@ fn ended(path: &FemError) -> String {
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {
-    let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
+    let percent = 100.0 * contraction.abs();
+    let nearest = (10.0 * nearest).round() / 10.0;
     if force > nearest {
         format!(
             "rubber and strands cannot carry a pull of {force}\u{a0}N at {pressure}\u{a0}MPa: \

@@ -1,9 +1,10 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::Result;
-use crate::solver::body::Body;
-use mckibben::model::Response;
-use mckibben::muscle::Muscle;
+use crate::{
+    Result,
+    solver::{body::Body, dense::largest},
+};
+use mckibben::{model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -43,7 +44,7 @@ pub struct StrandState {
 }
 
 /// A principal stretch and where it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct StretchAt {
     /// The stretch.
     pub value: f64,
@@ -87,7 +88,7 @@ pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
 }
 
 /// A node of a deformed body, for pictures and files: places have `N` components, its stress `M`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct FieldNode<const N: usize, const M: usize> {
     /// Place at rest in mm.
     pub rest_mm: [f64; N],
@@ -104,8 +105,11 @@ pub struct FieldNode<const N: usize, const M: usize> {
 pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>, f64)>);
 
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
-    pub(crate) fn new(count: usize) -> Self {
-        let (rest_mm, now_mm, stretches, stress_mpa) = ([0.0; N], [0.0; N], [0.0; 3], [0.0; M]);
+    pub fn new(count: usize) -> Self {
+        let rest_mm = [0.0; N];
+        let now_mm = [0.0; N];
+        let stretches = [0.0; 3];
+        let stress_mpa = [0.0; M];
         Self(vec![
             (
                 FieldNode {
@@ -121,9 +125,11 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
     }
 
     /// Adds what an element gives at a node.
-    pub(crate) fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
+    pub fn add(&mut self, node: usize, at: &FieldNode<N, M>) {
         let (sum, count) = &mut self.0[node];
-        (sum.rest_mm, sum.now_mm, *count) = (at.rest_mm, at.now_mm, *count + 1.0);
+        sum.rest_mm = at.rest_mm;
+        sum.now_mm = at.now_mm;
+        *count += 1.0;
         let values = at.stretches.iter().chain(&at.stress_mpa);
         sum.stretches
             .iter_mut()
@@ -133,7 +139,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
     }
 
     /// The nodes.
-    pub(crate) fn means(self) -> Vec<FieldNode<N, M>> {
+    pub fn means(self) -> Vec<FieldNode<N, M>> {
         let mean = |(mut node, count): (FieldNode<N, M>, f64)| {
             node.stretches
                 .iter_mut()
@@ -146,7 +152,7 @@ impl<const N: usize, const M: usize> NodeMeans<N, M> {
 }
 
 /// Energies of the whole muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub struct Energies {
     /// Elastic energy of the rubber in N·mm (mJ).
@@ -160,7 +166,7 @@ pub struct Energies {
 }
 
 /// Everything an equilibrium tells.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Solution {
     /// What every model tells.
@@ -231,16 +237,11 @@ pub trait MuscleBody: Body {
     /// What every model answers; factorises the tangent.
     fn response(&mut self, muscle: &Muscle) -> Result<Response> {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
-        let (state, totals) = (self.state(), self.totals());
-        let largest = self
-            .strands(muscle)
-            .iter()
-            .map(|s| s.tension_n_per_mm)
-            .fold(0.0, f64::max);
-        let (cos, count) = (
-            muscle.braid().angle_rad().cos(),
-            muscle.braid().strands.map(|s| s.count),
-        );
+        let state = self.state();
+        let totals = self.totals();
+        let largest = largest(self.strands(muscle).iter().map(|s| s.tension_n_per_mm));
+        let cos = muscle.braid().angle_rad().cos();
+        let count = muscle.braid().strands.map(|s| s.count);
         let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
         Ok(Response {
             // Zeros without a sign.
@@ -264,7 +265,8 @@ pub trait MuscleBody: Body {
     fn solution(&mut self, muscle: &Muscle) -> Result<Solution> {
         let response = self.response(muscle)?;
         let sensitivities = self.sensitivities(muscle)?;
-        let (pressure, totals) = (self.state().pressure, self.totals());
+        let pressure = self.state().pressure;
+        let totals = self.totals();
         Ok(Solution {
             profile: self.profile(),
             strands: self.strands(muscle),

@@ -1,13 +1,17 @@
 //! Finite elements of a muscle with ends that yield: equilibria and tests with contraction, pull
 //! and volume of the whole muscle.
 
-use crate::results::{Sensitivity, Solution};
-use crate::simulation::{Detail, Given, Simulation};
-use crate::solver::curve::{Curve, CurvePoint, falling};
-use crate::{FemError, Result};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::model::{Response, Seated, Workspace};
-use mckibben::muscle::{EndState, Ends, Muscle};
+use crate::{
+    FemError, Result,
+    results::{Sensitivity, Solution},
+    simulation::{Detail, Given, Simulation},
+    solver::curve::{Curve, CurvePoint, falling},
+};
+use mckibben::{
+    cancel::{self, Cancelled},
+    model::{Response, Seated, Workspace},
+    muscle::{EndState, Ends, Muscle},
+};
 
 /// The elements themselves where `muscle` does not describe its ends, else the whole muscle;
 /// `model` is of [`Muscle::between_ends`].
@@ -87,7 +91,8 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
             .map(|point| point.pressure_mpa - p)
             .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
     };
-    let (mut low, mut low_miss) = (0.0, miss(0.0)?);
+    let mut low = 0.0;
+    let mut low_miss = miss(0.0)?;
     let mut p = low_miss;
     for _ in 0..Ends::STEPS {
         let here = miss(p)?;
@@ -184,7 +189,8 @@ impl Simulation for Whole {
         let solved = self.inner.solve(workspace, given);
         let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
         solution.response = whole(self, e, solution.response, &mut solution.sensitivities);
-        let (ends, r) = (&self.ends, &solution.response);
+        let ends = &self.ends;
+        let r = &solution.response;
         let load_n = ends.load_n(r.pressure_mpa, r.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
         solution.energies.ends_n_mm = 0.5 * slip_mm * load_n;
@@ -215,12 +221,14 @@ impl Simulation for Whole {
                 pressures_mpa,
                 detail,
             );
-            let one = |point: Result<CurvePoint>| {
-                let point =
-                    point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-                Ok(whole_point(self, Some(e), point))
-            };
-            return points.into_iter().map(one).collect();
+            return points
+                .into_iter()
+                .map(|point: Result<CurvePoint>| {
+                    let point =
+                        point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
+                    Ok(whole_point(self, Some(e), point))
+                })
+                .collect();
         }
         // Each with its end state: in the order of the test, as the elements go from one to the
         // next.

@@ -1,16 +1,22 @@
 //! What finite-element models have in common: equilibria and tests.
 
-use crate::FemError;
-use crate::axisymmetric::Axisymmetric;
-use crate::results::{MuscleBody, Solution};
-use crate::solver::body::Body as _;
-use crate::solver::continuation::Continuation;
-use crate::solver::curve::{Curve, CurvePoint, isometric};
-use mckibben::model::{
-    Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response, Result,
-    Workspace,
+use crate::{
+    FemError,
+    axisymmetric::Axisymmetric,
+    results::{MuscleBody, Solution},
+    solver::{
+        body::Body as _,
+        continuation::Continuation,
+        curve::{Curve, CurvePoint, isometric},
+    },
 };
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{
+        Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
+        Result, Workspace,
+    },
+    muscle::Muscle,
+};
 
 /// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one
 /// over its pull. Both hold more than 95 % of random muscles, as `docs/finite-elements.md` counts
@@ -219,10 +225,9 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
-        match self.divided.limit() {
-            Some(limit) => limit.force_n(workspace, pressure_mpa, 0.0),
-            None => self.force_n(workspace, pressure_mpa, 0.0),
-        }
+        self.companion()
+            .unwrap_or(self)
+            .force_n(workspace, pressure_mpa, 0.0)
     }
 
     fn mesh_error_n(
@@ -303,14 +308,11 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
         force_n: f64,
         pressure_mpa: f64,
     ) -> Option<f64> {
-        let point = self.reach(
-            workspace,
-            Given::PressureAndPull {
-                pressure_mpa,
-                force_n,
-            },
-        );
-        point.ok().map(|point| point.contraction)
+        let given = Given::PressureAndPull {
+            pressure_mpa,
+            force_n,
+        };
+        Some(self.led_to(workspace, given).ok()?.contraction())
     }
 }
 

@@ -1,15 +1,21 @@
 //! Forces, volume defects and tangent of the whole body.
 
 use super::discretisation::{BraidSpec, Discretisation};
-use crate::element::law;
-use crate::element::plane::AnyPlaneLaw;
-use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::solid::{self, Contribution, Material, NodalRow};
-use crate::element::strand::STRAND_POINTS;
-use crate::load::cavity::volume;
-use crate::solver::body::{State, Totals};
-use crate::solver::chain::Chain;
-use crate::solver::newton::{Result, Stopped};
+use crate::{
+    element::{
+        law,
+        plane::AnyPlaneLaw,
+        q2::{MODES, NODES, PADDED},
+        solid::{self, Contribution, Material, NodalRow},
+        strand::STRAND_POINTS,
+    },
+    load::cavity::volume,
+    solver::{
+        body::{State, Totals},
+        chain::Chain,
+        newton::{Result, Stopped},
+    },
+};
 
 /// Below this strain a strand that carries no compression is slack. At rest a strand counts as
 /// taut.
@@ -61,7 +67,7 @@ pub fn assemble<const TANGENT: bool>(
         ..Totals::default()
     };
     let mut work = Assembly { d, s, w, totals };
-    law::with(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
+    law::with_law(&d.problem.law, |law| work.sum::<TANGENT>(law.plane))?;
     Ok(work.totals)
 }
 
@@ -113,7 +119,8 @@ impl Assembly<'_> {
     /// Largest residual of what is complete after slab `slab`, forces as a `share` of one N.
     fn measure(&mut self, slab: usize, share: f64) -> Result<()> {
         let (d, l, r) = (self.d, self.d.layout, &self.w.residual);
-        let (m, start) = (l.station(), slab * l.stride());
+        let m = l.station();
+        let start = slab * l.stride();
         // A sum so that numbers which are none show.
         let mut largest = 0.0_f64;
         let mut sum = 0.0;
@@ -188,7 +195,8 @@ impl Assembly<'_> {
             let share = d.augment / geometry.volume;
             for k in 0..MODES {
                 for a in 0..NODES {
-                    let (r, z) = (share * c.br[k][a], share * c.bz[k][a]);
+                    let r = share * c.br[k][a];
+                    let z = share * c.bz[k][a];
                     for b in 0..PADDED {
                         c.rr[a][b] += r * c.br[k][b];
                         c.rz[a][b] += r * c.bz[k][b];
@@ -259,8 +267,8 @@ impl Assembly<'_> {
                     if taut {
                         for i in 0..6 {
                             let column = at.matrix[i / 2] + i % 2;
-                            let (low, high) = (row.min(column), row.max(column));
-                            matrix[low * size + high] += both * stretch.first[i];
+                            let low = row.min(column);
+                            matrix[low * size + row.max(column)] += both * stretch.first[i];
                         }
                     } else {
                         matrix[row * size + row] = -both / d.augment_strand;
@@ -301,7 +309,8 @@ impl Assembly<'_> {
 
 /// At Z = 0: u_z = 0.
 fn symmetry(d: &Discretisation, w: &mut Assembled) {
-    let (size, inside) = (w.chain.size(), d.layout.inside());
+    let size = w.chain.size();
+    let inside = d.layout.inside();
     let a = w.chain.slab_mut(0);
     for i in 0..d.layout.nodes() {
         let k = inside + 2 * i + 1;
@@ -322,7 +331,9 @@ struct Places {
 impl Places {
     fn new(d: &Discretisation, slab: usize, node: usize) -> Self {
         let l = d.layout;
-        let (m, n, first) = (l.station(), l.inside(), 2 * node);
+        let m = l.station();
+        let n = l.inside();
+        let first = 2 * node;
         Self {
             vector: l.stations(slab).map(|start| start + first),
             matrix: [first, n + first, n + m + first],
@@ -337,7 +348,8 @@ fn scatter(d: &Discretisation, w: &mut Assembled, at: &Places, i: usize, volume:
     let size = w.chain.size();
     let first = l.station() + MODES * i;
     let beta = 1.0 - d.augment * d.compliance;
-    let (chain, c) = (&mut w.chain, &w.element);
+    let chain = &mut w.chain;
+    let c = &w.element;
     let matrix = chain.slab_mut(slab);
     let place: [usize; NODES] = std::array::from_fn(|a| at.matrix[a / 3] + 2 * (a % 3));
     for a in 0..NODES {

@@ -10,93 +10,93 @@
 //! prescribes dw, so the end moves together with everything behind it; force control takes dw =
 //! (F + b)/S from it; pressure control the same with the condensed ∂V/∂x.
 
-use super::assembly::{Assembled, assemble};
-use super::discretisation::{Discretisation, Ends};
-use super::neighbour::Neighbours;
-use crate::element::q2::{MODES, NODES};
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::{Control, State, Totals};
-use crate::solver::dense;
-use crate::solver::newton::{NewtonSystem, Stopped};
-use crate::{FemError, Result};
-use mckibben::model::ThickWall;
-use mckibben::muscle::Crimp;
+use super::{
+    assembly::{Assembled, assemble},
+    discretisation::{Discretisation, Ends},
+    neighbour::Neighbours,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        q2::{MODES, NODES},
+        strand::STRAND_POINTS,
+    },
+    solver::{
+        body::{Control, State, Totals},
+        dense,
+        newton::{NewtonSystem, Stopped},
+    },
+};
+use mckibben::{model::ThickWall, muscle::Crimp};
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.
 #[derive(Debug, Clone)]
 pub(super) struct EndSystem {
-    /// Unknowns of the last station that are free.
-    pub(super) free: Vec<usize>,
-    /// Those that follow the terminal.
-    tied: Vec<usize>,
+    /// Number of the unknowns of the last station that are free.
+    pub free: usize,
+    /// Unknowns of the last station that are not held, with their places here: those that follow the
+    /// terminal are the last one.
+    places: Vec<(usize, usize)>,
     /// Factorised (free, w).
-    pub(super) matrix: Vec<f64>,
+    pub matrix: Vec<f64>,
     y: Vec<f64>,
 }
 
 impl EndSystem {
     fn new(d: &Discretisation) -> Self {
-        let (r, z): (Vec<_>, Vec<_>) = (0..d.layout.station()).partition(|i| i % 2 == 0);
-        let (free, tied) = match d.problem.ends {
-            Ends::Bonded => (vec![], z),
-            Ends::Sliding => (r, z),
-            Ends::Pole => (z, vec![]),
+        let ends = d.problem.ends;
+        let nodes = d.layout.nodes();
+        let free = if ends == Ends::Bonded { 0 } else { nodes };
+        let place = |i: usize| match (ends, i % 2) {
+            (Ends::Sliding, 0) | (Ends::Pole, 1) => Some((i, i / 2)),
+            (Ends::Bonded | Ends::Sliding, 1) => Some((i, free)),
+            _ => None,
         };
-        let size = free.len() + 1;
         Self {
             free,
-            tied,
-            matrix: vec![0.0; size * size],
-            y: vec![0.0; size],
+            places: (0..2 * nodes).filter_map(place).collect(),
+            matrix: vec![0.0; (free + 1).pow(2)],
+            y: vec![0.0; free + 1],
         }
     }
 
     /// Condenses the Schur complement of the last station; gives the number of negative pivots.
     fn factorise(&mut self, end: &[f64], m: usize) -> Result<usize, usize> {
-        let at = |i: usize, j: usize| end[i.min(j) * m + i.max(j)];
-        let (n, size) = (self.free.len(), self.y.len());
-        for (i, &p) in self.free.iter().enumerate() {
-            for (j, &q) in self.free.iter().enumerate() {
-                self.matrix[i * size + j] = at(p, q);
+        let size = self.y.len();
+        self.matrix.fill(0.0);
+        for &(p, i) in &self.places {
+            for &(q, j) in &self.places {
+                self.matrix[i * size + j] += end[p.min(q) * m + p.max(q)];
             }
-            self.matrix[i * size + n] = self.tied.iter().map(|&q| at(p, q)).sum();
         }
-        self.matrix[n * size + n] = self
-            .tied
-            .iter()
-            .flat_map(|&p| self.tied.iter().map(move |&q| at(p, q)))
-            .sum();
-        dense::eliminate(&mut self.matrix, size, n)
+        dense::eliminate(&mut self.matrix, size, self.free)
     }
 
     /// S = dF/dw.
-    pub(super) fn stiffness(&self) -> f64 {
+    pub fn stiffness(&self) -> f64 {
         self.matrix[self.matrix.len() - 1]
     }
 
     /// The condensed right-hand side b of the terminal; keeps the rest for [`Self::backward`].
     fn forward(&mut self, end: &[f64]) -> f64 {
-        let n = self.free.len();
-        for (i, &p) in self.free.iter().enumerate() {
-            self.y[i] = end[p];
+        let n = self.free;
+        self.y.fill(0.0);
+        for &(p, i) in &self.places {
+            self.y[i] += end[p];
         }
-        self.y[n] = self.tied.iter().map(|&p| end[p]).sum();
         dense::forward(&self.matrix, n + 1, n, &mut self.y);
         self.y[n]
     }
 
     /// Writes the solution of the last station for a given dw.
     fn backward(&mut self, end: &mut [f64], dw: f64) {
-        let n = self.free.len();
+        let n = self.free;
         self.y[n] = dw;
         dense::backward(&self.matrix, n + 1, n, &mut self.y);
         end.fill(0.0);
-        for (i, &p) in self.free.iter().enumerate() {
+        for &(p, i) in &self.places {
             end[p] = self.y[i];
-        }
-        for &p in &self.tied {
-            end[p] = dw;
         }
     }
 }
@@ -220,13 +220,13 @@ impl Body {
             rhs[2 * i + 1] = 0.0;
         }
         self.assembled.chain.forward(rhs);
-        let last = self.discretisation.layout.end();
-        self.end.forward(&rhs[last..])
+        self.end.forward(&rhs[self.discretisation.layout.end()..])
     }
 
     /// The tangent is that of the augmented system; so must be the right-hand side.
     fn augment(&self, rhs: &mut [f64]) {
-        let (d, l) = (&self.discretisation, self.discretisation.layout);
+        let d = &self.discretisation;
+        let l = self.discretisation.layout;
         let beta = 1.0 - d.augment * d.compliance;
         for slab in 0..l.along {
             let stations = l.stations(slab);
@@ -265,12 +265,8 @@ impl Body {
         let d = &self.discretisation;
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
-        let free = self
-            .end
-            .free
-            .iter()
-            .map(|&i| self.assembled.residual[last + i].abs())
-            .fold(0.0, f64::max);
+        let places = self.end.places.iter().filter(|(_, i)| *i < self.end.free);
+        let free = dense::largest(places.map(|(p, _)| self.assembled.residual[last + p].abs()));
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);
@@ -286,7 +282,8 @@ impl Body {
     /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with
     /// the derivatives of the last tangent.
     fn extrapolate_tensions(&mut self) {
-        let (d, l) = (&self.discretisation, self.discretisation.layout);
+        let d = &self.discretisation;
+        let l = self.discretisation.layout;
         let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else {
             return;
         };
@@ -348,15 +345,14 @@ impl NewtonSystem for Body {
         self.end.backward(&mut rhs[last..], dw);
         self.assembled.chain.backward(&mut rhs);
         self.step.u = rhs;
-        (self.step.terminal, self.step.pressure) = (dw, dp);
+        self.step.terminal = dw;
+        self.step.pressure = dp;
         self.extrapolate_tensions();
         self.add_step(1.0);
         let l = self.discretisation.layout;
         let m = l.station();
-        let largest = (0..l.along)
-            .flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m])
-            .fold(0.0_f64, |a, x| a.max(x.abs()));
-        let size = largest / self.discretisation.radius;
+        let moved = (0..l.along).flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m]);
+        let size = dense::largest(moved.map(|x| x.abs())) / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() {
             Ok(size)
         } else {

@@ -6,19 +6,22 @@
 //! two states has the larger energy everywhere, the conditioned muscle is there the one of the
 //! first inflation.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, Memory};
-use super::results::elements;
-use crate::element::law;
-use crate::element::plane::AnyPlaneLaw;
-use crate::element::q2::{Geometry, POINTS};
-use crate::element::solid::gradient;
-use crate::solver::body::State;
-use crate::solver::continuation::Continuation;
-use crate::{FemError, Result};
-use mckibben::model::ThickWall;
-use mckibben::muscle::Muscle;
-use mckibben::rubber::over_time::OgdenRoxburgh;
+use super::{
+    body::Body,
+    discretisation::{Discretisation, Memory},
+    results::elements,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        law,
+        plane::AnyPlaneLaw,
+        q2::{Geometry, POINTS},
+        solid::gradient,
+    },
+    solver::{body::State, continuation::Continuation},
+};
+use mckibben::{model::ThickWall, muscle::Muscle, rubber::over_time::OgdenRoxburgh};
 use std::sync::Arc;
 
 impl Memory {
@@ -60,7 +63,7 @@ impl Memory {
 
     /// Records the energies of a state of the body.
     pub fn record(&mut self, d: &Discretisation, state: &State) {
-        let here = law::with(&d.problem.law, |law| energies(law.plane, d, state));
+        let here = law::with_law(&d.problem.law, |law| energies(law.plane, d, state));
         for (seen, here) in self
             .seen_mpa
             .iter_mut()
@@ -74,8 +77,11 @@ impl Memory {
 
 /// W0 of every integration point.
 fn energies(law: &dyn AnyPlaneLaw, d: &Discretisation, state: &State) -> Vec<[f64; POINTS]> {
-    let one = |(geometry, (_, u)): (&Geometry, (_, _))| {
-        std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
-    };
-    d.elements.iter().zip(elements(d, state)).map(one).collect()
+    d.elements
+        .iter()
+        .zip(elements(d, state))
+        .map(|(geometry, (_, u)): (&Geometry, (_, _))| {
+            std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
+        })
+        .collect()
 }

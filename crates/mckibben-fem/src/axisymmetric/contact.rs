@@ -18,12 +18,12 @@
 //! Crossings as in Davis & Caldwell 2006 \[davis2006\]; strands are tied to the tube, so that
 //! nothing slides on it. Where they are slack pc vanishes, and the friction with it.
 
-use super::Axisymmetric;
-use super::discretisation::Discretisation;
-use super::results::strand;
-use crate::Result;
-use crate::element::q2::{GAUSS2, along};
-use crate::simulation::Given;
+use super::{Axisymmetric, discretisation::Discretisation, results::strand};
+use crate::{
+    Result,
+    element::q2::{GAUSS2, along},
+    simulation::Given,
+};
 use mckibben::model::Workspace;
 use std::f64::consts::PI;
 
@@ -32,7 +32,7 @@ use std::f64::consts::PI;
 const CURVED: [f64; 3] = [-2.0, 1.0, 1.0];
 
 /// Contact of the strands at a place along the half muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct ContactPlace {
     /// Z at rest in mm, from the middle.
     pub rest_mm: f64,
@@ -45,7 +45,7 @@ pub struct ContactPlace {
 }
 
 /// Contact of the strands of a muscle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Contact {
     /// From the middle to the terminal.
     pub places: Vec<ContactPlace>,
@@ -70,7 +70,7 @@ impl Axisymmetric {
         let d = &body.discretisation;
         let mut places: Vec<ContactPlace> = (0..d.strands.len())
             .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
-            .map(|at| place(d, &body.state.u, &by, at))
+            .map(|at| contact_at(d, &body.state.u, &by, at))
             .collect();
         places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
         // Both halves turn alike.
@@ -83,12 +83,18 @@ impl Axisymmetric {
     }
 }
 
-fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
+fn contact_at(
+    d: &Discretisation,
+    u: &[f64],
+    by: &[f64],
+    (slab, g): (usize, usize),
+) -> ContactPlace {
     let l = d.layout;
     let Some(braid) = d.problem.braid else {
         return ContactPlace::default();
     };
-    let (point, line) = (&d.strands[slab][g], l.line(u, slab, 2 * l.through));
+    let point = &d.strands[slab][g];
+    let line = l.line(u, slab, 2 * l.through);
     let (stretch, q) = strand(d, u, slab, g);
     let [v_r, v_z, v_hoop] = stretch.vector;
     let meridian = v_r.hypot(v_z);
@@ -102,7 +108,8 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let (n, slope) = along(GAUSS2[g].0);
     let (mut r, mut r1, mut z1, mut r2, mut z2) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for a in 0..3 {
-        let (r_a, z_a) = (nodes[a][0] + line[2 * a], nodes[a][1] + line[2 * a + 1]);
+        let r_a = nodes[a][0] + line[2 * a];
+        let z_a = nodes[a][1] + line[2 * a + 1];
         r += n[a] * r_a;
         r1 += slope[a] * r_a;
         z1 += slope[a] * z_a;
@@ -112,7 +119,8 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let length = r1.hypot(z1);
     let bending = (r1 * z2 - z1 * r2) / length.powi(3);
     let midline = r + braid.lay.offset_mm;
-    let (sin2, cos2) = (v_hoop * v_hoop / square, meridian * meridian / square);
+    let sin2 = v_hoop * v_hoop / square;
+    let cos2 = meridian * meridian / square;
     let curvature = sin2 * z1 / (length * midline) + cos2 * bending;
     let area = 2.0 * PI * GAUSS2[g].1 * r * length;
     let pressed = 2.0 * q * stretch.value * curvature * point.area;

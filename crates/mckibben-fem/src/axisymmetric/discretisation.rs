@@ -1,16 +1,18 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
-use super::body::Body;
-use super::layout::Layout;
-use super::mesh::Mesh;
-use crate::element::q2::{Geometry, NODES, POINTS, Point, point};
-use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::{FemError, Result};
-use mckibben::muscle::{Bulk, Crimp, Parts, StrandLay};
-use mckibben::rubber::over_time::OgdenRoxburgh;
-use mckibben::rubber::{Law, RubberLaw};
+use super::{body::Body, layout::Layout, mesh::Mesh};
+use crate::{
+    FemError, Result,
+    element::{
+        q2::{Geometry, NODES, POINTS, Point, point},
+        strand::{self, STRAND_POINTS, StrandPoint},
+    },
+    solver::{body::Control, continuation::Continuation},
+};
+use mckibben::{
+    muscle::{Bulk, Crimp, Parts, StrandLay},
+    rubber::{Law, RubberLaw, over_time::OgdenRoxburgh},
+};
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
 pub(super) const LAYER: f64 = 1.4;
@@ -19,7 +21,7 @@ pub(super) const LAYER: f64 = 1.4;
 const SMALLEST_DRAW: f64 = 1.0 / 256.0;
 
 /// What holds the last station.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ends {
     /// Bonded to a rigid terminal: r fixed, all z together.
     Bonded,
@@ -30,7 +32,7 @@ pub enum Ends {
 }
 
 /// The braid of a model.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct BraidSpec {
     /// Where the strands lie.
     pub lay: StrandLay,
@@ -43,7 +45,7 @@ pub struct BraidSpec {
 }
 
 /// Rubber, braid and ends of a model.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Problem {
     /// The law of the rubber.
     pub law: Law,
@@ -93,7 +95,7 @@ impl Problem {
 }
 
 /// How the rubber softens, and what each of its points has seen.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Memory {
     /// Softening constants.
     pub softening: OgdenRoxburgh,
@@ -173,10 +175,11 @@ impl Discretisation {
         let strands = problem.braid.map_or(vec![], |braid| {
             let radius = cylinder.node(outer, 0)[0];
             (0..mesh.along)
-                .map(|slab| strand::points(mesh.line(slab, outer), radius, &braid.lay))
+                .map(|slab| strand::strand_points(mesh.line(slab, outer), radius, &braid.lay))
                 .collect()
         });
-        let (inner, radius) = (cylinder.node(0, 0)[0], cylinder.node(outer, 0)[0]);
+        let inner = cylinder.node(0, 0)[0];
+        let radius = cylinder.node(outer, 0)[0];
         let shear = problem.law.shear_modulus_mpa();
         let (compliance, augment) = match problem.bulk {
             Bulk::Incompressible => (0.0, 20.0 * shear),
@@ -234,20 +237,21 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
         ..problem.clone()
     };
     let mut path = Continuation::new(Body::new(Discretisation::new(cylinder.clone(), tube)?));
-    let (half, layer) = (
-        path.body.discretisation.half_length(),
-        LAYER * path.body.discretisation.radius,
-    );
+    let half = path.body.discretisation.half_length();
+    let layer = LAYER * path.body.discretisation.radius;
     let l = path.body.discretisation.layout;
     let drawn = |r: f64, share: f64| (r * r + share * problem.plug_mm2).sqrt();
-    let (mut done, mut step) = (0.0, 0.25);
+    let mut done = 0.0;
+    let mut step = 0.25;
     while done < 1.0 {
-        let (before, next) = (path.body.state.clone(), f64::min(done + step, 1.0));
+        let before = path.body.state.clone();
+        let next = f64::min(done + step, 1.0);
         for j in 0..=2 * l.along {
             for i in 0..l.nodes() {
                 let [r, z] = cylinder.node(i, j);
                 let fall = ((z - half) / layer).exp();
-                path.body.state.u[l.at(j) + 2 * i] += drawn(r, next * fall) - drawn(r, done * fall);
+                path.body.state.u[l.station_offset(j) + 2 * i] +=
+                    drawn(r, next * fall) - drawn(r, done * fall);
             }
         }
         match path.solve(Control::Length(0.0)) {
@@ -263,7 +267,7 @@ fn on_plugs(cylinder: &Mesh, problem: &Problem) -> Result<Mesh> {
     }
     let mut mesh = cylinder.clone();
     for (k, node) in mesh.nodes.iter_mut().enumerate() {
-        let at = l.at(k / l.nodes()) + 2 * (k % l.nodes());
+        let at = l.station_offset(k / l.nodes()) + 2 * (k % l.nodes());
         *node = [
             node[0] + path.body.state.u[at],
             node[1] + path.body.state.u[at + 1],

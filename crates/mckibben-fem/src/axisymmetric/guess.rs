@@ -17,10 +17,8 @@
 //!   cosφ = [rm² (2 cot²αm − 1) + r²] sin²αm/(2 rm² cosαm cosα),   dr/dZ = −λm sinφ.
 
 use super::discretisation::{BraidSpec, Discretisation, LAYER};
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::State;
-use mckibben::analysis::bisect;
-use mckibben::muscle::StrandLay;
+use crate::{element::strand::STRAND_POINTS, solver::body::State};
+use mckibben::{analysis::bisect, muscle::StrandLay};
 
 /// Steps of integration per station.
 const STEPS: usize = 4;
@@ -29,7 +27,7 @@ const NET: usize = 24;
 
 /// How the outer line runs from the middle to the terminal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Outline {
+pub enum Outline {
     /// In a layer of the same length whatever the bulge.
     Layer,
     /// As strands alone would.
@@ -39,7 +37,7 @@ pub(super) enum Outline {
 }
 
 /// Tensions and pressures of the ideal muscle.
-pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
+pub fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
     let Some(BraidSpec { lay, .. }) = d.problem.braid else {
         return;
     };
@@ -93,7 +91,8 @@ impl Line {
         };
         let sin2 = square(middle);
         let lowest = (2.0 * (1.0 - sin2) / sin2 - 1.0) * middle * middle;
-        let (mut place, mut before) = (0.0, 0.0);
+        let mut place = 0.0;
+        let mut before = 0.0;
         for i in 0..=NET {
             // Finer towards the middle, where dZ/dr is infinite.
             let t = 1.0 - i as f64 / NET as f64;
@@ -176,17 +175,14 @@ impl Line {
 
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal;
 /// `false` where no bulge brings the terminal there.
-pub(super) fn shape(
-    d: &Discretisation,
-    state: &mut State,
-    terminal: f64,
-    outline: Outline,
-) -> bool {
+pub fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outline) -> bool {
     let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else {
         return false;
     };
     let angle_rad = lay.angle_rad;
-    let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
+    let sin2 = angle_rad.sin().powi(2);
+    let half = d.half_length();
+    let l = d.layout;
     let outer = 2 * l.through;
     let strain = stiffness
         .map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k)
@@ -234,16 +230,19 @@ pub(super) fn shape(
         if j > 0 {
             z += scale * line.advance(station(j - 1), at);
         }
-        let ((r, dr), (_, meridian)) = (line.radius(at), line.slope(at));
+        let (r, dr) = line.radius(at);
+        let (_, meridian) = line.slope(at);
         // The normal turns with the line, but not at the terminal, which holds the wall.
         let tilt = (-dr / meridian).clamp(-0.7, 0.7)
             * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
         let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
-            let (rest, from) = (d.cylinder.node(i, j), d.mesh.node(i, j));
-            let k = l.at(j) + 2 * i;
+            let rest = d.cylinder.node(i, j);
+            let from = d.mesh.node(i, j);
+            let k = l.station_offset(j) + 2 * i;
             if j == 2 * l.along {
-                (state.u[k], state.u[k + 1]) = (0.0, terminal);
+                state.u[k] = 0.0;
+                state.u[k + 1] = terminal;
                 continue;
             }
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.

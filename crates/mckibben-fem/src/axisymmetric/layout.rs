@@ -1,8 +1,10 @@
 //! Places of the unknowns.
 
-use crate::element::q2::{MODES, NODES};
-use crate::element::solid::Unknowns;
-use crate::element::strand::STRAND_POINTS;
+use crate::element::{
+    q2::{MODES, NODES},
+    solid::Unknowns,
+    strand::STRAND_POINTS,
+};
 
 /// A tube of `through` elements through the wall and `along` elements along the half length.
 ///
@@ -10,7 +12,7 @@ use crate::element::strand::STRAND_POINTS;
 /// 2·through + 1 nodes from the inner surface outwards; the inside of a slab holds its middle
 /// station, the pressure modes of its elements and, for strands that do not stretch, their
 /// tensions.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Layout {
     /// Elements through the wall.
     pub through: usize,
@@ -61,18 +63,20 @@ impl Layout {
     /// Displacements and pressure modes of an element.
     #[inline(always)]
     pub fn element(&self, u: &[f64], slab: usize, element: usize) -> Unknowns {
-        let (stations, first) = (self.stations(slab), self.pressure(slab, element));
+        let stations = self.stations(slab);
+        let first = self.pressure(slab, element);
         let mut out = Unknowns::default();
         for a in 0..NODES {
             let k = stations[a / 3] + 2 * (2 * element + a % 3);
-            (out.r[a], out.z[a]) = (u[k], u[k + 1]);
+            out.r[a] = u[k];
+            out.z[a] = u[k + 1];
         }
         out.p.copy_from_slice(&u[first..first + MODES]);
         out
     }
 
     /// Offset of station `j` = 0 … 2·along.
-    pub fn at(&self, j: usize) -> usize {
+    pub fn station_offset(&self, j: usize) -> usize {
         (j / 2) * self.stride() + (j % 2) * self.station()
     }
 
@@ -94,10 +98,13 @@ impl Layout {
     /// Unknowns (r, z of middle, left, right) of node `i` of the stations of a slab.
     #[inline(always)]
     pub fn line(&self, u: &[f64], slab: usize, i: usize) -> [f64; 6] {
-        let (m, left) = (self.station(), slab * self.stride());
+        let m = self.station();
+        let left = slab * self.stride();
         let right = left + self.stride();
         let at = |k: usize| [u[k + 2 * i], u[k + 2 * i + 1]];
-        let ([a, b], [c, d], [e, f]) = (at(left + m), at(left), at(right));
+        let [a, b] = at(left + m);
+        let [c, d] = at(left);
+        let [e, f] = at(right);
         [a, b, c, d, e, f]
     }
 }

@@ -89,7 +89,7 @@ fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
 }
 
 /// Nodes of a mesh, station by station along the muscle, each from the inner surface outwards.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Mesh {
     /// Elements through the wall.
     pub through: usize,
@@ -128,8 +128,10 @@ impl Mesh {
         Self::mapped(through, along, |x, y| {
             let j = (y * (2 * along) as f64).round() as usize;
             // An odd station is the middle of an element.
-            let z = 0.5 * (corner(j / 2) + corner(j.div_ceil(2)));
-            [inner + (outer - inner) * x, z]
+            [
+                inner + (outer - inner) * x,
+                0.5 * (corner(j / 2) + corner(j.div_ceil(2))),
+            ]
         })
     }
 

@@ -1,16 +1,22 @@
 //! The axisymmetric muscle as a force model.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, Memory, Problem};
-use super::mesh::{Mesh, MeshSpec};
-use super::sensitivity::slopes;
-use crate::Result;
-use crate::simulation::{Divided, FiniteElements, Given};
-use mckibben::model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
+use super::{
+    body::Body,
+    discretisation::{Discretisation, Memory, Problem},
+    mesh::{Mesh, MeshSpec},
+    sensitivity::slopes,
+};
+use crate::{
+    Result,
+    simulation::{Divided, FiniteElements, Given},
+};
+use mckibben::{
+    model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace},
+    muscle::Muscle,
+};
 use std::sync::Arc;
 
-pub(crate) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "fe",
     description: "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; \
         the default",
@@ -104,13 +110,15 @@ impl Axisymmetric {
         let known = slopes(&mut c.body, self.muscle(), |name| {
             names.iter().any(|n| n == name)
         })?;
-        let one = |name: &String| {
-            known
-                .iter()
-                .find(|s| s.name == *name)
-                .map(|s| s.force_n_per_unit)
-        };
-        Ok(names.iter().map(one).collect())
+        Ok(names
+            .iter()
+            .map(|name: &String| {
+                known
+                    .iter()
+                    .find(|s| s.name == *name)
+                    .map(|s| s.force_n_per_unit)
+            })
+            .collect())
     }
 }
 

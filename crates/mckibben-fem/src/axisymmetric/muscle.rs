@@ -1,15 +1,23 @@
 //! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come
 //! from the infinitely long muscle of the same rubber and braid.
 
-use super::body::Body;
-use super::guess::{self, Outline};
-use crate::Result;
-use crate::element::strand::STRAND_POINTS;
-use crate::solver::body::{self, Control, Settings, State, Totals};
-use crate::solver::continuation::TAUT;
-use crate::solver::newton::{NewtonOptions, NewtonSystem};
-use mckibben::analysis::bisect;
-use mckibben::model::{ForceModel, Ideal, Workspace};
+use super::{
+    body::Body,
+    guess::{self, Outline},
+};
+use crate::{
+    Result,
+    element::strand::STRAND_POINTS,
+    solver::{
+        body::{Body as _, Control, Settings, State, Totals},
+        continuation::TAUT,
+        newton::{NewtonOptions, NewtonSystem},
+    },
+};
+use mckibben::{
+    analysis::bisect,
+    model::{ForceModel, Ideal, Workspace},
+};
 use std::f64::consts::PI;
 
 /// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one
@@ -18,7 +26,7 @@ const PULLS_BELOW: f64 = 10.0;
 /// Multiple of μ s/Ro at which strands are taut.
 const RINGS: f64 = 3.0;
 
-impl body::Body for Body {
+impl crate::solver::body::Body for Body {
     const SETTINGS: Settings = Settings {
         newton: NewtonOptions {
             iterations: 10,
@@ -52,7 +60,7 @@ impl body::Body for Body {
         self.linearised
     }
 
-    fn hold(&mut self, control: Control) {
+    fn hold_control(&mut self, control: Control) {
         self.control = control;
     }
 
@@ -66,8 +74,8 @@ impl body::Body for Body {
 
     fn unstable_directions(&self) -> usize {
         let l = self.discretisation.layout;
-        let negative_end = (0..self.end.free.len())
-            .filter(|&i| self.end.matrix[i * (self.end.free.len() + 2)] < 0.0)
+        let negative_end = (0..self.end.free)
+            .filter(|&i| self.end.matrix[i * (self.end.free + 2)] < 0.0)
             .count();
         let multipliers = l.inside() - l.station();
         (self.assembled.chain.negative + negative_end).saturating_sub(multipliers * l.along)
@@ -115,7 +123,7 @@ impl body::Body for Body {
     /// The pressure at which the infinitely long muscle begins to pull.
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
         let high = self.discretisation.shear;
-        let pull = |p: f64| body::Body::expected_pull(self, p, contraction);
+        let pull = |p: f64| self.expected_pull(p, contraction);
         let push = pull(0.0)?;
         let slope = (pull(high)? - push) / high;
         (slope > 0.0).then(|| (-push / slope).max(0.0))
@@ -126,8 +134,9 @@ impl body::Body for Body {
     fn taut_pressure(&self, contraction: f64) -> f64 {
         let d = &self.discretisation;
         let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
-        let pulling =
-            body::Body::pulling_pressure(self, contraction).filter(|p| *p < PULLS_BELOW * ring);
+        let pulling = self
+            .pulling_pressure(contraction)
+            .filter(|p| *p < PULLS_BELOW * ring);
         pulling.map_or(RINGS * ring, |p| TAUT * p)
     }
 
@@ -139,7 +148,8 @@ impl body::Body for Body {
         };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
         let end = 1.2 * endless.muscle().max_ideal_contraction();
-        let (low, high) = (end.min(-0.05), end.max(0.05));
+        let low = end.min(-0.05);
+        let high = end.max(0.05);
         if pull(low).is_none() {
             return Ok(0.0);
         }
@@ -152,9 +162,8 @@ impl body::Body for Body {
         let ideal = self.endless.as_ref().map_or(1.0, |e| {
             Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0)
         });
-        let start =
-            body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
-        Ok(1.4 * start + body::Body::smallest_pressure(self))
+        let start = self.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        Ok(1.4 * start + self.smallest_pressure())
     }
 
     fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
@@ -189,7 +198,8 @@ impl body::Body for Body {
     }
 
     fn taut(&self) -> bool {
-        let (state, l) = (&self.state, self.discretisation.layout);
+        let state = &self.state;
+        let l = self.discretisation.layout;
         let taut = |q: &f64| *q > 0.0;
         let unpressurised = state.pressure == 0.0 && state.terminal >= 0.0;
         unpressurised
@@ -205,7 +215,7 @@ impl body::Body for Body {
 impl Body {
     /// The body at rest with the tensions and pressures of the ideal muscle.
     fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
-        body::Body::rest(self);
+        self.rest();
         self.state.pressure = pressure;
         let stretch = 1.0 + terminal / self.discretisation.half_length();
         guess::loads(&self.discretisation, &mut self.state, stretch);
@@ -219,8 +229,7 @@ impl Body {
             let r = endless
                 .response(&mut Workspace::new(), pressure, contraction)
                 .ok()?;
-            let radius = 0.5 * r.bulged_diameter_mm?;
-            (r.braid_tension_n? <= 0.0).then_some(radius)
+            (r.braid_tension_n? <= 0.0).then_some(0.5 * r.bulged_diameter_mm?)
         });
         let Some(radius) = radius else { return false };
         self.guess_ideal(pressure, terminal);
@@ -235,8 +244,9 @@ impl Body {
     /// The shape of strands alone, where the infinitely long muscle pulls.
     fn guess_net(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
-        let pulls =
-            body::Body::expected_pull(self, pressure, contraction).is_some_and(|force| force > 0.0);
+        let pulls = self
+            .expected_pull(pressure, contraction)
+            .is_some_and(|force| force > 0.0);
         if !pulls {
             return false;
         }

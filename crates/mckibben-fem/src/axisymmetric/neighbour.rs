@@ -1,16 +1,16 @@
 //! Muscles that differ a little in one number, for differences by it.
 
-use super::discretisation::{Discretisation, Problem};
-use super::mesh::Mesh;
+use super::{
+    discretisation::{Discretisation, Problem},
+    mesh::Mesh,
+};
 use crate::Result;
-use mckibben::differences::STENCIL;
-use mckibben::muscle::Parts;
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use mckibben::{differences::STENCIL, muscle::Parts};
+use std::{collections::BTreeMap, sync::Arc};
 
 /// A muscle that differs in one number.
 #[derive(Debug)]
-pub(super) struct Neighbour {
+pub struct Neighbour {
     pub discretisation: Discretisation,
     /// L0 of this muscle over that of the body's.
     pub stretch: f64,
@@ -19,7 +19,7 @@ pub(super) struct Neighbour {
 /// The four of each number of a body's muscle, by the number's name; they are made when they are
 /// first needed.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
+pub struct Neighbours(BTreeMap<String, Arc<[Neighbour; STENCIL.len()]>>);
 
 impl Neighbours {
     /// Those of a number, in the order of [`STENCIL`]; `make`: the muscle's parts so many steps
@@ -43,10 +43,8 @@ impl Neighbours {
 /// The body with other measures; the mesh keeps its proportions.
 fn rebuilt(d: &Discretisation, from: &Parts, to: &Parts) -> Result<Neighbour> {
     let mut mesh: Mesh = d.cylinder.clone();
-    let (outer, stretch) = (
-        to.tube.outer_radius_mm(),
-        to.tube.length_mm / from.tube.length_mm,
-    );
+    let outer = to.tube.outer_radius_mm();
+    let stretch = to.tube.length_mm / from.tube.length_mm;
     let inner = outer - to.tube.wall_mm;
     for node in &mut mesh.nodes {
         let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;

@@ -1,16 +1,20 @@
 //! What an equilibrium of the section tells.
 
-use super::body::Body;
-use super::discretisation::{Discretisation, nodes};
-use super::sensitivity::slopes;
-use crate::Result;
-use crate::element::q2::{NODES, Point};
-use crate::element::solid::{Unknowns, gradient};
-use crate::element::strand::{STRAND_POINTS, Stretch};
-use crate::results::{
-    MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most,
+use super::{
+    body::Body,
+    discretisation::{Discretisation, nodes},
+    sensitivity::slopes,
 };
-use crate::solver::body::State;
+use crate::{
+    Result,
+    element::{
+        q2::{NODES, Point},
+        solid::{Unknowns, gradient},
+        strand::{STRAND_POINTS, Stretch},
+    },
+    results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
+    solver::{body::State, dense::largest},
+};
 use mckibben::muscle::Muscle;
 
 impl MuscleBody for Body {
@@ -29,17 +33,17 @@ impl MuscleBody for Body {
     }
 
     fn profile(&self) -> Vec<ProfilePoint> {
-        let (d, s, l) = (
-            &self.discretisation,
-            &self.state,
-            self.discretisation.layout,
-        );
+        let d = &self.discretisation;
+        let s = &self.state;
+        let l = self.discretisation.layout;
         let station = |j: usize| {
             let at = |i: usize| {
-                let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
+                let [r, z] = d.mesh.node(i, j);
+                let k = l.station_offset(j) + 2 * i;
                 (z + s.u[k + 1], r + s.u[k])
             };
-            let ((outer_z_mm, outer_r_mm), (inner_z_mm, inner_r_mm)) = (at(2 * l.through), at(0));
+            let (outer_z_mm, outer_r_mm) = at(2 * l.through);
+            let (inner_z_mm, inner_r_mm) = at(0);
             let rest_z_mm = d.cylinder.node(0, j)[1];
             ProfilePoint {
                 rest_z_mm,
@@ -59,9 +63,7 @@ impl MuscleBody for Body {
     fn bulge_mm(&self) -> f64 {
         let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
         let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
-        slabs
-            .map(|j| highest([outer[j], outer[j + 1], outer[j + 2]]))
-            .fold(0.0, f64::max)
+        largest(slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
     }
 
     fn largest_stretch(&self) -> StretchAt {
@@ -77,7 +79,7 @@ impl MuscleBody for Body {
                     };
                     // ψ of a single point still holds 1 + its place.
                     let at = StretchAt {
-                        value: largest(&p, &u),
+                        value: largest_principal(&p, &u),
                         rest_mm: [p.psi[1], p.psi[2]],
                     };
                     list.push((at, p.volume));
@@ -90,7 +92,7 @@ impl MuscleBody for Body {
     fn middle_stretch(&self) -> f64 {
         let d = &self.discretisation;
         let largest_at = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
-            d.point(rest, xi, -1.0).map(|p| largest(&p, u))
+            d.point(rest, xi, -1.0).map(|p| largest_principal(&p, u))
         };
         let first = elements(d, &self.state).take(d.layout.through);
         first
@@ -112,14 +114,15 @@ impl MuscleBody for Body {
 const PARTS: [usize; 2] = [4, 6];
 
 /// The largest principal stretch at a point.
-fn largest(p: &Point, u: &Unknowns) -> f64 {
-    gradient(p, u).principal().into_iter().fold(0.0, f64::max)
+fn largest_principal(p: &Point, u: &Unknowns) -> f64 {
+    largest(gradient(p, u).principal())
 }
 
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie
 /// between them.
 fn highest([a, b, c]: [f64; 3]) -> f64 {
-    let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
+    let slope = 0.5 * (c - a);
+    let bend = a - 2.0 * b + c;
     let between = if bend < 0.0 && slope.abs() < -bend {
         b - 0.5 * slope * slope / bend
     } else {
@@ -129,7 +132,7 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
 }
 
 /// λf and the tension per width of a strand point.
-pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
+pub fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
     let l = d.layout;
     let stretch = d.strands[slab][g].stretch(&l.line(u, slab, 2 * l.through));
     let multiplier = if l.multipliers {
@@ -143,7 +146,7 @@ pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (S
     (stretch, q)
 }
 
-pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
+pub fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
     let spacing = muscle
         .braid()
         .strands
@@ -167,13 +170,14 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
 
 /// Nodes of every element before it is drawn on plugs, and displacements from there, from the
 /// middle to the terminal.
-pub(super) fn elements(
+pub fn elements(
     d: &Discretisation,
     s: &State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> {
     let through = d.layout.through;
     (0..d.elements.len()).map(move |index| {
-        let (slab, element) = (index / through, index % through);
+        let slab = index / through;
+        let element = index % through;
         let [cylinder, drawn] = [&d.cylinder, &d.mesh].map(|mesh| nodes(mesh, slab, element));
         let mut u = d.layout.element(&s.u, slab, element);
         for a in 0..NODES {

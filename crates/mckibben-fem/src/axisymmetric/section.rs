@@ -4,27 +4,36 @@
 //! is taken at the 2 × 2 points where it is most exact (Barlow 1976 \[barlow1976\]) and carried to
 //! the nodes by the bilinear function through them. Where elements meet, both are averaged.
 
-use super::discretisation::{Discretisation, nodes};
-use super::layout::Layout;
-use super::model::Axisymmetric;
-use super::results::{elements, strands};
-use crate::Result;
-use crate::element::law;
-use crate::element::plane::{AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, NODES, Point, quadratic};
-use crate::element::softened::soften;
-use crate::element::solid::{Unknowns, gradient};
-use crate::results::{FieldNode, NodeMeans, StrandState};
-use crate::solver::body::State;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
+use super::{
+    discretisation::{Discretisation, nodes},
+    layout::Layout,
+    model::Axisymmetric,
+    results::{elements, strands},
+};
+use crate::{
+    Result,
+    element::{
+        law,
+        plane::{AnyPlaneLaw, Gradient},
+        q2::{GAUSS2, GAUSS3, NODES, Point, multilinear, quadratic},
+        softened::soften,
+        solid::{Unknowns, gradient},
+    },
+    results::{FieldNode, NodeMeans, StrandState},
+    solver::{body::State, dense::largest},
+};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::Muscle,
+};
+use std::array::from_fn;
 
 /// A node of the section: (R, Z) at rest, (r, z) now, Cauchy stress (σrr, σθθ, σzz, σrz).
 pub type SectionNode = FieldNode<2, 4>;
 
 /// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its
 /// mirror image.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Section {
     /// Elements through the wall.
     pub through: usize,
@@ -79,7 +88,7 @@ impl Section {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: law::with(&d.problem.law, |law| section(law.plane, d, s)),
+            nodes: law::with_law(&d.problem.law, |law| section(law.plane, d, s)),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),
@@ -115,10 +124,12 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
     let l = d.layout;
     let mut out = NodeMeans::new(d.mesh.nodes.len());
     for (index, (rest, u)) in elements(d, s).enumerate() {
-        let (slab, e) = (index / l.through, index % l.through);
+        let slab = index / l.through;
+        let e = index % l.through;
         let stress = stresses(law, d, s, slab, e);
         for a in 0..NODES {
-            let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
+            let x = [-1.0, 0.0, 1.0][a % 3];
+            let y = [0.0, -1.0, 1.0][a / 3];
             let Some(p) = d.point(&rest, x, y) else {
                 continue;
             };
@@ -126,12 +137,8 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let node = FieldNode {
                 rest_mm: rest[a],
                 now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
-                stretches: [
-                    f.t,
-                    f.b.hypot(f.d),
-                    f.principal().into_iter().fold(0.0, f64::max),
-                ],
-                stress_mpa: bilinear(&stress, x, y),
+                stretches: [f.t, f.b.hypot(f.d), largest(f.principal())],
+                stress_mpa: multilinear(&stress, [x, y]),
             };
             out.add(
                 Layout::numbers(slab)[a / 3] * l.nodes() + 2 * e + a % 3,
@@ -157,7 +164,8 @@ fn pressure(points: &[Point], u: &Unknowns, xi: f64, eta: f64) -> f64 {
 /// At local coordinates what has these values at the nine integration points.
 fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
     let outermost = GAUSS3[2].0;
-    let ((x, _), (y, _)) = (quadratic(xi / outermost), quadratic(eta / outermost));
+    let (x, _) = quadratic(xi / outermost);
+    let (y, _) = quadratic(eta / outermost);
     let mut sum = 0.0;
     for (k, value) in values.enumerate() {
         sum += x[k % 3] * y[k / 3] * value;
@@ -173,13 +181,12 @@ fn stresses(
     slab: usize,
     e: usize,
 ) -> [[f64; 4]; 4] {
-    let (index, rest, u) = (
-        slab * d.layout.through + e,
-        nodes(&d.mesh, slab, e),
-        d.layout.element(&s.u, slab, e),
-    );
-    std::array::from_fn(|k| {
-        let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
+    let index = slab * d.layout.through + e;
+    let rest = nodes(&d.mesh, slab, e);
+    let u = d.layout.element(&s.u, slab, e);
+    from_fn(|k| {
+        let xi = GAUSS2[k % 2].0;
+        let eta = GAUSS2[k / 2].0;
         let Some(at) = d.point(&rest, xi, eta) else {
             return [0.0; 4];
         };
@@ -194,15 +201,10 @@ fn stresses(
                 s
             }
         };
-        let (Gradient { a, b, c, d, t }, j) = (f, f.volume());
+        let Gradient { a, b, c, d, t } = f;
+        let j = f.volume();
         let [pa, pb, pt] = first.r;
         let [pc, pd] = first.z;
         [pa * a + pb * b, pt * t, pc * c + pd * d, pa * c + pb * d].map(|x| x / j)
     })
-}
-
-fn bilinear(values: &[[f64; 4]; 4], xi: f64, eta: f64) -> [f64; 4] {
-    let weights = |x: f64| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)];
-    let (x, y) = (weights(xi), weights(eta));
-    std::array::from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
 }

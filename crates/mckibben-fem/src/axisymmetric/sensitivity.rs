@@ -6,15 +6,19 @@
 //! differences of the residual at the fixed state; it is exact but for rounding in constants that
 //! enter linearly. A body keeps the neighbouring muscles of these differences.
 
-use super::assembly::{Assembled, assemble};
-use super::body::Body;
-use super::neighbour::Neighbour;
-use crate::results::Sensitivity;
-use crate::solver::body::State;
-use crate::{FemError, Result};
-use mckibben::differences::STENCIL;
-use mckibben::muscle::measures::{STIFFNESS, of_section};
-use mckibben::muscle::{Muscle, Parts};
+use super::{
+    assembly::{Assembled, assemble},
+    body::Body,
+    neighbour::Neighbour,
+};
+use crate::{FemError, Result, results::Sensitivity, solver::body::State};
+use mckibben::{
+    differences::STENCIL,
+    muscle::{
+        Muscle, Parts,
+        measures::{STIFFNESS, of_section},
+    },
+};
 use std::sync::Arc;
 
 /// Step of the differences, over the value.
@@ -104,7 +108,7 @@ fn residual<'a>(
     // free unknowns does not change what arrives at the terminal, and the terminal's move alone
     // would be too rough for differences.
     for j in 0..=2 * other.layout.along {
-        let at = other.layout.at(j);
+        let at = other.layout.station_offset(j);
         for i in 0..other.layout.nodes() {
             state.u[at + 2 * i + 1] *= stretch;
         }

@@ -5,8 +5,10 @@
 //! [`Real::mul_add`] is fused where the lanes are wide, so that machines with and without wide
 //! lanes differ by rounding.
 
-use std::ops::{Add, Mul, Sub};
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::{
+    ops::{Add, Mul, Sub},
+    sync::atomic::{AtomicU8, Ordering},
+};
 
 /// Lanes of the widest.
 pub const MOST: usize = 8;

@@ -1,13 +1,14 @@
 //! A law as elements take it: those in the invariants take the short way, others the way through
 //! principal stretches.
 
-use super::plane::{AnyPlaneLaw, ByInvariants};
-use super::spatial::SpatialLaw;
-use super::stretches::ByStretches;
+use super::{
+    plane::{AnyPlaneLaw, ByInvariants},
+    spatial::SpatialLaw,
+    stretches::ByStretches,
+};
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A law in both states of deformation.
-#[derive(Clone, Copy)]
 pub struct ElementLaw<'a> {
     /// In an axisymmetric state.
     pub plane: &'a dyn AnyPlaneLaw,
@@ -16,7 +17,7 @@ pub struct ElementLaw<'a> {
 }
 
 /// Gives `work` the law.
-pub fn with<T>(law: &Law, work: impl FnOnce(ElementLaw<'_>) -> T) -> T {
+pub fn with_law<T>(law: &Law, work: impl FnOnce(ElementLaw<'_>) -> T) -> T {
     law.visit(Visitor(work))
 }
 

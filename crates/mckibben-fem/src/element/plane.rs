@@ -18,7 +18,7 @@ use super::spatial::inverse_cube_root;
 use mckibben::rubber::InvariantLaw;
 
 /// A law in I1 and I2.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct ByInvariants<'a, L>(pub &'a L);
 
 impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
@@ -29,17 +29,19 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
         let area = a * d - b * c;
         let root = inverse_cube_root(area * t);
         let j = root * root;
-        let (j2, rd, rt) = (j * j, 1.0 / area, 1.0 / t);
+        let j2 = j * j;
+        let rd = 1.0 / area;
+        let rt = 1.0 / t;
         let x = j * (s + t * t);
         let y = j2 * (area * area + t * t * s);
         let e = self.0.invariant(x, y);
         let third = 1.0 / 3.0;
-        let (x_s, x_d, x_t) = (j, -2.0 * third * x * rd, 2.0 * j * t - 2.0 * third * x * rt);
-        let (y_s, y_d, y_t) = (
-            j2 * t * t,
-            2.0 * j2 * area - 4.0 * third * y * rd,
-            2.0 * j2 * t * s - 4.0 * third * y * rt,
-        );
+        let x_s = j;
+        let x_d = -2.0 * third * x * rd;
+        let x_t = 2.0 * j * t - 2.0 * third * x * rt;
+        let y_s = j2 * t * t;
+        let y_d = 2.0 * j2 * area - 4.0 * third * y * rd;
+        let y_t = 2.0 * j2 * t * s - 4.0 * third * y * rt;
         // φ_s, φ_D, φ_t
         let two = 2.0 * (e.w1 * x_s + e.w2 * y_s);
         let phi_d = e.w1 * x_d + e.w2 * y_d + p * t;
@@ -51,11 +53,13 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
             ..Stress::default()
         };
         if TANGENT {
-            let (x_sd, x_st) = (-2.0 * third * j * rd, -2.0 * third * j * rt);
+            let x_sd = -2.0 * third * j * rd;
+            let x_st = -2.0 * third * j * rt;
             let x_dd = 10.0 / 9.0 * x * rd * rd;
             let x_dt = -2.0 * third * x_t * rd;
             let x_tt = 2.0 * third * ((x * rt - x_t) * rt + j);
-            let (y_sd, y_st) = (-4.0 * third * y_s * rd, 2.0 * third * y_s * rt);
+            let y_sd = -4.0 * third * y_s * rd;
+            let y_st = 2.0 * third * y_s * rt;
             let y_dd = 4.0 * third * (y * rd - y_d) * rd - 2.0 * third * j2;
             let y_dt = -4.0 * third * y_t * rd - 8.0 * third * j2 * area * rt;
             let y_tt = 4.0 * third * (y * rt - y_t) * rt - 2.0 * third * j2 * s;
@@ -68,14 +72,21 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
             let dd = second(x_d, y_d, x_d, y_d) + e.w1 * x_dd + e.w2 * y_dd;
             let dt = second(x_d, y_d, x_t, y_t) + e.w1 * x_dt + e.w2 * y_dt + p;
             let tt = second(x_t, y_t, x_t, y_t) + e.w1 * x_tt + e.w2 * y_tt;
-            let (h1, h2, h3) = (4.0 * ss, 2.0 * sd, dd);
+            let h1 = 4.0 * ss;
+            let h2 = 2.0 * sd;
+            let h3 = dd;
             // Pairs (f, g) of a, b, c, d.
-            let (fa, fb, fc, fd) = ((a, d), (b, -c), (c, -b), (d, a));
+            let fa = (a, d);
+            let fb = (b, -c);
+            let fc = (c, -b);
+            let fd = (d, a);
             let outer = |i: (f64, f64), j: (f64, f64)| {
                 i.0 * (h1 * j.0 + h2 * j.1) + i.1 * (h2 * j.0 + h3 * j.1)
             };
             let with_t = |i: (f64, f64)| 2.0 * st * i.0 + dt * i.1;
-            let (ab, at, bt) = (outer(fa, fb), with_t(fa), with_t(fb));
+            let ab = outer(fa, fb);
+            let at = with_t(fa);
+            let bt = with_t(fb);
             out.rr = [
                 [two + outer(fa, fa), ab, at],
                 [ab, two + outer(fb, fb), bt],
@@ -95,7 +106,7 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::super::law::with;
+    use super::super::law::with_law;
     use super::*;
     use mckibben::rubber::Law;
 
@@ -171,7 +182,7 @@ pub(super) mod tests {
             ] {
                 let p = 0.3;
                 let at = |[a, b, t, c, d]: [f64; 5]| {
-                    with(&law, |law| {
+                    with_law(&law, |law| {
                         tangent(law.plane, Gradient { a, b, t, c, d }, p)
                     })
                 };

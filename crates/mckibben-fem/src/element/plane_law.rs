@@ -1,7 +1,7 @@
 //! Deformation and stress of an axisymmetric state, and what a law must tell of them.
 
 /// Deformation gradient of an axisymmetric state.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Gradient {
     /// F_rR
     pub a: f64,
@@ -29,7 +29,8 @@ impl Gradient {
     /// Principal stretches: the larger and the smaller one in the section, and the hoop stretch.
     pub fn principal(&self) -> [f64; 3] {
         let Self { a, b, c, d, t } = *self;
-        let (sum, difference) = ((a + d).hypot(c - b), (a - d).hypot(b + c));
+        let sum = (a + d).hypot(c - b);
+        let difference = (a - d).hypot(b + c);
         [0.5 * (sum + difference), 0.5 * (sum - difference), t]
     }
 }

@@ -32,6 +32,21 @@ pub const GAUSS2: [(f64, f64); 2] = [
     (0.577_350_269_189_625_8, 1.0),
 ];
 
+/// At local coordinates the multilinear function with these values at two Gauss points each way, the
+/// first coordinate running fastest.
+pub fn multilinear<const N: usize, const M: usize>(values: &[[f64; M]], at: [f64; N]) -> [f64; M] {
+    let last = GAUSS2[1].0;
+    let weights = at.map(|x| [0.5 * (1.0 - x / last), 0.5 * (1.0 + x / last)]);
+    let weight = |k: usize| (0..N).map(|i| weights[i][k >> i & 1]).product::<f64>();
+    std::array::from_fn(|c| {
+        values
+            .iter()
+            .enumerate()
+            .map(|(k, v)| weight(k) * v[c])
+            .sum()
+    })
+}
+
 /// Functions of two nodes at −1, 1 or of three at −1, 0, 1, and their derivatives.
 pub(crate) fn functions(nodes: usize, x: f64) -> ([f64; 3], [f64; 3]) {
     if nodes == 2 {
@@ -101,7 +116,8 @@ pub struct Geometry {
 /// Gradients at local coordinates (ξ through the wall, η along) of an element with the given nodes
 /// (R, Z) in mm. `None` where the map is not invertible or the point does not lie off the axis.
 pub fn point(nodes: &[[f64; 2]; NODES], xi: f64, eta: f64, weight: f64) -> Option<Point> {
-    let ((nx, dx), (ny, dy)) = (quadratic(xi), along(eta));
+    let (nx, dx) = quadratic(xi);
+    let (ny, dy) = along(eta);
     let mut value = [0.0; NODES];
     let mut slope = [[0.0; 2]; NODES];
     for j in 0..3 {

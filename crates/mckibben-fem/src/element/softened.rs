@@ -24,7 +24,8 @@ pub fn soften<const TANGENT: bool>(
     let eta = softening.factor(s.w, seen_mpa);
     if TANGENT {
         let slope = softening.slope(s.w, seen_mpa);
-        let (r, z) = (s.r, s.z);
+        let r = s.r;
+        let z = s.z;
         for i in 0..3 {
             for j in 0..3 {
                 s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];
@@ -68,7 +69,7 @@ fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::with;
+    use super::super::law::with_law;
     use super::super::plane::tests::{check_derivatives, tangent};
     use super::*;
     use mckibben::rubber::Law;
@@ -82,7 +83,7 @@ mod tests {
     fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
         let [a, b, t, c, d] = x;
         let f = Gradient { a, b, c, d, t };
-        with(law, |law| {
+        with_law(law, |law| {
             let law = law.plane;
             let mut soft = tangent(law, f, 0.0);
             soften::<true>(&SOFTENING, seen, &f, p, &mut soft);

@@ -5,17 +5,19 @@
 //! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for
 //! incompressible rubber.
 
-use super::lanes::four_at_a_time;
-use super::plane::{AnyPlaneLaw, Gradient, Stress};
-use super::q2::{Geometry, MODES, NODES, PADDED, POINTS, Point};
-use super::softened::soften;
+use super::{
+    lanes::four_at_a_time,
+    plane::{AnyPlaneLaw, Gradient, Stress},
+    q2::{Geometry, MODES, NODES, PADDED, POINTS, Point},
+    softened::soften,
+};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A row of nodal values.
 pub type NodalRow = [f64; PADDED];
 
 /// Nodal displacements (mm) and pressure modes (MPa) of an element.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Unknowns {
     /// u_r
     pub r: NodalRow,
@@ -51,7 +53,7 @@ pub struct Contribution {
 }
 
 /// The rubber of an element.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Material<'a> {
     /// The law of the first loading.
     pub law: &'a dyn AnyPlaneLaw,
@@ -110,18 +112,21 @@ four_at_a_time! {
         u: &Unknowns,
         material: &Material<'_>,
         out: &mut Contribution,
-    ) -> bool = run
+    ) -> bool = integrate_element
 }
 
 #[inline(always)]
-fn run<const TANGENT: bool>(
+fn integrate_element<const TANGENT: bool>(
     geometry: &Geometry,
     u: &Unknowns,
     material: &Material<'_>,
     out: &mut Contribution,
 ) -> bool {
     let zero = [0.0; PADDED];
-    (out.fr, out.fz, out.energy, out.smallest_j) = (zero, zero, 0.0, f64::INFINITY);
+    out.fr = zero;
+    out.fz = zero;
+    out.energy = 0.0;
+    out.smallest_j = f64::INFINITY;
     out.g = u.p.map(|p| -p * geometry.volume * material.compliance);
     if TANGENT {
         out.br = [zero; MODES];
@@ -130,7 +135,8 @@ fn run<const TANGENT: bool>(
         out.rz = [zero; NODES];
         out.zz = [zero; NODES];
     }
-    let (mut gradients, mut pressures) = ([Gradient::default(); POINTS], [0.0; POINTS]);
+    let mut gradients = [Gradient::default(); POINTS];
+    let mut pressures = [0.0; POINTS];
     for ((point, f), p) in geometry
         .points
         .iter()
@@ -149,26 +155,28 @@ fn run<const TANGENT: bool>(
     let mut stresses = [Stress::default(); POINTS];
     material.stresses::<TANGENT>(&gradients, &pressures, &mut stresses);
     for ((point, f), s) in geometry.points.iter().zip(&gradients).zip(&stresses) {
-        let (area, weight) = (f.section(), point.volume);
+        let area = f.section();
+        let weight = point.volume;
         let j = area * f.t;
         out.energy += weight * s.w;
         for k in 0..MODES {
             out.g[k] += weight * point.psi[k] * (j - 1.0);
         }
-        let (ra, rb, rt) = (weight * s.r[0], weight * s.r[1], weight * s.r[2]);
-        let (zc, zd) = (weight * s.z[0], weight * s.z[1]);
+        let ra = weight * s.r[0];
+        let rb = weight * s.r[1];
+        let rt = weight * s.r[2];
+        let zc = weight * s.z[0];
+        let zd = weight * s.z[1];
         for n in 0..PADDED {
             out.fr[n] += ra * point.r[n] + rb * point.z[n] + rt * point.t[n];
             out.fz[n] += zc * point.r[n] + zd * point.z[n];
         }
         if TANGENT {
             // ∂J/∂u_r = t(d N_R − c N_Z) + D N/R,  ∂J/∂u_z = t(a N_Z − b N_R)
-            let (jd, jc, ja, jb) = (
-                weight * f.t * f.d,
-                weight * f.t * f.c,
-                weight * f.t * f.a,
-                weight * f.t * f.b,
-            );
+            let jd = weight * f.t * f.d;
+            let jc = weight * f.t * f.c;
+            let ja = weight * f.t * f.a;
+            let jb = weight * f.t * f.b;
             let jt = weight * area;
             for n in 0..PADDED {
                 let r = jd * point.r[n] - jc * point.z[n] + jt * point.t[n];
@@ -188,30 +196,35 @@ fn run<const TANGENT: bool>(
 #[inline(always)]
 fn tangent(point: &Point, s: &Stress, weight: f64, out: &mut Contribution) {
     let Point { r, z, t, .. } = point;
-    let (mut ga, mut gb, mut gt) = ([0.0; PADDED], [0.0; PADDED], [0.0; PADDED]);
-    let (mut qc, mut qd) = ([0.0; PADDED], [0.0; PADDED]);
-    let (mut hc, mut hd) = ([0.0; PADDED], [0.0; PADDED]);
+    let mut g = [[0.0; PADDED]; 3];
+    let mut q = [[0.0; PADDED]; 2];
+    let mut h = [[0.0; PADDED]; 2];
     let rr = s.rr.map(|row| row.map(|x| weight * x));
     let rz = s.rz.map(|row| row.map(|x| weight * x));
     let zz = s.zz.map(|row| row.map(|x| weight * x));
     for n in 0..PADDED {
-        let (nr, nz, nt) = (r[n], z[n], t[n]);
-        ga[n] = rr[0][0] * nr + rr[0][1] * nz + rr[0][2] * nt;
-        gb[n] = rr[1][0] * nr + rr[1][1] * nz + rr[1][2] * nt;
-        gt[n] = rr[2][0] * nr + rr[2][1] * nz + rr[2][2] * nt;
-        qc[n] = rz[0][0] * nr + rz[1][0] * nz + rz[2][0] * nt;
-        qd[n] = rz[0][1] * nr + rz[1][1] * nz + rz[2][1] * nt;
-        hc[n] = zz[0][0] * nr + zz[0][1] * nz;
-        hd[n] = zz[1][0] * nr + zz[1][1] * nz;
+        let nr = r[n];
+        let nz = z[n];
+        let nt = t[n];
+        for i in 0..3 {
+            g[i][n] = rr[i][0] * nr + rr[i][1] * nz + rr[i][2] * nt;
+        }
+        for i in 0..2 {
+            q[i][n] = rz[0][i] * nr + rz[1][i] * nz + rz[2][i] * nt;
+            h[i][n] = zz[i][0] * nr + zz[i][1] * nz;
+        }
     }
     for m in 0..NODES {
-        let (mr, mz, mt) = (r[m], z[m], t[m]);
-        let (mc, md) = (qc[m], qd[m]);
-        let (rr, rz, zz) = (&mut out.rr[m], &mut out.rz[m], &mut out.zz[m]);
+        let mr = r[m];
+        let mz = z[m];
+        let mt = t[m];
+        let rr = &mut out.rr[m];
+        let rz = &mut out.rz[m];
+        let zz = &mut out.zz[m];
         for n in 0..PADDED {
-            rr[n] += mr * ga[n] + mz * gb[n] + mt * gt[n];
-            rz[n] += mc * r[n] + md * z[n];
-            zz[n] += mr * hc[n] + mz * hd[n];
+            rr[n] += mr * g[0][n] + mz * g[1][n] + mt * g[2][n];
+            rz[n] += q[0][m] * r[n] + q[1][m] * z[n];
+            zz[n] += mr * h[0][n] + mz * h[1][n];
         }
     }
 }

@@ -9,10 +9,12 @@
 //!
 //! Order of components: xx, yy, zz, xy, yz, zx.
 
-pub use super::tensor::{AT, PAIRS, Spatial, Symmetric};
+pub use super::tensor::{AT, PAIRS, Spatial, Symmetric, Vector};
 
-use super::lanes::{MOST, Real};
-use super::spatial_stretches::{Stretches, by_stretches};
+use super::{
+    lanes::{MOST, Real},
+    spatial_stretches::{Stretches, by_stretches},
+};
 use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
 
 /// A law in I1 and I2, evaluated at several places at once.
@@ -96,7 +98,8 @@ fn by_invariants<R: Real, const TANGENT: bool>(
     let i1 = x[0] + x[1] + x[2];
     let i2 = s(0.5) * (i1 * i1 - (y[0] + y[1] + y[2]));
     let mut derivatives = [s(0.0); 6];
-    let (mut at, mut values) = ([[0.0; 2]; MOST], [InvariantDerivatives::default(); MOST]);
+    let mut at = [[0.0; 2]; MOST];
+    let mut values = [InvariantDerivatives::default(); MOST];
     for l in 0..R::LANES {
         at[l] = [i1.lane(l), i2.lane(l)];
     }
@@ -110,7 +113,8 @@ fn by_invariants<R: Real, const TANGENT: bool>(
         }
     }
     let [w, w1, w2, w11, w12, w22] = derivatives;
-    let (a1, a2) = (s(2.0) * (w1 + i1 * w2), s(-2.0) * w2);
+    let a1 = s(2.0) * (w1 + i1 * w2);
+    let a2 = s(-2.0) * w2;
     let mut out = Spatial::zero();
     out.w = w;
     for k in 0..6 {
@@ -123,10 +127,12 @@ fn by_invariants<R: Real, const TANGENT: bool>(
     if TANGENT {
         let k11 = s(4.0) * (w2 + w11 + s(2.0) * i1 * w12 + i1 * i1 * w22);
         let k12 = s(-4.0) * (w12 + i1 * w22);
-        let (k22, half) = (s(4.0) * w22, s(-2.0) * w2);
+        let k22 = s(4.0) * w22;
+        let half = s(-2.0) * w2;
         for a in 0..6 {
             let (i, j) = PAIRS[a];
-            let (p, q) = (k11 * x[a] + k12 * y[a], k12 * x[a] + k22 * y[a]);
+            let p = k11 * x[a] + k12 * y[a];
+            let q = k12 * x[a] + k22 * y[a];
             for c in a..6 {
                 let (k, l) = PAIRS[c];
                 let dyads = x[AT[i][k]] * x[AT[j][l]] + x[AT[i][l]] * x[AT[j][k]];
@@ -145,11 +151,8 @@ fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
     let c = &mut out.c;
     let third = s(1.0 / 3.0);
     let mut row = [s(0.0); 6];
-    row[0] = (c[0][0] + c[0][1] + c[0][2]) * third;
-    row[1] = (c[0][1] + c[1][1] + c[1][2]) * third;
-    row[2] = (c[0][2] + c[1][2] + c[2][2]) * third;
-    for k in 3..6 {
-        row[k] = (c[0][k] + c[1][k] + c[2][k]) * third;
+    for k in 0..6 {
+        row[k] = (c[0][k] + c[k.min(1)][k.max(1)] + c[k.min(2)][k.max(2)]) * third;
     }
     let all = (row[0] + row[1] + row[2]) * third;
     let two = s(2.0) * mean;

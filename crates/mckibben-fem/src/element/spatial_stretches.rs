@@ -6,20 +6,22 @@
 //!   c = Σ (∂τa/∂ln λb − 2 τa δab) na⊗na⊗nb⊗nb + Σ_{a<b} gab S⊗S,   S = na⊗nb + nb⊗na
 //!   gab = (τa λb² − τb λa²)/(λa² − λb²)
 
-use super::lanes::Real;
-use super::stretches::logarithmic;
-use super::tensor::{PAIRS, Spatial, Symmetric};
+use super::{
+    lanes::Real,
+    stretches::logarithmic,
+    tensor::{PAIRS, Spatial, Symmetric},
+};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.
 pub trait Stretches: Sync {
     /// τ and c at b.
-    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64>;
+    fn spatial_at(&self, b: &Symmetric<f64>) -> Spatial<f64>;
 }
 
 impl<L: RubberLaw> Stretches for L {
-    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64> {
-        one(self, b)
+    fn spatial_at(&self, b: &Symmetric<f64>) -> Spatial<f64> {
+        spatial_by_stretches(self, b)
     }
 }
 
@@ -60,7 +62,7 @@ pub(crate) fn principal_axes(b: &Symmetric<f64>) -> ([f64; 3], [[f64; 3]; 3]) {
     ([a[0][0], a[1][1], a[2][2]], v)
 }
 
-fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
+fn spatial_by_stretches<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
     let (squares, n) = principal_axes(b);
     let (w, tau, log) = logarithmic(law, squares.map(f64::sqrt));
     let dyad =
@@ -84,7 +86,8 @@ fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
         }
     }
     for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-        let (x, y) = (squares[a], squares[b]);
+        let x = squares[a];
+        let y = squares[b];
         let g = if (x - y).abs() < NEAR * (x + y) {
             0.25 * (log[a][a] + log[b][b]) - 0.5 * log[a][b] - 0.5 * (tau[a] + tau[b])
         } else {
@@ -109,7 +112,7 @@ pub fn by_stretches<R: Real>(law: &dyn Stretches, b: &Symmetric<R>) -> Spatial<R
         for (x, y) in here.iter_mut().zip(b) {
             *x = y.lane(l);
         }
-        let s = law.at(&here);
+        let s = law.spatial_at(&here);
         out.w.set_lane(l, s.w);
         for k in 0..6 {
             out.tau[k].set_lane(l, s.tau[k]);

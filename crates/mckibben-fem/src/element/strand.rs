@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 pub const STRAND_POINTS: usize = 2;
 
 /// A point of the line at rest.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct StrandPoint {
     /// cosθ0 dN/dZ, nodes in the order middle, left, right.
     pub slope: [f64; 3],
@@ -42,7 +42,7 @@ pub struct StrandPoint {
 }
 
 /// λf at a point and its derivatives in the six unknowns (r, z of middle, left, right).
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Stretch {
     /// λf
     pub value: f64,
@@ -54,7 +54,11 @@ pub struct Stretch {
 
 /// The points of a line element with its nodes at rest (middle, left, right), of a tube with the
 /// outer radius R in mm.
-pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
+pub fn strand_points(
+    nodes: [[f64; 2]; 3],
+    radius: f64,
+    lay: &StrandLay,
+) -> [StrandPoint; STRAND_POINTS] {
     let (sin, cos0) = lay.angle_rad.sin_cos();
     let filled = lay.hoop_stretch(radius);
     let [middle, left, right] = nodes;
@@ -62,10 +66,8 @@ pub fn points(nodes: [[f64; 2]; 3], radius: f64, lay: &StrandLay) -> [StrandPoin
         let (n, d) = along(eta);
         // r or z, and its slope along the element; without rounding on a cylinder.
         let [(r, r1), (z, z1)] = [0, 1].map(|c| {
-            let (half, bend) = (
-                0.5 * (right[c] - left[c]),
-                left[c] + right[c] - 2.0 * middle[c],
-            );
+            let half = 0.5 * (right[c] - left[c]);
+            let bend = left[c] + right[c] - 2.0 * middle[c];
             (
                 middle[c] + eta * half + 0.5 * eta * eta * bend,
                 half + eta * bend,
@@ -123,7 +125,8 @@ impl StrandPoint {
     /// ∂²λf/∂u_i∂u_j = (∂v/∂u_i·∂v/∂u_j − ∂λf/∂u_i ∂λf/∂u_j)/λf.
     #[inline(always)]
     pub fn curvature(&self, s: &Stretch, i: usize, j: usize) -> f64 {
-        let (a, b) = (i / 2, j / 2);
+        let a = i / 2;
+        let b = j / 2;
         let mut product = 0.0;
         if i % 2 == j % 2 {
             product = self.slope[a] * self.slope[b];

@@ -10,7 +10,7 @@ use super::plane_law::{Gradient, PlaneLaw, Stress};
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct ByStretches<'a, L>(pub &'a L);
 
 /// Where two stretches are nearer than this, the divided difference is replaced by its limit.
@@ -49,7 +49,8 @@ impl<L: RubberLaw> PlaneLaw for ByStretches<'_, L> {
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress {
         let Gradient { a, b, c, d, t } = *f;
         let [l1, l2, _] = f.principal();
-        let (turn, double) = ((c - b).atan2(a + d), (b + c).atan2(a - d));
+        let turn = (c - b).atan2(a + d);
+        let double = (b + c).atan2(a - d);
         let (sa, ca) = (0.5 * (double + turn)).sin_cos();
         let (sb, cb) = (0.5 * (double - turn)).sin_cos();
         let (w, g, h) = isochoric(self.0, [l1, l2, t]);
@@ -74,7 +75,8 @@ impl<L: RubberLaw> PlaneLaw for ByStretches<'_, L> {
                 (g[0] - g[1]) / (l1 - l2)
             };
             let v = (g[0] + g[1]) / (l1 + l2);
-            let (same, cross) = (0.5 * (u + v), 0.5 * (u - v));
+            let same = 0.5 * (u + v);
+            let cross = 0.5 * (u - v);
             let k = |i: usize, j: usize| {
                 let curved = match (i, j) {
                     (0, 3) | (3, 0) => p * t,

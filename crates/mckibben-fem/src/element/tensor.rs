@@ -2,6 +2,9 @@
 
 use super::lanes::Real;
 
+/// A place in mm, a displacement or a direction in x, y, z.
+pub type Vector = [f64; 3];
+
 /// A symmetric tensor.
 pub type Symmetric<R> = [R; 6];
 
@@ -11,7 +14,7 @@ pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), 
 pub const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// Energy, stress and tangent per volume at rest.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct Spatial<R> {
     /// Energy in MPa.
     pub w: R,

@@ -6,10 +6,10 @@
 //! stiff strands Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017
 //! \[magisano2017\]).
 
-use super::tensor::PAIRS;
+use super::tensor::{PAIRS, Vector};
 
 /// A strand at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Truss {
     /// L0 in mm.
     pub length_mm: f64,
@@ -20,12 +20,12 @@ pub struct Truss {
 }
 
 /// What a strand does to its second node; the first has the opposite.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Pull {
     /// λ − 1
     pub strain: f64,
     /// n
-    pub direction: [f64; 3],
+    pub direction: Vector,
     /// T in N.
     pub tension: f64,
     /// Whether it carries anything.
@@ -37,7 +37,7 @@ pub struct Pull {
 impl Truss {
     /// Force and tangent for d in mm. `offset` in N is added to the tension; `tension` in N is the
     /// one in the geometric part of the tangent.
-    pub fn pull(&self, d: [f64; 3], offset: f64, tension: f64) -> Pull {
+    pub fn pull(&self, d: Vector, offset: f64, tension: f64) -> Pull {
         let l = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
         let strain = l / self.length_mm - 1.0;
         let n = d.map(|x| x / l);

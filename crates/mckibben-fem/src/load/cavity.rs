@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// Volume under a quadratic line element of the cavity and its derivatives in the six unknowns
 /// (r, z of middle, left, right).
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 pub struct Volume {
     /// V in mm³
     pub value: f64,

@@ -6,23 +6,28 @@
 //! exactly: forces and tangent are its exact derivatives, and the tangent is symmetric because the
 //! cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
-use crate::element::q2::{GAUSS2, GAUSS3, functions};
+use crate::element::{
+    q2::{GAUSS2, GAUSS3, functions},
+    spatial::Vector,
+};
+use std::array::from_fn;
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
 pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
 
 /// The points of a face of four nodes (two rows of two: the integrand is of degree two each way) or
 /// nine (three rows of three: of degree five).
-pub fn points<const N: usize>() -> Vec<FacePoint<N>> {
+pub fn face_points<const N: usize>() -> Vec<FacePoint<N>> {
     let (p, gauss): (usize, &[(f64, f64)]) = if N == 4 { (2, &GAUSS2) } else { (3, &GAUSS3) };
     let mut out = Vec::with_capacity(N);
     for (b, wb) in gauss {
         for (a, wa) in gauss {
-            let ((x, dx), (y, dy)) = (functions(p, *a), functions(p, *b));
+            let (x, dx) = functions(p, *a);
+            let (y, dy) = functions(p, *b);
             out.push((
-                std::array::from_fn(|k| x[k % p] * y[k / p]),
-                std::array::from_fn(|k| dx[k % p] * y[k / p]),
-                std::array::from_fn(|k| x[k % p] * dy[k / p]),
+                from_fn(|k| x[k % p] * y[k / p]),
+                from_fn(|k| dx[k % p] * y[k / p]),
+                from_fn(|k| x[k % p] * dy[k / p]),
                 wa * wb,
             ));
         }
@@ -31,17 +36,17 @@ pub fn points<const N: usize>() -> Vec<FacePoint<N>> {
 }
 
 /// Volume under a face and its derivatives.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Volume<const N: usize> {
     /// V in mm³.
     pub value: f64,
     /// ∂V/∂x in mm².
-    pub first: [[f64; 3]; N],
+    pub first: [Vector; N],
     /// ∂²V/∂x_a∂x_b is the skew matrix of this vector in mm: δa·(w × δb). See [`skew`].
-    pub second: [[[f64; 3]; N]; N],
+    pub second: [[Vector; N]; N],
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -56,7 +61,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
 pub fn volume<const N: usize, const TANGENT: bool>(
     points: &[FacePoint<N>],
-    x: &[[f64; 3]; N],
+    x: &[Vector; N],
 ) -> Volume<N> {
     let mut out = Volume {
         value: 0.0,
@@ -64,7 +69,7 @@ pub fn volume<const N: usize, const TANGENT: bool>(
         second: [[[0.0; 3]; N]; N],
     };
     for (n, nx, ny, weight) in points {
-        let sum = |w: &[f64; N]| -> [f64; 3] {
+        let sum = |w: &[f64; N]| -> Vector {
             let mut s = [0.0; 3];
             for a in 0..N {
                 for i in 0..3 {
@@ -73,8 +78,12 @@ pub fn volume<const N: usize, const TANGENT: bool>(
             }
             s
         };
-        let (p, t, e) = (sum(n), sum(nx), sum(ny));
-        let (te, ep, pt) = (cross(t, e), cross(e, p), cross(p, t));
+        let p = sum(n);
+        let t = sum(nx);
+        let e = sum(ny);
+        let te = cross(t, e);
+        let ep = cross(e, p);
+        let pt = cross(p, t);
         let w = weight / 3.0;
         out.value += w * (p[0] * te[0] + p[1] * te[1] + p[2] * te[2]);
         for a in 0..N {
@@ -83,11 +92,9 @@ pub fn volume<const N: usize, const TANGENT: bool>(
             }
             if TANGENT {
                 for b in 0..N {
-                    let (se, st, sp) = (
-                        w * (n[a] * nx[b] - nx[a] * n[b]),
-                        w * (n[a] * ny[b] - ny[a] * n[b]),
-                        w * (nx[a] * ny[b] - ny[a] * nx[b]),
-                    );
+                    let se = w * (n[a] * nx[b] - nx[a] * n[b]);
+                    let st = w * (n[a] * ny[b] - ny[a] * n[b]);
+                    let sp = w * (nx[a] * ny[b] - ny[a] * nx[b]);
                     for i in 0..3 {
                         out.second[a][b][i] += -se * e[i] + st * t[i] - sp * p[i];
                     }
@@ -99,6 +106,6 @@ pub fn volume<const N: usize, const TANGENT: bool>(
 }
 
 /// ∂²V/∂x_a∂x_b as a matrix from its vector w: δa·(w × δb).
-pub fn skew(w: &[f64; 3]) -> [[f64; 3]; 3] {
+pub fn skew(w: &Vector) -> [Vector; 3] {
     [[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]]
 }

@@ -6,11 +6,16 @@
 //! of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with D1 = 2/K; Ogden's are written there as 2
 //! μi/αi². Data of the mesh are in comments `** key = value`.
 
-use crate::three_dimensional::{Brick, ThreeDimensional};
-use crate::{FemError, Result};
-use mckibben::model::ForceModel;
-use mckibben::muscle::Bulk;
-use mckibben::rubber::{Law, RubberLaw};
+use super::vtu;
+use crate::{
+    FemError, Result,
+    three_dimensional::{Brick, ThreeDimensional},
+};
+use mckibben::{
+    model::ForceModel,
+    muscle::Bulk,
+    rubber::{Law, RubberLaw},
+};
 use std::collections::BTreeMap;
 
 /// Bulk modulus over shear modulus that an incompressible rubber gets.
@@ -55,7 +60,8 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>>
 /// Increments of equal size together: how many, and where the last one ends.
 fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
     let mut out: Vec<(usize, Point)> = vec![];
-    let (mut before, mut size) = ((0.0, 0.0), (f64::NAN, f64::NAN));
+    let mut before = (0.0, 0.0);
+    let mut size = (f64::NAN, f64::NAN);
     for &end in increments {
         let here = (end.0 - before.0, end.1 - before.1);
         let off = (here.0 - size.0).abs() + (here.1 - size.1).abs();
@@ -63,7 +69,8 @@ fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
             Some(last) if off < 1e-9 * end.1 => *last = (last.0 + 1, end),
             _ => out.push((1, end)),
         }
-        (before, size) = (end, here);
+        before = end;
+        size = here;
     }
     out
 }
@@ -71,7 +78,8 @@ fn steps(increments: &[Point]) -> Vec<(usize, Point)> {
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened,
 /// filled further.
 pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String> {
-    let (mesh, muscle) = (&model.divided.mesh, model.muscle());
+    let mesh = &model.divided.mesh;
+    let muscle = model.muscle();
     let refused = [
         (mesh.brick != Brick::Linear, "needs eight-node bricks"),
         (
@@ -112,9 +120,11 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     out += "*ELEMENT, TYPE=C3D8, ELSET=TUBE\n";
     let bricks = mesh.bricks();
     // Ours run through the wall, around, along; theirs around the face.
-    const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
     for (e, nodes) in bricks.iter().enumerate() {
-        let list: Vec<String> = ORDER.iter().map(|&a| (nodes[a] + 1).to_string()).collect();
+        let list: Vec<String> = vtu::ORDER
+            .iter()
+            .map(|&a| (nodes[a] + 1).to_string())
+            .collect();
         out += &format!("{}, {}\n", e + 1, list.join(", "));
     }
     strands(&mut out, model, bricks.len())?;
@@ -122,7 +132,8 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     rubber(&mut out, &muscle.rubber().law, muscle.rubber().bulk)?;
     out += "*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2\n";
     for (count, (contraction, p)) in steps(&increments) {
-        let (share, end) = (1.0 / count as f64, -contraction * mesh.tube.half_mm);
+        let share = 1.0 / count as f64;
+        let end = -contraction * mesh.tube.half_mm;
         out += &format!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{share:?}, 1.\n");
         out += "*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-5\n";
         out += &format!("*BOUNDARY\nNEND, 3, 3, {end:?}\n*DLOAD\nEIN, P6, {p:?}\n");
@@ -159,7 +170,8 @@ fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<
         springs += &if truss.compression {
             format!("*SPRING, {set}\n\n{k:?}\n")
         } else {
-            let (less, more) = (-1e-3 * k, 10.0 * k);
+            let less = -1e-3 * k;
+            let more = 10.0 * k;
             format!("*SPRING, {set}, NONLINEAR\n\n{less:?}, -10.\n0., 0.\n{more:?}, 10.\n")
         };
     }

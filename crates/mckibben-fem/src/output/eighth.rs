@@ -3,13 +3,18 @@
 //! Mirroring at a plane changes the sign of a displacement across it and of the shear stresses that
 //! have one index across it: σij → si sj σij with the signs s of the copy.
 
-use super::Shape;
-use super::vtu::{Grid, PointData};
-use crate::three_dimensional::{Brick, Field, NodeField, PieceField};
+use super::{
+    Shape,
+    vtu::{Grid, PointData},
+};
+use crate::{
+    element::spatial::Vector,
+    three_dimensional::{Brick, Field, NodeField, PieceField},
+};
 use std::collections::HashMap;
 
 /// How much of the muscle is shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Extent {
     /// What was computed.
     #[default]
@@ -20,7 +25,7 @@ pub enum Extent {
 
 impl Extent {
     /// Signs of x, y, z of the copies of one eighth.
-    fn signs(self) -> Vec<[f64; 3]> {
+    fn signs(self) -> Vec<Vector> {
         const SIGNS: [f64; 2] = [1.0, -1.0];
         let copies = if self == Self::Eighth { 1 } else { 8 };
         (0..copies)
@@ -30,7 +35,7 @@ impl Extent {
 }
 
 /// A place or a displacement, mirrored.
-fn mirrored(x: [f64; 3], sign: [f64; 3]) -> [f64; 3] {
+fn mirrored(x: Vector, sign: Vector) -> Vector {
     [0, 1, 2].map(|i| x[i] * sign[i])
 }
 
@@ -54,7 +59,9 @@ impl Shape {
 
 /// Bricks and their copies. Nodes in a plane of symmetry are shared by the copies on both sides.
 fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
-    let (mut copies, mut number, mut cells) = (vec![], HashMap::new(), vec![]);
+    let mut copies = vec![];
+    let mut number = HashMap::new();
+    let mut cells = vec![];
     for sign in extent.signs() {
         let mut copy = |node: u32| {
             let rest = nodes[node as usize].rest_mm;
@@ -82,8 +89,8 @@ fn solid(nodes: &[NodeField], bricks: &[Vec<u32>], extent: Extent) -> Grid {
 }
 
 /// Hexahedra between copies of nodes, each with its signs, and what is known of the nodes.
-fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
-    let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
+fn grid(copies: &[(&NodeField, Vector)], cells: &[Vec<u32>]) -> Grid {
+    let vector = |value: &dyn Fn(&NodeField) -> Vector| -> Vec<Vector> {
         copies
             .iter()
             .map(|(node, sign)| mirrored(value(node), *sign))
@@ -132,7 +139,8 @@ fn grid(copies: &[(&NodeField, [f64; 3])], cells: &[Vec<u32>]) -> Grid {
 fn around(n: &NodeField) -> [f64; 2] {
     let [x, y, _] = n.now_mm;
     let r = x.hypot(y).max(f64::MIN_POSITIVE);
-    let (c, s) = (x / r, y / r);
+    let c = x / r;
+    let s = y / r;
     let [xx, yy, _, xy, ..] = n.stress_mpa;
     let twice = 2.0 * c * s * xy;
     [

@@ -3,10 +3,11 @@
 //! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and
 //! z follow the tube.
 
-use super::revolve::directions;
-use super::vtu::{Grid, PointData};
-use crate::axisymmetric::Section;
-use crate::results::StrandState;
+use super::{
+    revolve::directions,
+    vtu::{Grid, PointData},
+};
+use crate::{axisymmetric::Section, results::StrandState};
 
 /// Strands drawn of a family whose number is not known: for display only.
 pub const DRAWN: u32 = 24;
@@ -21,21 +22,22 @@ pub fn drawn(section: &Section) -> u32 {
 /// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a
 /// strand from the middle.
 #[derive(Clone, Copy)]
-pub(super) struct Along {
-    pub(super) slab: usize,
-    pub(super) eta: f64,
-    pub(super) turn: f64,
+pub struct Along {
+    pub slab: usize,
+    pub eta: f64,
+    pub turn: f64,
     /// r and z of the outer surface now, mm.
     now: [f64; 2],
     /// Stretch, angle, tension per width and tension of a strand.
-    pub(super) state: [f64; 4],
+    pub state: [f64; 4],
 }
 
 /// Both families.
 pub fn braid(section: &Section) -> Grid {
     let places = places(section);
     let lines = directions(drawn(section) as usize);
-    let (mut points, mut data) = (Vec::with_capacity(2 * lines.len() * places.len()), vec![]);
+    let mut points = Vec::with_capacity(2 * lines.len() * places.len());
+    let mut data = vec![];
     for family in [1.0, -1.0] {
         for (c, s) in &lines {
             for Along {
@@ -59,15 +61,18 @@ pub fn braid(section: &Section) -> Grid {
         add("tension_n", 3);
     }
     let half = lines.len() * places.len();
-    let values = [vec![1.0; half], vec![-1.0; half]].concat();
-    data.push(PointData::scalar("family", values));
+    data.push(PointData::scalar(
+        "family",
+        [vec![1.0; half], vec![-1.0; half]].concat(),
+    ));
     Grid::of_lines(points, places.len(), data)
 }
 
 /// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`]
 /// between them.
-pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
-    let (tan, along) = (section.angle_rad.tan(), section.along);
+pub fn places_of_half(section: &Section) -> Vec<Along> {
+    let tan = section.angle_rad.tan();
+    let along = section.along;
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
         let state = state(&section.strands, rest[1]);
@@ -81,7 +86,8 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
-        let (start, end) = (place(slab, -1.0).turn, place(slab, 1.0).turn);
+        let start = place(slab, -1.0).turn;
+        let end = place(slab, 1.0).turn;
         let pieces = (((end - start) / TURN).ceil() as usize).max(2);
         half.extend((1..=pieces).map(|k| place(slab, 2.0 * k as f64 / pieces as f64 - 1.0)));
     }
@@ -103,7 +109,7 @@ fn places(section: &Section) -> Vec<Along> {
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model
 /// has them; before the first and beyond the last point theirs.
-pub(crate) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+pub fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| {
         [
             s.stretch,
@@ -119,7 +125,8 @@ pub(crate) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     ) {
         (Some(a), Some(b)) => {
             let share = (rest - a.rest_mm) / (b.rest_mm - a.rest_mm);
-            let (a, b) = (values(a), values(b));
+            let a = values(a);
+            let b = values(b);
             std::array::from_fn(|k| a[k] + share * (b[k] - a[k]))
         }
         (Some(s), None) | (None, Some(s)) => values(s),

@@ -22,7 +22,7 @@ use crate::axisymmetric::Section;
 use vtu::Grid;
 
 /// Tube and strands of one equilibrium.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Shape {
     /// Hexahedra.
     pub tube: Grid,

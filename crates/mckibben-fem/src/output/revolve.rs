@@ -1,9 +1,13 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
-use super::stations::FIELDS;
-use super::vtu::{Grid, PointData};
-use crate::axisymmetric::{Section, SectionNode};
-use crate::three_dimensional::Brick;
+use super::{
+    stations::FIELDS,
+    vtu::{Grid, PointData},
+};
+use crate::{
+    axisymmetric::{Section, SectionNode},
+    three_dimensional::Brick,
+};
 use std::f64::consts::TAU;
 
 /// Divisions around the axis; whole quadrants, so that turning by 90° changes no digit.
@@ -17,7 +21,8 @@ pub fn directions(count: usize) -> Vec<(f64, f64)> {
                 let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
                 return (cos, sin);
             }
-            let (quadrant, rest) = (4 * k / count, k % (count / 4));
+            let quadrant = 4 * k / count;
+            let rest = k % (count / 4);
             let (s, c) = (TAU * rest as f64 / count as f64).sin_cos();
             [(c, s), (-s, c), (-c, -s), (s, -c)][quadrant]
         })
@@ -27,7 +32,8 @@ pub fn directions(count: usize) -> Vec<(f64, f64)> {
 /// Every element as 2 × 2 linear ones through its nine nodes, all turned about the axis.
 pub fn tube(section: &Section) -> Grid {
     let along = section.along;
-    let (across, stations) = (2 * section.through + 1, 4 * along + 1);
+    let across = 2 * section.through + 1;
+    let stations = 4 * along + 1;
     let turn = directions(AROUND);
     // Node and sign of z of every ring, station by station from end to end.
     let rings: Vec<(&SectionNode, f64)> = (0..stations)

@@ -1,14 +1,16 @@
 //! A series of equilibria as files that ParaView opens.
 
-use super::Shape;
-use super::vtu::{Grid, VtuError, collection};
+use super::{
+    Shape,
+    vtu::{Grid, VtuError, collection},
+};
 use mckibben::model::Response;
 
 /// The parts of a step.
 const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 
 /// A file of a series.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct VtuFile {
     /// Its name in the folder.
     pub name: String,

@@ -22,7 +22,7 @@ pub const FIELDS: [Field; 6] = [
 /// mirror image.
 ///
 /// Lists over nodes go station by station, each from the inner surface outwards.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Stations {
     /// Nodes through the wall.
     pub across: usize,

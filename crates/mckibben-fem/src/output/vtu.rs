@@ -5,10 +5,9 @@
 //! with the header (number of blocks, size of a block, size of a last shorter block or 0, size of
 //! each compressed block).
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use crate::element::spatial::Vector;
+use base64::{Engine as _, engine::general_purpose::STANDARD};
+use flate2::{Compression, write::ZlibEncoder};
 use mckibben::clean;
 use std::io::Write as _;
 use thiserror::Error;
@@ -17,6 +16,9 @@ use thiserror::Error;
 pub const POLY_LINE: u8 = 4;
 /// Eight corners: four counter-clockwise seen from above, then the four above them.
 pub const HEXAHEDRON: u8 = 12;
+
+/// Ours run through the wall, around, along; those of other programs around the face.
+pub const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
 /// A number that is none.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -50,7 +52,7 @@ impl PointData {
     }
 
     /// Three numbers at each point.
-    pub fn vector(name: &'static str, values: Vec<[f64; 3]>) -> Self {
+    pub fn vector(name: &'static str, values: Vec<Vector>) -> Self {
         Self {
             name,
             components: 3,
@@ -65,7 +67,7 @@ pub struct Grid {
     /// VTK's number of the kind.
     pub kind: u8,
     /// Places in mm.
-    pub points: Vec<[f64; 3]>,
+    pub points: Vec<Vector>,
     /// Points of all cells.
     pub connectivity: Vec<i64>,
     /// Where each cell ends in `connectivity`.
@@ -78,7 +80,7 @@ pub struct Grid {
 
 impl Grid {
     /// Lines of so many points each, one after the other.
-    pub fn of_lines(points: Vec<[f64; 3]>, per_line: usize, data: Vec<PointData>) -> Self {
+    pub fn of_lines(points: Vec<Vector>, per_line: usize, data: Vec<PointData>) -> Self {
         let connectivity = (0..points.len() as i64).collect();
         let offsets = (1..=points.len() / per_line)
             .map(|c| (per_line * c) as i64)
@@ -94,8 +96,7 @@ impl Grid {
     }
 
     /// Hexahedra with eight points each, the first direction running fastest.
-    pub fn of_hexahedra(points: Vec<[f64; 3]>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
-        const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+    pub fn of_hexahedra(points: Vec<Vector>, cells: &[Vec<u32>], data: Vec<PointData>) -> Self {
         let connectivity: Vec<i64> = cells
             .iter()
             .flat_map(|cell| ORDER.map(|a| i64::from(cell[a])))
@@ -139,7 +140,8 @@ impl Grid {
             );
             out += &format!("{value:?}</DataArray>\n");
         }
-        let (points, cells) = (self.points.len(), self.offsets.len());
+        let points = self.points.len();
+        let cells = self.offsets.len();
         out += "</FieldData>\n";
         out += &format!(
             "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>\n"

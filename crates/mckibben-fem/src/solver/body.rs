@@ -2,8 +2,10 @@
 
 use super::newton::{NewtonOptions, NewtonSystem};
 use crate::Result;
-use std::f64::consts::PI;
-use std::slice::{from_mut, from_ref};
+use std::{
+    f64::consts::PI,
+    slice::{from_mut, from_ref},
+};
 
 /// The state of a body: unknowns, variables that are carried along, and the loads on it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -99,7 +101,7 @@ impl State {
 }
 
 /// What is kept fixed while the rest reaches equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Control {
     /// Pressure and the terminal's displacement (mm).
     Length(f64),
@@ -130,7 +132,7 @@ impl Control {
 
 /// What the elements of a body add up to, for the part of the muscle that is computed: a half in
 /// the section, an eighth in bricks.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Totals {
     /// Elastic energy of the rubber in N·mm.
     pub rubber: f64,
@@ -148,7 +150,7 @@ pub struct Totals {
 }
 
 /// Settings of a continuation for a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug)]
 pub struct Settings {
     /// Settings of Newton's method.
     pub newton: NewtonOptions,
@@ -195,7 +197,7 @@ pub trait Body {
     }
 
     /// Says what the next solve holds.
-    fn hold(&mut self, control: Control);
+    fn hold_control(&mut self, control: Control);
 
     /// Half the length at rest in mm.
     fn half_length(&self) -> f64;

@@ -5,8 +5,10 @@
 //! slab loses its inside and its left station, and hands the Schur complement of its right station
 //! to the next. The last station remains.
 
-use super::dense;
-use super::newton::Stopped;
+use super::{
+    dense,
+    newton::{Solved, Stopped},
+};
 
 /// The chain and its factorisation.
 #[derive(Debug, Clone)]
@@ -56,8 +58,10 @@ impl Chain {
     }
 
     /// Adds what came from the slab before and eliminates; slabs go in order.
-    pub fn eliminate(&mut self, slab: usize) -> Result<(), Stopped> {
-        let (n, m, size) = (self.inside, self.station, self.size());
+    pub fn eliminate(&mut self, slab: usize) -> Solved {
+        let n = self.inside;
+        let m = self.station;
+        let size = self.size();
         let a = &mut self.matrices[slab * size * size..(slab + 1) * size * size];
         for i in 0..m {
             for j in i..m {
@@ -79,7 +83,9 @@ impl Chain {
         rhs: &mut [f64],
         whole: fn(&[f64], usize, usize, &mut [f64]),
     ) {
-        let (n, m, size) = (self.inside, self.station, self.size());
+        let n = self.inside;
+        let m = self.station;
+        let size = self.size();
         let a = &self.matrices[slab * size * size..(slab + 1) * size * size];
         let part = &mut rhs[slab * (n + m)..][..size];
         let y = &mut self.scratch;

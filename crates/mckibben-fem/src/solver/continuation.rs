@@ -16,13 +16,14 @@
 //! that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle
 //! does not lead to it, inflated from rest in the same way.
 
-use super::body::{Body, Control, State};
-use super::descent::Descent;
-use super::newton::{self, Effort, Interrupted, NewtonOptions, Stopped};
-use super::trail::Trail;
+use super::{
+    body::{Body, Control, State},
+    descent::Descent,
+    newton::{self, Effort, Interrupted, NewtonOptions, Solved, Stopped},
+    trail::Trail,
+};
 use crate::{FemError, Result};
-use mckibben::cancel;
-use mckibben::status::Status;
+use mckibben::{cancel, status::Status};
 use std::fmt;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to
@@ -32,7 +33,7 @@ pub(crate) const TAUT: f64 = 1.3;
 pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
 
 /// An equilibrium that is not stable and that was met.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Unstable {
     /// Step of the walk from rest; 0 for an answer that no walk led to.
     pub step: usize,
@@ -122,7 +123,8 @@ impl<B: Body> Continuation<B> {
     pub(super) fn note_unstable(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.is_none() {
-            let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
+            let step = self.steps.unwrap_or(0);
+            let pressure_mpa = self.body.state().pressure;
             let contraction = self.contraction();
             self.unstable = Some(Unstable {
                 step,
@@ -174,13 +176,13 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+    pub fn solve(&mut self, control: Control) -> Solved {
         self.solve_within(control, self.newton.reach)
     }
 
     /// The same, where no more than this share of the radius may lie between the iterate and the
     /// equilibrium.
-    pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+    pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Solved {
         self.solve_by(
             control,
             NewtonOptions {
@@ -190,7 +192,7 @@ impl<B: Body> Continuation<B> {
         )
     }
 
-    fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Result<(), Stopped> {
+    fn solve_by(&mut self, control: Control, mut options: NewtonOptions) -> Solved {
         // Of what is to end, not even the first tangent is assembled: a search tries many ways
         // before it gives up.
         cancel::check()?;
@@ -201,7 +203,7 @@ impl<B: Body> Continuation<B> {
             }
             options.factorisations = budget - factorisations;
         }
-        self.body.hold(control);
+        self.body.hold_control(control);
         newton::solve(self.body.system(), &options, &mut self.effort, |_| {
             Ok(cancel::check()?)
         })
@@ -325,7 +327,8 @@ impl<B: Body> Continuation<B> {
     }
 
     fn near_kept(&mut self, pressure: f64, terminal: f64) -> bool {
-        let (near, half) = (B::SETTINGS, self.body.half_length());
+        let near = B::SETTINGS;
+        let half = self.body.half_length();
         let distance = |s: &State| {
             let p = (s.pressure - pressure).abs() / (s.pressure.abs().max(pressure.abs()) + 1e-12);
             (

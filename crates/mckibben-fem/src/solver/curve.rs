@@ -1,14 +1,17 @@
 //! The isometric test of a muscle. Every point carries a status: one that has no equilibrium does
 //! not end the others.
 
-use super::body::{Body, Control};
-use super::continuation::Continuation;
-use super::newton::Effort;
-use super::trail::{Along, Trail};
-use crate::results::Sensitivity;
-use crate::{FemError, Result};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::model::Response;
+use super::{
+    body::{Body, Control},
+    continuation::Continuation,
+    newton::Effort,
+    trail::{Along, Trail},
+};
+use crate::{FemError, Result, results::Sensitivity};
+use mckibben::{
+    cancel::{self, Cancelled},
+    model::Response,
+};
 
 /// A point of a curve.
 #[derive(Debug, Clone, PartialEq)]

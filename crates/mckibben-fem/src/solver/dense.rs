@@ -1,4 +1,4 @@
-//! Partial LDLᵀ of small dense symmetric matrices.
+//! Partial LDLᵀ of small dense symmetric matrices, and sums over lists of numbers.
 
 use crate::element::lanes::four_at_a_time;
 
@@ -11,21 +11,21 @@ four_at_a_time! {
     /// pivot that is zero or no number.
     ///
     /// No pivots are exchanged: systems are ordered and augmented so that none need be.
-    pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> = sized
+    pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> = eliminate_sized
 }
 
 #[inline(always)]
-fn sized(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+fn eliminate_sized(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
     match (size, eliminated) {
         // One element through the wall, rows with and without strand multipliers.
-        (21, 15) => run(a, 21, 15),
-        (23, 17) => run(a, 23, 17),
-        _ => run(a, size, eliminated),
+        (21, 15) => eliminate_any(a, 21, 15),
+        (23, 17) => eliminate_any(a, 23, 17),
+        _ => eliminate_any(a, size, eliminated),
     }
 }
 
 #[inline(always)]
-fn run(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+fn eliminate_any(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
     let mut negative = 0;
     for k in 0..eliminated {
         let (head, tail) = a.split_at_mut((k + 1) * size);
@@ -47,6 +47,11 @@ fn run(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
         row[k + 1..size].iter_mut().for_each(|x| *x *= inverse);
     }
     Ok(negative)
+}
+
+/// The largest of numbers that are not negative; zero of none.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, f64::max)
 }
 
 /// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and

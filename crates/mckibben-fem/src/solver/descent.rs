@@ -1,11 +1,10 @@
 //! The stations of a descent in pressure at one length.
 
-use super::body::State;
-use super::newton::Interrupted;
+use super::{body::State, newton::Interrupted};
 
 /// A step is continuous if Newton's method moves no node further than this share of the radius from
 /// where the steps before predict it.
-pub(super) const CONTINUOUS: f64 = 0.05;
+pub const CONTINUOUS: f64 = 0.05;
 /// Share of the highest pressure that is tried first.
 const FIRST: f64 = 0.1;
 /// Of what a step may miss of its prediction, the share that the next one aims at.
@@ -15,27 +14,27 @@ const GROWTH: f64 = 4.0;
 
 /// By what factor the next step is larger where the last one `missed` its prediction: that grows
 /// with the square of a step.
-pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
+pub fn growth_of_step(missed: f64, reach: f64) -> f64 {
     (AIM * reach / missed).sqrt().clamp(1.0, GROWTH)
 }
 
 /// Stations of a descent: the first has all strands in tension, each continues the one before.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Descent {
+pub struct Descent {
     /// Displacement of the terminal in mm at which it runs.
-    pub(super) terminal: Option<f64>,
-    pub(super) stations: Vec<State>,
+    pub terminal: Option<f64>,
+    pub stations: Vec<State>,
     /// Pull in N at each of them.
     pulls: Vec<f64>,
     /// How far the last of them lies from where it was predicted, as a share of the radius.
     missed: f64,
     /// Why it goes no lower.
-    pub(super) end: Option<Interrupted>,
+    pub end: Option<Interrupted>,
 }
 
 impl Descent {
     /// Forgets everything; the next one runs at this displacement.
-    pub(super) fn begin(&mut self, terminal: f64) {
+    pub fn begin(&mut self, terminal: f64) {
         *self = Self {
             terminal: Some(terminal),
             ..Self::default()
@@ -44,29 +43,29 @@ impl Descent {
 
     /// Adds a station with its pull in N, and the share of the radius by which its prediction
     /// missed it.
-    pub(super) fn push(&mut self, state: &State, pull: f64, missed: f64) {
+    pub fn push(&mut self, state: &State, pull: f64, missed: f64) {
         self.stations.push(state.clone());
         self.pulls.push(pull);
         self.missed = missed;
     }
 
     /// Whether the muscle pushes at one of the first stations.
-    pub(super) fn pushes(&self, first: usize) -> bool {
+    pub fn pushes(&self, first: usize) -> bool {
         self.pulls.iter().take(first).any(|pull| *pull < 0.0)
     }
 
     /// Pressure in MPa of the taut muscle.
-    pub(super) fn top(&self) -> Option<f64> {
+    pub fn top(&self) -> Option<f64> {
         self.stations.first().map(|s| s.pressure)
     }
 
     /// Pressure in MPa of the last station.
-    pub(super) fn lowest(&self) -> f64 {
+    pub fn lowest(&self) -> f64 {
         self.stations.last().map_or(f64::INFINITY, |s| s.pressure)
     }
 
     /// The last station whose pressure is not below one in MPa; the first where there is none.
-    pub(super) fn above(&self, pressure: f64) -> usize {
+    pub fn above(&self, pressure: f64) -> usize {
         self.stations
             .iter()
             .rposition(|s| s.pressure >= pressure)
@@ -74,7 +73,7 @@ impl Descent {
     }
 
     /// The step in MPa that is tried next.
-    pub(super) fn step(&self) -> f64 {
+    pub fn step(&self) -> f64 {
         match &self.stations[..] {
             [.., before, last] => {
                 growth_of_step(self.missed, CONTINUOUS) * (before.pressure - last.pressure)
@@ -85,32 +84,33 @@ impl Descent {
     }
 
     /// Fills `out` with what lies between a station and the next one at a pressure.
-    pub(super) fn between(&self, above: usize, pressure: f64, out: &mut State) {
-        let last = &self.stations[above];
-        out.copy_from(last);
-        if let Some(next) = self.stations.get(above + 1) {
-            out.extrapolate(
-                last,
-                next,
-                (last.pressure - pressure) / (next.pressure - last.pressure),
-            );
-        }
-        out.pressure = pressure;
+    pub fn between(&self, above: usize, pressure: f64, out: &mut State) {
+        predict(
+            &self.stations[above],
+            self.stations.get(above + 1),
+            pressure,
+            out,
+        );
     }
 
     /// Fills `out` with what the last two stations predict at a pressure.
-    pub(super) fn predict(&self, pressure: f64, out: &mut State) {
+    pub fn predict(&self, pressure: f64, out: &mut State) {
         match &self.stations[..] {
-            [.., before, last] => {
-                out.extrapolate(
-                    last,
-                    before,
-                    (last.pressure - pressure) / (before.pressure - last.pressure),
-                );
-            }
-            [only] => out.copy_from(only),
-            [] => {}
+            [.., before, last] => predict(last, Some(before), pressure, out),
+            [only] => predict(only, None, pressure, out),
+            [] => out.pressure = pressure,
         }
-        out.pressure = pressure;
     }
+}
+
+/// Fills `out` with what lies on the line through two stations at a pressure.
+fn predict(last: &State, other: Option<&State>, pressure: f64, out: &mut State) {
+    match other {
+        Some(other) => {
+            let ratio = (last.pressure - pressure) / (other.pressure - last.pressure);
+            out.extrapolate(last, other, ratio);
+        }
+        None => out.copy_from(last),
+    }
+    out.pressure = pressure;
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 /// Grid lines around and along, and how far apart lines are that separate (1 for linear, 2 for
 /// quadratic elements).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Sheet {
     /// Lines around.
     pub around: usize,
@@ -25,11 +25,11 @@ impl Sheet {
     /// The order of elimination of the sheet's points (around, along).
     pub fn order(&self) -> Vec<(usize, usize)> {
         let mut out = Vec::with_capacity(self.around * self.along);
-        self.cut((0..self.around, 0..self.along), &mut out);
+        self.cut_box((0..self.around, 0..self.along), &mut out);
         out
     }
 
-    fn cut(&self, (mut j, mut k): (Range<usize>, Range<usize>), out: &mut Vec<(usize, usize)>) {
+    fn cut_box(&self, (mut j, mut k): (Range<usize>, Range<usize>), out: &mut Vec<(usize, usize)>) {
         let line = |lines: &Range<usize>| {
             let middle = (lines.start + lines.len() / 2) / self.stride * self.stride;
             (middle > lines.start && middle + 1 < lines.end).then_some(middle)
@@ -48,7 +48,7 @@ impl Sheet {
                 let halves = [all.start..m, m + 1..all.end];
                 *all = m..m + 1;
                 for half in halves {
-                    self.cut(
+                    self.cut_box(
                         if along {
                             (j.clone(), half)
                         } else {

@@ -12,7 +12,7 @@ use crate::element::lanes::{Real, Width, on_lanes};
 /// Vectors of a tile: with as many columns as `strip` says they just fill the registers.
 const VECTORS: usize = 3;
 /// Most columns of a strip.
-pub(super) const STRIP: usize = 8;
+pub const STRIP: usize = 8;
 /// Depth of a block of A and a strip of B, and tiles of a block.
 const DEPTH: usize = 256;
 const TILES: usize = 10;
@@ -21,18 +21,26 @@ const COPIED: (usize, usize) = (4, 48);
 
 /// A matrix by columns from its first number on.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Matrix<'a> {
+pub struct Matrix<'a> {
     pub values: &'a [f64],
     /// From column to column.
     pub stride: usize,
 }
 
+impl Matrix<'_> {
+    /// The same from a row and a column on.
+    pub fn from(self, row: usize, column: usize) -> Self {
+        let values = &self.values[column * self.stride + row..];
+        Self { values, ..self }
+    }
+}
+
 /// Pivots: every so-many-th number of a matrix, or ones.
-pub(super) type Pivots<'a> = Option<Matrix<'a>>;
+pub type Pivots<'a> = Option<Matrix<'a>>;
 
 /// A product A D Bᵀ: its factors, the rows and columns of C, the depth of A and B.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Product<'a> {
+pub struct Product<'a> {
     pub a: Matrix<'a>,
     pub b: Matrix<'a>,
     pub d: Pivots<'a>,
@@ -47,7 +55,7 @@ pub(super) struct Product<'a> {
 
 /// The kernels on this processor, with their memory.
 #[derive(Debug)]
-pub(super) struct Kernel {
+pub struct Kernel {
     width: Width,
     /// Tiles of a block of A.
     copy: Vec<f64>,
@@ -82,8 +90,8 @@ impl Kernel {
 }
 
 /// A small triangle t below its diagonal, with what each column is multiplied by.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Triangle {
+#[derive(Debug, Default)]
+pub struct Triangle {
     pub count: usize,
     pub below: [[f64; STRIP]; STRIP],
     pub share: [f64; STRIP],
@@ -109,16 +117,14 @@ fn product<R: Real>(
     factors: Product<'_>,
 ) {
     let Product { a, b, d, .. } = factors;
-    let (tile, most) = (VECTORS * R::LANES, columns(R::LANES));
+    let tile = VECTORS * R::LANES;
+    let most = columns(R::LANES);
     for first in (0..factors.depth).step_by(DEPTH) {
         let depth = DEPTH.min(factors.depth - first);
         let keep = factors.keep || first > 0;
         for top in (0..factors.rows).step_by(TILES * tile) {
             let rows = (TILES * tile).min(factors.rows - top);
-            let block = Matrix {
-                values: &a.values[first * a.stride + top..],
-                stride: a.stride,
-            };
+            let block = a.from(top, first);
             let copied = factors.columns >= COPIED.0 * most && depth >= COPIED.1;
             if copied {
                 copy_tiles::<R>(copy, block, rows, depth);
@@ -145,28 +151,22 @@ fn product<R: Real>(
                     } else {
                         block
                     },
-                    right: Matrix {
-                        values: &b.values[first * b.stride + j..],
-                        stride: b.stride,
-                    },
-                    pivots: d.map(|d| Matrix {
-                        values: &d.values[first * d.stride..],
-                        stride: d.stride,
-                    }),
+                    right: b.from(j, first),
+                    pivots: d.map(|d| d.from(0, first)),
                     depth,
                     rows: begin..rows,
                     keep,
                 };
                 let c = (&mut c[j * stride + top..], stride);
                 match count {
-                    1 => work.run::<R, 1>(strip, c),
-                    2 => work.run::<R, 2>(strip, c),
-                    3 => work.run::<R, 3>(strip, c),
-                    4 => work.run::<R, 4>(strip, c),
-                    5 if most > 4 => work.run::<R, 5>(strip, c),
-                    6 if most > 4 => work.run::<R, 6>(strip, c),
-                    7 if most > 4 => work.run::<R, 7>(strip, c),
-                    _ if most > 4 => work.run::<R, 8>(strip, c),
+                    1 => work.multiply::<R, 1>(strip, c),
+                    2 => work.multiply::<R, 2>(strip, c),
+                    3 => work.multiply::<R, 3>(strip, c),
+                    4 => work.multiply::<R, 4>(strip, c),
+                    5 if most > 4 => work.multiply::<R, 5>(strip, c),
+                    6 if most > 4 => work.multiply::<R, 6>(strip, c),
+                    7 if most > 4 => work.multiply::<R, 7>(strip, c),
+                    _ if most > 4 => work.multiply::<R, 8>(strip, c),
                     _ => {}
                 }
                 j += count;
@@ -188,7 +188,11 @@ struct Strip<'a> {
 
 impl<'a> Strip<'a> {
     #[inline(always)]
-    fn run<R: Real, const N: usize>(self, strip: &'a mut [f64], (c, stride): (&mut [f64], usize)) {
+    fn multiply<R: Real, const N: usize>(
+        self,
+        strip: &'a mut [f64],
+        (c, stride): (&mut [f64], usize),
+    ) {
         let Self {
             left,
             mut right,
@@ -201,10 +205,8 @@ impl<'a> Strip<'a> {
         // What a tile or two read is not worth to be copied.
         if pivots.is_some() || rows.len() > 2 * tile {
             for k in 0..depth {
-                let (from, to) = (
-                    &right.values[k * right.stride..][..N],
-                    &mut strip[k * N..][..N],
-                );
+                let from = &right.values[k * right.stride..][..N];
+                let to = &mut strip[k * N..][..N];
                 let d = pivots.map_or(1.0, |d| d.values[k * d.stride]);
                 for n in 0..N {
                     to[n] = d * from[n];
@@ -224,16 +226,13 @@ impl<'a> Strip<'a> {
                     stride: height.next_multiple_of(R::LANES),
                 }
             } else {
-                Matrix {
-                    values: &left.values[i..],
-                    stride: left.stride,
-                }
+                left.from(i, 0)
             };
             let c = (&mut c[i..], stride);
             match height.div_ceil(R::LANES) {
-                1 => run_tile::<R, 1, N>(c, (left, right), (height, depth), keep),
-                2 => run_tile::<R, 2, N>(c, (left, right), (height, depth), keep),
-                _ => run_tile::<R, VECTORS, N>(c, (left, right), (height, depth), keep),
+                1 => multiply_tile::<R, 1, N>(c, (left, right), (height, depth), keep),
+                2 => multiply_tile::<R, 2, N>(c, (left, right), (height, depth), keep),
+                _ => multiply_tile::<R, VECTORS, N>(c, (left, right), (height, depth), keep),
             }
             i += height;
         }
@@ -267,13 +266,13 @@ fn copy_tiles<R: Real>(copy: &mut Vec<f64>, from: Matrix<'_>, rows: usize, depth
 }
 
 #[inline(always)]
-fn run_tile<R: Real, const V: usize, const N: usize>(
+fn multiply_tile<R: Real, const V: usize, const N: usize>(
     (c, stride): (&mut [f64], usize),
     (a, b): (Matrix<'_>, Matrix<'_>),
     (rows, depth): (usize, usize),
     keep: bool,
 ) {
-    let less = less::<R, V, N>((a, b), (rows, depth));
+    let less = negative_product::<R, V, N>((a, b), (rows, depth));
     for j in 0..N {
         let c = &mut c[j * stride..][..rows];
         for v in 0..V {
@@ -291,17 +290,15 @@ fn run_tile<R: Real, const V: usize, const N: usize>(
 
 /// A tile of −A Bᵀ.
 #[inline(always)]
-fn less<R: Real, const V: usize, const N: usize>(
+fn negative_product<R: Real, const V: usize, const N: usize>(
     (a, b): (Matrix<'_>, Matrix<'_>),
     (rows, depth): (usize, usize),
 ) -> [[R; V]; N] {
     let mut sum = [[R::splat(0.0); V]; N];
     let last = (V - 1) * R::LANES..rows;
     for k in 0..depth {
-        let (a, b) = (
-            &a.values[k * a.stride..][..rows],
-            &b.values[k * b.stride..][..N],
-        );
+        let a = &a.values[k * a.stride..][..rows];
+        let b = &b.values[k * b.stride..][..N];
         let mut x = [R::splat(0.0); V];
         for v in 0..V - 1 {
             x[v] = R::load(&a[v * R::LANES..(v + 1) * R::LANES]);

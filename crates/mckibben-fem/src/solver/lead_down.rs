@@ -1,9 +1,11 @@
 //! Equilibria at one length, from the taut muscle down in pressure.
 
-use super::body::{Body, Control};
-use super::continuation::Continuation;
-use super::descent::CONTINUOUS;
-use super::newton::{Interrupted, Stopped};
+use super::{
+    body::{Body, Control},
+    continuation::Continuation,
+    descent::CONTINUOUS,
+    newton::{Solved, Stopped, Walked},
+};
 
 /// How often the pressure is raised, and by what factor, where the strands are not taut yet.
 const TIGHTENINGS: usize = 8;
@@ -13,7 +15,7 @@ const SMALLEST_CONTINUOUS: f64 = 1e-5;
 
 impl<B: Body> Continuation<B> {
     /// From the taut muscle, continuously.
-    pub(super) fn lead_down(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    pub(super) fn lead_down(&mut self, pressure: f64, terminal: f64) -> Walked {
         if self.descent.terminal != Some(terminal) {
             self.begin_descent(terminal);
         }
@@ -70,9 +72,10 @@ impl<B: Body> Continuation<B> {
 
     /// The next station of a descent, by the largest step that is continuous. Its stations depend
     /// on the length alone.
-    fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
+    fn descend(&mut self, terminal: f64) -> Walked {
         let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
-        let (from, mut step) = (self.descent.lowest(), self.descent.step());
+        let from = self.descent.lowest();
+        let mut step = self.descent.step();
         loop {
             let next = (from - step).max(0.0);
             self.descent.predict(next, self.body.state_mut());
@@ -111,7 +114,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// An equilibrium with all strands in tension: from a guess, else from rest.
-    fn tighten(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    fn tighten(&mut self, pressure: f64, terminal: f64) -> Walked {
         if self.tight_guess(pressure, terminal) {
             return Ok(());
         }
@@ -124,7 +127,7 @@ impl<B: Body> Continuation<B> {
 
     /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it
     /// continues.
-    pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Walked {
         self.body.rest();
         self.walk_in_steps(
             pressure,
@@ -137,7 +140,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
-    fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    fn follow(&mut self, pressure: f64, terminal: f64) -> Walked {
         self.walk_in_steps(
             pressure,
             terminal,
@@ -154,7 +157,7 @@ impl<B: Body> Continuation<B> {
 
     /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it
     /// does, its tube has folded.
-    fn lowered(&self, stations: usize) -> Result<(), Stopped> {
+    fn lowered(&self, stations: usize) -> Solved {
         let folded = self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain();
         if folded { Err(Stopped::Branch) } else { Ok(()) }
     }

@@ -73,13 +73,19 @@ pub struct LastConverged {
 }
 
 /// Why a walk ended, and the last equilibrium on it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Interrupted {
     /// Why the last step was given up.
     pub reason: Stopped,
     /// The last equilibrium.
     pub last: LastConverged,
 }
+
+/// An equilibrium, or why there is none.
+pub type Solved = Result<()>;
+
+/// A walk to an equilibrium, or where it ended before.
+pub type Walked = Result<(), Interrupted>;
 
 impl Stopped {
     /// Whether further attempts are useless: the allowed work is done.
@@ -89,7 +95,7 @@ impl Stopped {
 }
 
 /// Settings of [`solve`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct NewtonOptions {
     /// Largest relative residual of an answer.
     pub tolerance: f64,
@@ -119,7 +125,7 @@ impl NewtonOptions {
 }
 
 /// What a solve cost.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Effort {
     /// Corrections.
     pub iterations: usize,

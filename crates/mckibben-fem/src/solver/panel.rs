@@ -10,8 +10,10 @@
 //!
 //! No pivots are exchanged: systems are ordered and augmented so that none need be.
 
-use super::kernel::{Kernel, Matrix, Product, STRIP, Triangle};
-use super::symbolic::Form;
+use super::{
+    kernel::{Kernel, Matrix, Product, STRIP, Triangle},
+    symbolic::Form,
+};
 use std::ops::Range;
 
 /// Strips of so many columns from `first` on.
@@ -21,7 +23,7 @@ fn strips(count: usize, strip: usize) -> impl Iterator<Item = Range<usize>> {
 }
 
 /// Columns of a symmetric matrix: from the row of the first one's diagonal on.
-pub(super) struct Panel<'a> {
+pub struct Panel<'a> {
     pub form: Form,
     /// Numbers by columns.
     pub values: &'a mut [f64],
@@ -42,18 +44,14 @@ impl Panel<'_> {
             let (done, strip) = self.values.split_at_mut(columns.start * stride);
             let top = rows.start.max(columns.start);
             if columns.start > 0 {
-                let part = |row| Matrix {
-                    values: &done[row..],
+                let done = Matrix {
+                    values: done,
                     stride,
                 };
-                let d = Matrix {
-                    values: &*done,
-                    stride: stride + 1,
-                };
                 let factors = Product {
-                    a: part(top),
-                    b: part(columns.start),
-                    d: (self.form == Form::Indefinite).then_some(d),
+                    a: done.from(top, 0),
+                    b: done.from(columns.start, 0),
+                    d: self.form.pivots(done),
                     rows: rows.end - top,
                     columns: columns.len(),
                     depth: columns.start,

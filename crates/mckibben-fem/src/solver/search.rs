@@ -3,9 +3,11 @@
 //! Single equilibria at given pressures and contractions lead near; from there Newton's method runs
 //! with the pull held.
 
-use super::body::{Body, Control};
-use super::continuation::{Continuation, LARGEST_CONTRACTION};
-use super::newton::{Interrupted, Stopped};
+use super::{
+    body::{Body, Control},
+    continuation::{Continuation, LARGEST_CONTRACTION},
+    newton::{Interrupted, Stopped},
+};
 use crate::{FemError, Result};
 use mckibben::cancel;
 
@@ -44,7 +46,7 @@ impl<B: Body> Continuation<B> {
                 continue;
             }
             let pull = self.pull();
-            match self.hold(Control::Force(force)) {
+            match self.solve_holding(Control::Force(force)) {
                 Ok(true)
                     if self.contraction().abs() < LARGEST_CONTRACTION
                         && self.is_that_of(force)? =>
@@ -101,7 +103,7 @@ impl<B: Body> Continuation<B> {
             }
             with = Some(pressure);
             let pull = self.pull();
-            match self.hold(Control::Pressure { terminal, force }) {
+            match self.solve_holding(Control::Pressure { terminal, force }) {
                 Ok(true) if self.is_that_of(force)? => {
                     self.keep();
                     return Ok(());
@@ -133,8 +135,8 @@ impl<B: Body> Continuation<B> {
         if B::SETTINGS.take_unstable || self.body.certain() {
             return Ok(true);
         }
-        let (pressure, contraction) = (self.body.state().pressure, self.contraction());
-        self.reach(pressure, contraction)?;
+        let pressure = self.body.state().pressure;
+        self.reach(pressure, self.contraction())?;
         Ok((self.pull() - force).abs()
             <= SAME_PULL
                 * force
@@ -143,7 +145,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Solves and says whether the equilibrium is stable.
-    fn hold(&mut self, control: Control) -> Result<bool, Stopped> {
+    fn solve_holding(&mut self, control: Control) -> Result<bool, Stopped> {
         self.solve(control).map(|()| self.stable_under(control))
     }
 

@@ -7,10 +7,12 @@
 
 pub use super::symbolic::Pattern;
 
-use super::newton::Stopped;
-use super::substitution::{self, Factor};
-use super::supernodal::Numeric;
-use super::symbolic::{Form, Symbolic};
+use super::{
+    newton::{Solved, Stopped},
+    substitution::{self, Factor},
+    supernodal::Numeric,
+    symbolic::{Form, Symbolic},
+};
 use crate::element::lanes::Width;
 use std::sync::Arc;
 
@@ -49,7 +51,8 @@ impl Analysis {
 impl SparseCholesky {
     /// Memory for a matrix with a pattern, where there is as much.
     pub fn new(analysis: Arc<Analysis>) -> Option<Self> {
-        let (entries, width) = (analysis.symbolic.entries(), Width::here());
+        let entries = analysis.symbolic.entries();
+        let width = Width::here();
         let numeric = Numeric::new(analysis.pattern.dimension(), width)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(entries).ok()?;
@@ -68,9 +71,10 @@ impl SparseCholesky {
     ///
     /// # Errors
     /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Cancelled`].
-    pub fn factorise(&mut self, values: &[f64]) -> Result<(), Stopped> {
+    pub fn factorise(&mut self, values: &[f64]) -> Solved {
         let Analysis { pattern, symbolic } = &*self.analysis;
-        (self.negative, self.form) = (0, None);
+        self.negative = 0;
+        self.form = None;
         let mut run = |form| {
             let done = self
                 .numeric
@@ -81,7 +85,8 @@ impl SparseCholesky {
             Err(Stopped::Singular) => run(Form::Indefinite),
             done => done,
         }?;
-        (self.negative, self.form) = (negative(symbolic, &self.factor), Some(form));
+        self.negative = negative(symbolic, &self.factor);
+        self.form = Some(form);
         Ok(())
     }
 

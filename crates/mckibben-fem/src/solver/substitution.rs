@@ -7,8 +7,8 @@ use crate::element::lanes::{Real, on_lanes};
 /// Columns at a time.
 const COLUMNS: usize = 4;
 
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Factor<'a> {
+#[derive(Debug)]
+pub struct Factor<'a> {
     pub form: Form,
     pub symbolic: &'a Symbolic,
     pub values: &'a [f64],
@@ -16,15 +16,19 @@ pub(super) struct Factor<'a> {
 
 on_lanes! {
     /// Replaces a right-hand side by the solution.
-    pub(super) fn solve(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = substitute
+    pub fn solve(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) = substitute
 }
 
 #[inline(always)]
 fn substitute<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>) {
-    let (form, s) = (factor.form, factor.symbolic);
+    let form = factor.form;
+    let s = factor.symbolic;
     for i in 0..s.count() {
-        let (columns, below, l) = (s.columns(i), s.below(i), &factor.values[s.values(i)]);
-        let (width, height) = (columns.len(), columns.len() + below.len());
+        let columns = s.columns(i);
+        let below = s.below(i);
+        let l = &factor.values[s.values(i)];
+        let width = columns.len();
+        let height = columns.len() + below.len();
         memory.clear();
         memory.extend_from_slice(&x[columns.clone()]);
         memory.resize(height, 0.0);
@@ -44,8 +48,11 @@ fn substitute<R: Real>(factor: Factor<'_>, x: &mut [f64], memory: &mut Vec<f64>)
         }
     }
     for i in (0..s.count()).rev() {
-        let (columns, below, l) = (s.columns(i), s.below(i), &factor.values[s.values(i)]);
-        let (width, height) = (columns.len(), columns.len() + below.len());
+        let columns = s.columns(i);
+        let below = s.below(i);
+        let l = &factor.values[s.values(i)];
+        let width = columns.len();
+        let height = columns.len() + below.len();
         memory.clear();
         memory.extend_from_slice(&x[columns.clone()]);
         memory.extend(below.iter().map(|row| x[*row as usize]));

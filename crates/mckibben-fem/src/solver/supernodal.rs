@@ -5,10 +5,12 @@
 //! what every earlier supernode with rows in it takes off; then its columns are factorised, panel
 //! by panel.
 
-use super::kernel::{Kernel, Matrix, Product};
-use super::newton::Stopped;
-use super::panel::Panel;
-use super::symbolic::{Form, Pattern, Symbolic};
+use super::{
+    kernel::{Kernel, Matrix, Product},
+    newton::{Solved, Stopped},
+    panel::Panel,
+    symbolic::{Form, Pattern, Symbolic},
+};
 use crate::element::lanes::Width;
 use mckibben::cancel;
 use std::ops::Range;
@@ -24,7 +26,7 @@ const PIECE: usize = 50_000_000;
 
 /// Memory of a factorisation.
 #[derive(Debug)]
-pub(super) struct Numeric {
+pub struct Numeric {
     kernel: Kernel,
     /// Row of each unknown in the present supernode.
     local: Vec<u32>,
@@ -47,7 +49,9 @@ impl Numeric {
         let mut local = vec![];
         local.try_reserve_exact(unknowns).ok()?;
         local.resize(unknowns, 0);
-        let (places, product, form) = (vec![], vec![], Form::Positive);
+        let places = vec![];
+        let product = vec![];
+        let form = Form::Positive;
         Some(Self {
             kernel: Kernel::new(width),
             local,
@@ -66,11 +70,12 @@ impl Numeric {
         s: &Symbolic,
         (pattern, values): (&Pattern, &[f64]),
         factor: &mut Vec<f64>,
-    ) -> Result<(), Stopped> {
+    ) -> Solved {
         self.form = form;
         factor.clear();
         for i in 0..s.count() {
-            let (columns, height) = (s.columns(i), s.height(i));
+            let columns = s.columns(i);
+            let height = s.height(i);
             let all = columns
                 .clone()
                 .chain(s.below(i).iter().map(|r| *r as usize));
@@ -80,7 +85,7 @@ impl Numeric {
             self.worked(columns.len() * height)?;
             let (head, block) = factor.split_at_mut(s.values(i).start);
             for (j, column) in columns.clone().zip(block.chunks_exact_mut(height)) {
-                for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
+                for k in pattern.column(j) {
                     column[self.local[pattern.rows[k] as usize] as usize] += values[k];
                 }
             }
@@ -97,7 +102,7 @@ impl Numeric {
         Ok(())
     }
 
-    fn worked(&mut self, work: usize) -> Result<(), Stopped> {
+    fn worked(&mut self, work: usize) -> Solved {
         self.work += work;
         if self.work > PIECE {
             self.work = 0;
@@ -113,33 +118,26 @@ impl Numeric {
         (from, wide): (&[f64], usize),
         (names, inside): (&[u32], Range<usize>),
         (block, height): (&mut [f64], usize),
-    ) -> Result<(), Stopped> {
-        let stride = wide + names.len();
-        let part = |row: usize, column: usize| Matrix {
-            values: &from[column * stride + row..],
-            stride,
+    ) -> Solved {
+        let from = Matrix {
+            values: from,
+            stride: wide + names.len(),
         };
         for columns in pieces(inside, COLUMNS) {
             for rows in pieces(columns.start..names.len(), ROWS) {
-                let (count, size) = (columns.len(), rows.len());
+                let count = columns.len();
+                let size = rows.len();
                 self.product
                     .resize((count * size).max(self.product.len()), 0.0);
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
-                    let (a, b) = (
-                        part(wide + rows.start, depth.start),
-                        part(wide + columns.start, depth.start),
-                    );
-                    let d = Matrix {
-                        stride: stride + 1,
-                        ..part(depth.start, depth.start)
-                    };
-                    let d = (self.form == Form::Indefinite).then_some(d);
-                    let (keep, depth) = (depth.start > 0, depth.len());
+                    let first = depth.start;
+                    let keep = first > 0;
+                    let depth = depth.len();
                     let factors = Product {
-                        a,
-                        b,
-                        d,
+                        a: from.from(wide + rows.start, first),
+                        b: from.from(wide + columns.start, first),
+                        d: self.form.pivots(from.from(first, first)),
                         rows: size,
                         columns: count,
                         depth,
@@ -166,36 +164,30 @@ impl Numeric {
     }
 
     /// Factorises the columns of a supernode.
-    fn eliminate(
-        &mut self,
-        (block, height, width): (&mut [f64], usize, usize),
-    ) -> Result<(), Stopped> {
+    fn eliminate(&mut self, (block, height, width): (&mut [f64], usize, usize)) -> Solved {
         let form = self.form;
         for columns in pieces(0..width, COLUMNS) {
-            let (first, count) = (columns.start, columns.len());
+            let first = columns.start;
+            let count = columns.len();
             let (done, block) = block.split_at_mut(first * height);
-            let part = |row: usize, column: usize| Matrix {
-                values: &done[column * height + row..],
+            let done = Matrix {
+                values: done,
                 stride: height,
             };
             for depth in pieces(0..first, DEPTH) {
                 for rows in pieces(first..height, ROWS) {
-                    let d = Matrix {
-                        stride: height + 1,
-                        ..part(depth.start, depth.start)
-                    };
-                    let d = (form == Form::Indefinite).then_some(d);
-                    let (a, b) = (part(rows.start, depth.start), part(first, depth.start));
-                    let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
+                    let size = rows.len();
+                    let begin = depth.start;
+                    let depth = depth.len();
                     let factors = Product {
-                        a,
-                        b,
-                        d,
+                        a: done.from(rows.start, begin),
+                        b: done.from(first, begin),
+                        d: form.pivots(done.from(begin, begin)),
                         rows: size,
                         columns: count,
                         depth,
                         keep: true,
-                        lower,
+                        lower: rows.start == first,
                     };
                     self.kernel
                         .product((&mut block[rows.start..], height), factors);

@@ -14,6 +14,7 @@
 //! merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]):
 //! wide supernodes are quick, and a child's rows lie within the parent's columns and rows.
 
+use super::kernel::{Matrix, Pivots};
 use std::ops::Range;
 
 /// Which share of zeros merged supernodes of at most so many columns may have.
@@ -25,12 +26,20 @@ const MOST: u64 = i32::MAX as u64;
 const NONE: u32 = u32::MAX;
 
 /// The two forms of a factorisation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
     /// L Lᵀ.
     Positive,
     /// L D Lᵀ.
     Indefinite,
+}
+
+impl Form {
+    /// The pivots on the diagonal of a matrix, where there are any.
+    pub fn pivots(self, matrix: Matrix<'_>) -> Pivots<'_> {
+        let stride = matrix.stride + 1;
+        (self == Self::Indefinite).then_some(Matrix { stride, ..matrix })
+    }
 }
 
 /// The lower half of a symmetric matrix by columns: places of its entries.
@@ -53,19 +62,22 @@ impl Pattern {
         self.rows.len()
     }
 
+    /// Places of the entries of a column.
+    pub fn column(&self, column: usize) -> Range<usize> {
+        self.columns[column] as usize..self.columns[column + 1] as usize
+    }
+
     /// Place of entry (`row`, `column`) of the lower half.
     pub fn position(&self, row: u32, column: u32) -> Option<u32> {
-        let start = *self.columns.get(column as usize)?;
-        let end = *self.columns.get(column as usize + 1)?;
-        let all = self.rows.get(start as usize..end as usize)?;
-        all.binary_search(&row).ok().map(|i| start + i as u32)
+        let all = self.column(column as usize);
+        Some((all.start + self.rows[all.clone()].binary_search(&row).ok()?) as u32)
     }
 }
 
 /// The supernodes of a pattern. Each is a matrix by columns: the rows of its columns, then those
 /// below.
 #[derive(Debug)]
-pub(super) struct Symbolic {
+pub struct Symbolic {
     /// First column of each supernode, and the number of all columns.
     begin: Vec<u32>,
     /// Where the rows below each begin and the last ones end.
@@ -125,15 +137,19 @@ impl Symbolic {
 
     fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
-        let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
+        let mut begin = vec![];
+        let mut first_row = vec![0];
+        let mut rows = vec![];
         // The last supernode with a row; the children of each column: the last one, and the one
         // before each supernode.
-        let (mut last_in, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
+        let mut last_in = vec![NONE; n];
+        let mut child = vec![NONE; n];
+        let mut sibling = vec![];
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let below = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
-            let below = below.iter().copied().filter(|r| *r as usize > j);
+            let below = pattern.rows[pattern.column(j)].iter().copied();
+            let below = below.filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;
@@ -150,7 +166,8 @@ impl Symbolic {
             }
             let this = begin.len() as u32;
             begin.push(j as u32);
-            (open, passed) = (below.collect(), 0);
+            open = below.collect();
+            passed = 0;
             open.iter().for_each(|r| last_in[*r as usize] = this);
             let mut next = child[j];
             while next != NONE {
@@ -170,7 +187,9 @@ impl Symbolic {
             first_row.push(rows.len());
         }
         begin.push(n as u32);
-        let (first_value, first_update, updates) = (vec![], vec![], vec![]);
+        let first_value = vec![];
+        let first_update = vec![];
+        let updates = vec![];
         Some(Self {
             begin,
             first_row,
@@ -184,9 +203,12 @@ impl Symbolic {
     /// Merges supernodes with the parents right behind them.
     fn merge(&mut self) {
         // Number of those that remain; first column, rows and zeros of the last one.
-        let (mut kept, mut start, mut zeros) = (0_usize, 0, 0.0);
+        let mut kept = 0_usize;
+        let mut start = 0;
+        let mut zeros = 0.0;
         for i in 0..self.count() {
-            let (columns, rows) = (self.columns(i), self.first_row[i]..self.first_row[i + 1]);
+            let columns = self.columns(i);
+            let rows = self.first_row[i]..self.first_row[i + 1];
             let together = match kept.checked_sub(1) {
                 Some(last) if self.below(last).first() == Some(&self.begin[i]) => {
                     let width = columns.end - start;
@@ -233,7 +255,8 @@ impl Symbolic {
         for i in 0..count {
             owner[self.columns(i)].fill(i as u32);
         }
-        let (owner, this) = (&owner, &*self);
+        let owner = &owner;
+        let this = &*self;
         let targets = |i: usize| {
             let mut before = NONE;
             let owners = this.below(i).iter().map(|r| owner[*r as usize]);
@@ -246,14 +269,16 @@ impl Symbolic {
         for i in 0..count {
             first[i + 1] += first[i];
         }
-        let (mut next, mut from) = (first.clone(), vec![0_u32; first[count]]);
+        let mut next = first.clone();
+        let mut from = vec![0_u32; first[count]];
         for i in 0..count {
             for t in targets(i) {
                 from[next[t as usize]] = i as u32;
                 next[t as usize] += 1;
             }
         }
-        (self.first_update, self.updates) = (first, from);
+        self.first_update = first;
+        self.updates = from;
     }
 }
 

@@ -3,7 +3,7 @@
 use super::body::State;
 
 /// Along what a path runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Along {
     /// Pressures at one length or one pull.
     Pressure,
@@ -12,7 +12,7 @@ pub enum Along {
 }
 
 impl Along {
-    fn place(self, s: &State) -> f64 {
+    fn coordinate(self, s: &State) -> f64 {
         match self {
             Self::Pressure => s.pressure,
             Self::Length => s.terminal,
@@ -52,7 +52,8 @@ impl Trail {
         for (i, weight) in weights[..trail.len()].iter_mut().enumerate() {
             *weight = 1.0;
             for j in (0..trail.len()).filter(|&j| j != i) {
-                let (xi, xj) = (along.place(&trail[i]), along.place(&trail[j]));
+                let xi = along.coordinate(&trail[i]);
+                let xj = along.coordinate(&trail[j]);
                 if xi == xj {
                     return false;
                 }

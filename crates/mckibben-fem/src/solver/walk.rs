@@ -1,10 +1,12 @@
 //! Walks between equilibria, as large a step at a time as Newton's method allows.
 
-use super::body::{Body, Control};
-use super::continuation::{Continuation, TAUT};
-use super::descent::growth_of_step;
-use super::newton::{Interrupted, LastConverged, Stopped};
-use super::trail::{Along, Trail};
+use super::{
+    body::{Body, Control},
+    continuation::{Continuation, TAUT},
+    descent::growth_of_step,
+    newton::{Interrupted, LastConverged, Solved, Stopped, Walked},
+    trail::{Along, Trail},
+};
 
 /// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the
 /// share of the radius by which a step aims to miss its prediction.
@@ -14,7 +16,7 @@ const AIMED: f64 = 0.1;
 
 impl<B: Body> Continuation<B> {
     /// From rest to a pressure at rest length, and from there to a displacement of the terminal.
-    pub(super) fn restart(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    pub(super) fn restart(&mut self, pressure: f64, terminal: f64) -> Walked {
         self.body.rest();
         self.steps = Some(0);
         self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
@@ -23,12 +25,7 @@ impl<B: Body> Continuation<B> {
 
     /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the
     /// pressure down.
-    pub(super) fn long_way(
-        &mut self,
-        pressure: f64,
-        terminal: f64,
-        guess: bool,
-    ) -> Result<(), Interrupted> {
+    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Walked {
         let pulling = self
             .body
             .pulling_pressure(-terminal / self.body.half_length());
@@ -49,9 +46,10 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
+    pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Solved {
         let mut trail = Trail::default();
-        let (mut at, mut step) = (0.0, FIRST * terminal);
+        let mut at = 0.0;
+        let mut step = FIRST * terminal;
         if self.guessed(pressure, at).is_err() {
             self.body.rest();
             self.walk(pressure, at, B::SETTINGS.first_step)
@@ -72,8 +70,8 @@ impl<B: Body> Continuation<B> {
                 let solved = self.solve(Control::Length(next));
                 if solved.is_ok() && self.stable() && self.body.taut() {
                     // The difference from a cubic grows with the fourth power of a step.
-                    let growth = (AIMED / self.effort.moved).powf(0.25);
-                    (step, at) = (growth.clamp(0.5, 2.0) * (next - at), next);
+                    step = (AIMED / self.effort.moved).powf(0.25).clamp(0.5, 2.0) * (next - at);
+                    at = next;
                     break;
                 }
                 step = 0.5 * (next - at);
@@ -91,7 +89,7 @@ impl<B: Body> Continuation<B> {
     ///
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
-    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
+    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Walked {
         self.walk_in_steps(
             pressure,
             terminal,
@@ -110,11 +108,14 @@ impl<B: Body> Continuation<B> {
         first: f64,
         smallest: f64,
         reach: f64,
-    ) -> Result<(), Interrupted> {
+    ) -> Walked {
         self.base.copy_from(self.body.state());
-        let (p0, w0) = (self.base.pressure, self.base.terminal);
+        let p0 = self.base.pressure;
+        let w0 = self.base.terminal;
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.u.iter().all(|x| *x == 0.0);
-        let (mut done, mut step, mut step_before) = (0.0_f64, first, 0.0_f64);
+        let mut done = 0.0_f64;
+        let mut step = first;
+        let mut step_before = 0.0_f64;
         loop {
             let next = (done + step).min(1.0);
             let w = w0 + next * (terminal - w0);

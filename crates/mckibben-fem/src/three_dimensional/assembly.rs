@@ -1,28 +1,34 @@
 //! Residual and tangent of a body, element by element.
 
-use super::discretisation::{Discretisation, Material};
-use super::mesh::Brick;
-use crate::element::brick::{Input, Output, ShapePoint, run};
-use crate::element::hexahedron::points;
-use crate::element::lanes::Real;
-use crate::element::lanes::on_lanes;
-use crate::element::law::with;
-use crate::element::spatial::{AT, SpatialLaw};
-use crate::load::cavity_faces::{self, FacePoint, skew, volume};
-use crate::solver::body::{State, Totals};
-use crate::solver::newton::{Result, Stopped};
+use super::{
+    discretisation::{Discretisation, Material},
+    mesh::Brick,
+};
+use crate::{
+    element::{
+        brick::{Input, Output, ShapePoint, integrate_bricks},
+        hexahedron::integration_points,
+        lanes::{Real, on_lanes},
+        law::with_law,
+        spatial::{AT, SpatialLaw},
+    },
+    load::cavity_faces::{self, FacePoint, skew, volume},
+    solver::{
+        body::{State, Totals},
+        newton::{Result, Stopped},
+    },
+};
 use mckibben::cancel;
-use std::ops::Range;
-use std::sync::LazyLock;
+use std::{array::from_fn, ops::Range, sync::LazyLock};
 
 /// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of
 /// all widths of lanes.
 const PIECE: usize = 1024;
 
-static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(1));
-static POINTS27: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| points(2));
-static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::points);
-static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::points);
+static POINTS8: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| integration_points(1));
+static POINTS27: LazyLock<Vec<ShapePoint>> = LazyLock::new(|| integration_points(2));
+static FACE4: LazyLock<Vec<FacePoint<4>>> = LazyLock::new(cavity_faces::face_points);
+static FACE9: LazyLock<Vec<FacePoint<9>>> = LazyLock::new(cavity_faces::face_points);
 
 /// What an assembly fills.
 #[derive(Debug, Clone)]
@@ -73,26 +79,27 @@ pub fn assemble<const TANGENT: bool>(
         ..Totals::default()
     };
     for m in &d.materials {
-        let (start, end) = (m.bricks.start, m.bricks.end);
-        for first in (start..end).step_by(PIECE) {
+        let end = m.bricks.end;
+        for first in m.bricks.clone().step_by(PIECE) {
             cancel::check()?;
             let bricks = first..(first + PIECE).min(end);
-            with(&m.law, |law| {
+            with_law(&m.law, |law| {
+                let law = law.space;
                 let piece = Piece {
                     d,
                     s,
                     m,
-                    law: law.space,
+                    law,
                     bricks,
                 };
-                add::<TANGENT>(piece, work, &mut totals)
+                assemble_piece::<TANGENT>(piece, work, &mut totals)
             })?;
         }
     }
-    trusses::<TANGENT>(d, s, work, &mut totals);
+    assemble_trusses::<TANGENT>(d, s, work, &mut totals);
     match d.problem.brick {
-        Brick::Linear => faces::<4, TANGENT>(&FACE4, d, s, work, &mut totals),
-        Brick::Quadratic => faces::<9, TANGENT>(&FACE9, d, s, work, &mut totals),
+        Brick::Linear => assemble_faces::<4, TANGENT>(&FACE4, d, s, work, &mut totals),
+        Brick::Quadratic => assemble_faces::<9, TANGENT>(&FACE9, d, s, work, &mut totals),
     }
     for (f, v) in work.force.iter_mut().zip(&work.cavity) {
         *f -= s.pressure * v;
@@ -121,40 +128,34 @@ struct Piece<'a> {
 }
 
 /// Adds up bricks of one material until one is turned inside out.
-fn add<const TANGENT: bool>(
+fn assemble_piece<const TANGENT: bool>(
     piece: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<()> {
+    let width = piece.d.width;
     match piece.d.problem.brick {
-        Brick::Linear => wide::<8, 1, TANGENT>(piece.d.width, &POINTS8, piece, work, totals),
-        Brick::Quadratic => wide::<27, 4, TANGENT>(piece.d.width, &POINTS27, piece, work, totals),
+        Brick::Linear => on_width::<8, 1, TANGENT>(width, &POINTS8, piece, work, totals),
+        Brick::Quadratic => on_width::<27, 4, TANGENT>(width, &POINTS27, piece, work, totals),
     }
 }
 
 on_lanes! {
-    fn wide[NN: usize, NM: usize, TANGENT: bool](
+    fn on_width[NN: usize, NM: usize, TANGENT: bool](
         points: &[ShapePoint],
         piece: Piece<'_>,
         work: &mut Assembled,
         totals: &mut Totals,
-    ) -> Result<()> = all
+    ) -> Result<()> = assemble_bricks
 }
 
 #[inline(always)]
-fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
+fn assemble_bricks<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint],
     piece: Piece<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Result<()> {
-    let Piece {
-        d,
-        s,
-        m,
-        law,
-        bricks: Range { start, end: count },
-    } = piece;
     let o = R::splat(0.0);
     let mut input = Input {
         rest: [[o; 3]; NN],
@@ -163,93 +164,111 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
         volume: o,
         centre: [o; 3],
         factors: [[o; 4]; 4],
-        compliance: m.compliance,
-        augment: m.augment,
+        compliance: piece.m.compliance,
+        augment: piece.m.augment,
     };
     let mut out = Output::<R, NN, NM>::zero();
-    let per_map = d.per_map();
-    let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..]
-        .iter()
-        .peekable();
-    for first in (start..count).step_by(R::LANES) {
+    let Range { start, end } = piece.bricks;
+    for first in (start..end).step_by(R::LANES) {
         for lane in 0..R::LANES {
             // The last ones are looked at more than once and written once.
-            let e = (first + lane).min(count - 1);
-            for a in 0..NN {
-                let node = d.problem.bricks[e][a] as usize;
-                let (x, u) = (&d.problem.nodes[node], &s.u[3 * node..3 * node + 3]);
-                let rest = d.problem.rest(e, node as u32);
-                for i in 0..3 {
-                    input.rest[a][i].set_lane(lane, rest[i]);
-                    input.now[a][i].set_lane(lane, x[i] + u[i]);
-                }
-            }
-            let m = &d.rest[e];
-            input.volume.set_lane(lane, m.volume);
-            for i in 0..3 {
-                input.centre[i].set_lane(lane, m.centre[i]);
-            }
-            for k in 0..NM {
-                input.p[k].set_lane(lane, s.p[e * NM + k]);
-                for i in 0..4 {
-                    input.factors[k][i].set_lane(lane, m.factors[k][i]);
-                }
-            }
+            input.read_brick(piece.d, piece.s, (first + lane).min(end - 1), lane);
         }
-        run::<R, NN, NM, TANGENT>(points, &input, law, &mut out);
-        for lane in 0..R::LANES.min(count - first) {
-            let e = first + lane;
-            let j = out.smallest_j.lane(lane);
-            totals.smallest_j = totals.smallest_j.min(j);
-            if j.is_nan() || j <= 0.0 {
-                return Err(Stopped::Inverted);
-            }
-            totals.rubber += out.energy.lane(lane);
-            for a in 0..NN {
-                let node = 3 * d.problem.bricks[e][a] as usize;
-                for i in 0..3 {
-                    work.force[node + i] += out.force[a][i].lane(lane);
-                }
-            }
-            for k in 0..NM {
-                let defect = out.defect[k].lane(lane);
-                work.defect[e * NM + k] = defect;
-                totals.defect = totals.defect.max(defect.abs() / d.rest[e].volume);
-            }
-            if TANGENT {
-                let gradient = &mut work.gradient[e * NM * NN * 3..(e + 1) * NM * NN * 3];
-                for k in 0..NM {
-                    for a in 0..NN {
-                        for i in 0..3 {
-                            gradient[(k * NN + a) * 3 + i] = out.gradient[k][a][i].lane(lane);
-                        }
-                    }
-                }
-                let map = &d.brick_map[e * per_map..(e + 1) * per_map];
-                for (block, places) in out.tangent.iter().zip(map.chunks_exact(9)) {
-                    for i in 0..9 {
-                        work.values[places[i] as usize] += block[i].lane(lane);
-                    }
-                }
-                while let Some((_, entry)) = twice.next_if(|t| t.0 as usize == e) {
-                    let entry = *entry as usize;
-                    work.values[map[entry] as usize] +=
-                        out.tangent[entry / 9][entry % 9].lane(lane);
-                }
-            }
+        integrate_bricks::<R, NN, NM, TANGENT>(points, &input, piece.law, &mut out);
+        for lane in 0..R::LANES.min(end - first) {
+            out.add_brick::<TANGENT>(piece.d, (first + lane, lane), work, totals)?;
         }
     }
     Ok(())
 }
 
-fn trusses<const TANGENT: bool>(
+impl<R: Real, const NN: usize, const NM: usize> Input<R, NN, NM> {
+    /// Takes a brick into a lane.
+    #[inline(always)]
+    fn read_brick(&mut self, d: &Discretisation, s: &State, brick: usize, lane: usize) {
+        let problem = &d.problem;
+        let modes = &d.rest[brick];
+        for a in 0..NN {
+            let node = problem.bricks[brick][a];
+            let rest = problem.rest(brick, node);
+            let node = node as usize;
+            let x = &problem.nodes[node];
+            let u = &s.u[3 * node..3 * node + 3];
+            for i in 0..3 {
+                self.rest[a][i].set_lane(lane, rest[i]);
+                self.now[a][i].set_lane(lane, x[i] + u[i]);
+            }
+        }
+        self.volume.set_lane(lane, modes.volume);
+        for i in 0..3 {
+            self.centre[i].set_lane(lane, modes.centre[i]);
+        }
+        for k in 0..NM {
+            self.p[k].set_lane(lane, s.p[brick * NM + k]);
+            for i in 0..4 {
+                self.factors[k][i].set_lane(lane, modes.factors[k][i]);
+            }
+        }
+    }
+}
+
+impl<R: Real, const NN: usize, const NM: usize> Output<R, NN, NM> {
+    /// Adds what a brick in a lane gives; refused where it is turned inside out.
+    #[inline(always)]
+    fn add_brick<const TANGENT: bool>(
+        &self,
+        d: &Discretisation,
+        (brick, lane): (usize, usize),
+        work: &mut Assembled,
+        totals: &mut Totals,
+    ) -> Result<()> {
+        let j = self.smallest_j.lane(lane);
+        totals.smallest_j = totals.smallest_j.min(j);
+        if j.is_nan() || j <= 0.0 {
+            return Err(Stopped::Inverted);
+        }
+        totals.rubber += self.energy.lane(lane);
+        for a in 0..NN {
+            let node = 3 * d.problem.bricks[brick][a] as usize;
+            for i in 0..3 {
+                work.force[node + i] += self.force[a][i].lane(lane);
+            }
+        }
+        for k in 0..NM {
+            let defect = self.defect[k].lane(lane);
+            work.defect[brick * NM + k] = defect;
+            totals.defect = totals.defect.max(defect.abs() / d.rest[brick].volume);
+        }
+        if TANGENT {
+            let gradient = work.gradient[brick * NM * NN * 3..].iter_mut();
+            for (to, from) in gradient.zip(self.gradient.as_flattened().as_flattened()) {
+                *to = from.lane(lane);
+            }
+            let per_map = d.per_map();
+            let map = &d.brick_map[brick * per_map..(brick + 1) * per_map];
+            for (place, value) in map.iter().zip(self.tangent.as_flattened()) {
+                work.values[*place as usize] += value.lane(lane);
+            }
+            let first = d.twice.partition_point(|t| (t.0 as usize) < brick);
+            let twice = d.twice[first..].iter();
+            for (_, entry) in twice.take_while(|t| t.0 as usize == brick) {
+                let entry = *entry as usize;
+                work.values[map[entry] as usize] += self.tangent.as_flattened()[entry].lane(lane);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn assemble_trusses<const TANGENT: bool>(
     d: &Discretisation,
     s: &State,
     work: &mut Assembled,
     totals: &mut Totals,
 ) {
     for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
-        let (a, b) = (*a as usize, *b as usize);
+        let a = *a as usize;
+        let b = *b as usize;
         let pull = d.pull(s, t, s.q[t]);
         totals.braid += 0.5 * pull.tension * pull.tension * d.strand[t].0 * truss.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);
@@ -273,18 +292,18 @@ fn trusses<const TANGENT: bool>(
     }
 }
 
-fn faces<const N: usize, const TANGENT: bool>(
+fn assemble_faces<const N: usize, const TANGENT: bool>(
     points: &[FacePoint<N>],
     d: &Discretisation,
     s: &State,
     work: &mut Assembled,
     totals: &mut Totals,
 ) {
-    let mut map = d.face_map.chunks_exact(9);
+    let mut map = d.face_map.iter();
     for nodes in &d.problem.faces {
-        let x: [[f64; 3]; N] = std::array::from_fn(|a| {
+        let x: [[f64; 3]; N] = from_fn(|a| {
             let n = nodes[a] as usize;
-            std::array::from_fn(|i| d.problem.nodes[n][i] + s.u[3 * n + i])
+            from_fn(|i| d.problem.nodes[n][i] + s.u[3 * n + i])
         });
         let v = volume::<N, TANGENT>(points, &x);
         totals.volume += v.value;
@@ -294,14 +313,10 @@ fn faces<const N: usize, const TANGENT: bool>(
             }
         }
         if TANGENT {
-            for a in 0..N {
-                for b in a + 1..N {
-                    let block = skew(&v.second[a][b]);
-                    if let Some(places) = map.next() {
-                        for (k, place) in places.iter().enumerate() {
-                            work.values[*place as usize] -= s.pressure * block[k / 3][k % 3];
-                        }
-                    }
+            for (a, b) in (0..N).flat_map(|a| (a + 1..N).map(move |b| (a, b))) {
+                let block = skew(&v.second[a][b]);
+                for (value, place) in block.as_flattened().iter().zip(&mut map) {
+                    work.values[*place as usize] -= s.pressure * value;
                 }
             }
         }

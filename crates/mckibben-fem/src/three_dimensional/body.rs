@@ -5,13 +5,20 @@
 //! slow Newton's method down (Magisano, Leonetti & Garcea 2017). `saddle.rs` solves the linear
 //! systems.
 
-use super::assembly::{Assembled, assemble};
-use super::discretisation::{Discretisation, share};
-use super::saddle::{Constraints, constraint_residual, dot, gather};
-use crate::solver::body::{Control, State, Totals};
-use crate::solver::newton::{NewtonSystem, Stopped};
-use crate::solver::sparse::SparseCholesky;
-use crate::{FemError, Result};
+use super::{
+    assembly::{Assembled, assemble},
+    discretisation::{Discretisation, share},
+    saddle::{Constraints, constraint_residual, dot, gather},
+};
+use crate::{
+    FemError, Result,
+    solver::{
+        body::{Control, State, Totals},
+        dense,
+        newton::{NewtonSystem, Solved, Stopped},
+        sparse::SparseCholesky,
+    },
+};
 use mckibben::cancel;
 use std::sync::Arc;
 
@@ -42,27 +49,13 @@ pub struct Body {
 }
 
 /// What moves a body away from its present state, as far as its tangent tells.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Cause {
-    /// Whether its residual.
-    residual: bool,
-    /// By how much the terminal moves, in mm.
-    terminal: f64,
-    /// Change of the pressure in MPa.
-    pressure: f64,
-}
-
-impl Cause {
-    const TERMINAL: Self = Self {
-        residual: false,
-        terminal: 1.0,
-        pressure: 0.0,
-    };
-    const PRESSURE: Self = Self {
-        residual: false,
-        terminal: 0.0,
-        pressure: 1.0,
-    };
+enum Cause {
+    /// Its residual, and by how much the terminal moves in mm.
+    Residual(f64),
+    /// 1 mm of the terminal.
+    Terminal,
+    /// 1 MPa of pressure.
+    Pressure,
 }
 
 impl Body {
@@ -75,8 +68,8 @@ impl Body {
         let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .ok_or_else(|| FemError::too_large(discretisation.free))?;
         let d = &discretisation;
-        let (nodes, trusses) = (d.problem.nodes.len(), d.problem.trusses.len());
-        let state = State::rest(3 * nodes, d.bricks() * d.modes, trusses);
+        let nodes = d.problem.nodes.len();
+        let state = State::rest(3 * nodes, d.bricks() * d.modes, d.problem.trusses.len());
         Ok(Self {
             assembled: Assembled::new(&discretisation),
             step: state.clone(),
@@ -96,7 +89,7 @@ impl Body {
     }
 
     /// Factorises the last assembled tangent.
-    pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
+    pub fn factorise_assembled(&mut self) -> Solved {
         self.cholesky.factorise(&self.assembled.values)
     }
 
@@ -115,10 +108,8 @@ impl Body {
 
     /// The terminal's column of the tangent, and its diagonal entry.
     fn terminal_column(&self) -> (&[f64], f64) {
-        let (entries, n) = (
-            self.discretisation.pattern().entries(),
-            self.discretisation.free,
-        );
+        let entries = self.discretisation.pattern().entries();
+        let n = self.discretisation.free;
         (
             &self.assembled.values[entries..entries + n],
             self.assembled.values[entries + n],
@@ -131,15 +122,20 @@ impl Body {
     fn respond(&mut self, cause: Cause, tolerance: f64) -> (f64, State) {
         let mut out = self.state.clone();
         let d = &self.discretisation;
-        let dw = cause.terminal;
+        let (dw, pressure) = match cause {
+            Cause::Residual(terminal) => (terminal, 0.0),
+            Cause::Terminal => (1.0, 0.0),
+            Cause::Pressure => (0.0, 1.0),
+        };
+        let by_residual = matches!(cause, Cause::Residual(_));
         let bricks = d.bricks() * d.modes;
         let mut b = vec![0.0; d.free];
         let mut dm = vec![0.0; bricks + d.problem.trusses.len()];
-        if cause.residual {
+        if by_residual {
             gather(d, &self.assembled.force, &mut b);
             b.iter_mut().for_each(|x| *x = -*x);
             constraint_residual(d, &self.state, &self.assembled, &mut dm);
-        } else if cause == Cause::PRESSURE {
+        } else if pressure > 0.0 {
             let mut all = self.assembled.cavity.clone();
             for (v, dead) in all.iter_mut().zip(d.problem.dead.iter().flatten()) {
                 *v += dead;
@@ -154,7 +150,8 @@ impl Body {
         for &i in &d.terminal {
             out.u[i as usize] = dw;
         }
-        let (assembled, cholesky) = (&self.assembled, &mut self.cholesky);
+        let assembled = &self.assembled;
+        let cholesky = &mut self.cholesky;
         let mut constraints = Constraints {
             d,
             assembled,
@@ -169,27 +166,20 @@ impl Body {
         let (column, _) = self.terminal_column();
         let mut change = diagonal * dw + dot(column, &b);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
-        if cause == Cause::PRESSURE {
-            change -= d
-                .terminal
-                .iter()
-                .map(|&i| self.assembled.cavity[i as usize])
-                .sum::<f64>();
+        if pressure > 0.0 {
+            let cavity = &self.assembled.cavity;
+            change -= d.terminal.iter().map(|&i| cavity[i as usize]).sum::<f64>();
             change -= d.problem.cap_mm2 / 3.0;
         }
         out.p.copy_from_slice(&dm[..bricks]);
         out.q.copy_from_slice(&dm[bricks..]);
-        (out.terminal, out.pressure) = (dw, cause.pressure);
-        if cause.residual {
+        out.terminal = dw;
+        out.pressure = pressure;
+        if by_residual {
             // Strands that do not carry forget their tension.
-            for ((q, s), (_, _, carries)) in out
-                .q
-                .iter_mut()
-                .zip(&self.state.q)
-                .zip(&self.assembled.strands)
-            {
+            for (t, (_, _, carries)) in self.assembled.strands.iter().enumerate() {
                 if !carries {
-                    *q = -s;
+                    out.q[t] = -self.state.q[t];
                 }
             }
         }
@@ -198,14 +188,14 @@ impl Body {
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
     pub fn force_per_pressure(&mut self) -> f64 {
-        4.0 * self.respond(Cause::PRESSURE, TIGHT).0
+        4.0 * self.respond(Cause::Pressure, TIGHT).0
     }
 
     /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness
     /// ∂F/∂L; and −∂V/∂L at fixed pressure in mm², by Maxwell's relation the same as ∂F/∂P; of the
     /// last tangent.
     pub fn terminal_response(&mut self) -> (f64, f64) {
-        let (change, out) = self.respond(Cause::TERMINAL, TIGHT);
+        let (change, out) = self.respond(Cause::Terminal, TIGHT);
         let volume =
             dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
         (4.0 * change, -4.0 * volume)
@@ -213,7 +203,7 @@ impl Body {
 
     /// ∂V/∂P of the whole cavity at fixed length in mm³/MPa, of the last tangent.
     pub fn volume_per_pressure(&mut self) -> f64 {
-        let (_, out) = self.respond(Cause::PRESSURE, TIGHT);
+        let (_, out) = self.respond(Cause::Pressure, TIGHT);
         8.0 * dot(&self.assembled.cavity, &out.u)
     }
 
@@ -228,11 +218,11 @@ impl Body {
     fn norm(&self) -> f64 {
         let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = d
-            .place
-            .iter()
-            .map(|&i| self.assembled.force[i as usize].abs())
-            .fold(0.0, f64::max);
+        let free = dense::largest(
+            d.place
+                .iter()
+                .map(|&i| self.assembled.force[i as usize].abs()),
+        );
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);
@@ -243,8 +233,9 @@ impl Body {
         } else {
             0.0
         };
-        let scale = scale.max(d.rounding_n / ROUNDING);
-        (free / scale).max(held).max(defect)
+        (free / scale.max(d.rounding_n / ROUNDING))
+            .max(held)
+            .max(defect)
     }
 }
 
@@ -263,26 +254,20 @@ impl NewtonSystem for Body {
         let reaction = 0.25 * self.totals.pull;
         let (dw, held) = match self.control {
             Control::Length(w) => (w - self.state.terminal, None),
-            Control::Force(f) => (0.0, Some((f, Cause::TERMINAL))),
+            Control::Force(f) => (0.0, Some((f, Cause::Terminal))),
             Control::Pressure { terminal, force } => (
                 terminal - self.state.terminal,
-                Some((force, Cause::PRESSURE)),
+                Some((force, Cause::Pressure)),
             ),
         };
-        let cause = Cause {
-            residual: true,
-            terminal: dw,
-            pressure: 0.0,
-        };
-        let (change, mut step) = self.respond(cause, self.tolerance);
+        let (change, mut step) = self.respond(Cause::Residual(dw), self.tolerance);
         if let Some((force, cause)) = held {
             let (per, unit) = self.respond(cause, self.tolerance);
             step.add((0.25 * force - reaction - change) / per, &unit);
         }
         cancel::check()?;
         self.state.add(1.0, &step);
-        let largest = step.u.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
-        let size = largest / self.discretisation.radius;
+        let size = dense::largest(step.u.iter().map(|x| x.abs())) / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
         if sum.is_finite() {

@@ -2,19 +2,27 @@
 //! everything that does not change while it deforms.
 
 use super::problem::{Freedom, Problem};
-use crate::element::brick::{Modes, modes};
-use crate::element::hexahedron::points;
-use crate::element::lanes::Width;
-use crate::element::spatial::PAIRS;
-use crate::element::truss::{Pull, Truss};
-use crate::solver::body::State;
-use crate::solver::sparse::{Analysis, Pattern};
-use crate::{FemError, Result};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::muscle::Bulk;
-use mckibben::rubber::{Law, RubberLaw};
-use std::ops::Range;
-use std::sync::Arc;
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{Modes, modes},
+        hexahedron::integration_points,
+        lanes::Width,
+        spatial::PAIRS,
+        truss::{Pull, Truss},
+    },
+    solver::{
+        body::State,
+        dense::largest,
+        sparse::{Analysis, Pattern},
+    },
+};
+use mckibben::{
+    cancel::{self, Cancelled},
+    muscle::Bulk,
+    rubber::{Law, RubberLaw},
+};
+use std::{array::from_fn, ops::Range, sync::Arc};
 
 /// Elements or unknowns between two checks of the cancel flag.
 const PIECE: usize = 4096;
@@ -98,7 +106,7 @@ impl Material {
         }
     }
 
-    fn all(problem: &Problem) -> Vec<Self> {
+    fn all_of(problem: &Problem) -> Vec<Self> {
         let end = problem.bricks.len();
         let first = problem.other.as_ref().map_or(end, |other| other.first);
         let rubber = Self::new(0..first, &problem.law, problem.bulk);
@@ -124,21 +132,17 @@ impl Discretisation {
     /// without enough memory, [`FemError::Cancelled`] where the work is cancelled.
     pub fn new(problem: Problem) -> Result<Self> {
         let rest = rest_modes(&problem)?;
-        let (unknown, place, terminal) = number(&problem);
+        let (unknown, place, terminal) = number_unknowns(&problem);
         let free = place.len();
         let pattern = pattern(&problem, &unknown, &place)?;
         cancel::check()?;
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
-        let materials = Material::all(&problem);
-        let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let materials = Material::all_of(&problem);
+        let greatest = largest(problem.nodes.iter().map(|x| x[2]));
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = problem
-            .nodes
-            .iter()
-            .map(|x| x[0].hypot(x[1]))
-            .fold(0.0, f64::max);
+        let radius = largest(problem.nodes.iter().map(|x| x[0].hypot(x[1])));
         let most = AUGMENT_STRAND * shear;
         let strand = problem
             .trusses
@@ -168,7 +172,7 @@ impl Discretisation {
             problem,
         };
         cancel::check()?;
-        out.map()?;
+        out.map_entries()?;
         Ok(out)
     }
 
@@ -188,12 +192,7 @@ impl Discretisation {
 
     /// The material of a brick.
     pub fn material(&self, brick: usize) -> &Material {
-        let rubber = &self.materials[0];
-        if brick < rubber.bricks.end {
-            rubber
-        } else {
-            &self.materials[1]
-        }
+        &self.materials[usize::from(brick >= self.materials[0].bricks.end)]
     }
 
     /// Places of the tangent's entries.
@@ -214,25 +213,26 @@ impl Discretisation {
     /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind
     /// it, or into the last number, which is not read.
     fn entry(&self, a: u32, b: u32) -> u32 {
-        let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
-        let (high, low) = (a.max(b), a.min(b));
-        match (high < n, high == n) {
-            (true, _) => self
-                .pattern()
-                .position(high, low)
-                .unwrap_or(entries + n + 1),
-            (false, true) => entries + low,
-            _ => entries + n + 1,
-        }
+        let n = self.free as u32;
+        let entries = self.pattern().entries() as u32;
+        let high = a.max(b);
+        let low = a.min(b);
+        let column = (high == n).then_some(entries + low);
+        let place = if high < n {
+            self.pattern().position(high, low)
+        } else {
+            column
+        };
+        place.unwrap_or(entries + n + 1)
     }
 
     /// The places of nine numbers: rows of a node, columns of another.
     fn block(&self, a: u32, b: u32) -> [u32; 9] {
         let [x, y] = [a, b].map(|node| self.unknown[node as usize]);
-        std::array::from_fn(|k| self.entry(x[k / 3], y[k % 3]))
+        from_fn(|k| self.entry(x[k / 3], y[k % 3]))
     }
 
-    fn map(&mut self) -> Result<(), Cancelled> {
+    fn map_entries(&mut self) -> Result<(), Cancelled> {
         let unread = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
@@ -242,7 +242,8 @@ impl Discretisation {
             for (a, b) in pairs(self.per_brick, 0) {
                 let [x, y] = [a, b].map(|a| self.unknown[nodes[a] as usize]);
                 for (k, entry) in self.block(nodes[a], nodes[b]).into_iter().enumerate() {
-                    let (i, j) = (k / 3, k % 3);
+                    let i = k / 3;
+                    let j = k % 3;
                     // Nodes that are one (wedges) and displacements that are one (the terminal's).
                     if a != b && x[i] == y[j] && x[i] as usize <= self.free {
                         twice.push((e as u32, (map.len() - start) as u32));
@@ -257,7 +258,7 @@ impl Discretisation {
                 .map(|n| self.block(n, n))
                 .map(|all| PAIRS.map(|(i, j)| all[3 * i + j]));
             let mut entries = at_a.into_iter().chain(at_b).chain(self.block(a, b));
-            std::array::from_fn(|_| entries.next().unwrap_or(unread))
+            from_fn(|_| entries.next().unwrap_or(unread))
         };
         let face = |nodes: &Vec<u32>| {
             pairs(nodes.len(), 1)
@@ -266,8 +267,10 @@ impl Discretisation {
         };
         let truss_map = self.problem.trusses.iter().map(truss).collect();
         let face_map = self.problem.faces.iter().flat_map(face).collect();
-        (self.brick_map, self.twice, self.truss_map, self.face_map) =
-            (map, twice, truss_map, face_map);
+        self.brick_map = map;
+        self.twice = twice;
+        self.truss_map = truss_map;
+        self.face_map = face_map;
         Ok(())
     }
 }
@@ -289,19 +292,15 @@ fn check_cancel(number: usize) -> Result<(), Cancelled> {
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
 /// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
-    let one = |m: &Material| {
+    largest(stiff.iter().map(|m: &Material| {
         let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-        let size = rest[m.bricks.clone()]
-            .iter()
-            .map(|r| r.volume.cbrt())
-            .fold(0.0, f64::max);
+        let size = largest(rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()));
         16.0 * f64::EPSILON * greatest * modulus * size
-    };
-    stiff.iter().map(one).fold(0.0, f64::max)
+    }))
 }
 
 fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
-    let points = points(problem.brick.order());
+    let points = integration_points(problem.brick.order());
     let element = |(e, nodes): (usize, &Vec<u32>)| {
         check_cancel(e)?;
         let places: Vec<[f64; 3]> = nodes.iter().map(|node| problem.rest(e, *node)).collect();
@@ -313,30 +312,28 @@ fn rest_modes(problem: &Problem) -> Result<Vec<Modes>> {
 }
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.
-fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
-    let mut place = Vec::new();
-    let mut numbers = vec![[u32::MAX; 3]; problem.nodes.len()];
-    for &node in &problem.order {
-        for i in 0..3 {
-            if problem.freedom[node as usize][i] == Freedom::Free {
-                numbers[node as usize][i] = place.len() as u32;
-                place.push(3 * node + i as u32);
-            }
-        }
-    }
+fn number_unknowns(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
+    let freedom = problem.freedom.as_flattened();
+    let mut place: Vec<u32> = problem
+        .order
+        .iter()
+        .flat_map(|n| 3 * n..3 * n + 3)
+        .collect();
+    place.retain(|k| freedom[*k as usize] == Freedom::Free);
     let n = place.len() as u32;
-    let mut terminal = Vec::new();
-    for (node, freedom) in problem.freedom.iter().enumerate() {
-        for i in 0..3 {
-            match freedom[i] {
-                Freedom::Terminal => {
-                    numbers[node][i] = n;
-                    terminal.push((3 * node + i) as u32);
-                }
-                Freedom::Held => numbers[node][i] = n + 1,
-                Freedom::Free => {}
-            }
-        }
+    let mut numbers = vec![[n + 1; 3]; problem.nodes.len()];
+    let mut terminal = vec![];
+    let flat = numbers.as_flattened_mut();
+    for (number, k) in (0..).zip(&place) {
+        flat[*k as usize] = number;
+    }
+    for (k, _) in freedom
+        .iter()
+        .enumerate()
+        .filter(|(_, f)| **f == Freedom::Terminal)
+    {
+        flat[k] = n;
+        terminal.push(k as u32);
     }
     (numbers, place, terminal)
 }
@@ -352,16 +349,17 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], place: &[u32]) -> Result<Pat
             near[a as usize].extend(nodes);
         }
     }
-    for ([a, b], _) in &problem.trusses {
-        near[*a as usize].push(*b);
-        near[*b as usize].push(*a);
+    for &([a, b], _) in &problem.trusses {
+        near[a as usize].push(b);
+        near[b as usize].push(a);
     }
     for (node, around) in near.iter_mut().enumerate() {
         check_cancel(node)?;
         around.sort_unstable();
         around.dedup();
     }
-    let (mut columns, mut rows) = (vec![0], vec![]);
+    let mut columns = vec![0];
+    let mut rows = vec![];
     for (c, &place) in place.iter().enumerate() {
         check_cancel(c)?;
         let all = near[place as usize / 3]

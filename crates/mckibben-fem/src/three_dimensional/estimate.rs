@@ -2,8 +2,7 @@
 
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use crate::Result;
-use mckibben::muscle::Muscle;
-use mckibben::size;
+use mckibben::{muscle::Muscle, size};
 
 /// Nodes through the wall, around and along, and bytes, of one mesh of bricks that was measured
 /// (`docs/finite-elements-3d.md`).
@@ -22,7 +21,7 @@ fn dissected([through, around, along]: [f64; 3]) -> f64 {
 ///
 /// # Errors
 /// [`FemError::Large`], or where the numbers give no valid mesh.
-pub(crate) fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
+pub fn admit(spec: &BrickSpec, muscle: &Muscle) -> Result<()> {
     let [through, around, along, bonded] = BrickMesh::count(&Quarter::from_muscle(muscle), spec)?;
     let bricks = [through, around, along + bonded].map(|n| n as f64);
     size::elements("mesh", bricks.iter().product())?;

@@ -5,29 +5,35 @@
 //! brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the trilinear function
 //! carries it to the nodes. Where bricks meet, they are averaged.
 
-use super::Body;
-use super::discretisation::{Discretisation, Material};
-use super::kinematics::{gradient, largest_principal, left, now};
-use super::mesh::{Brick, BrickMesh};
-use super::model::ThreeDimensional;
-use super::muscle::MuscleInBricks;
-use super::saddle::dot;
-use crate::element::brick::{ShapePoint, determinant};
-use crate::element::hexahedron::at;
-use crate::element::law::with;
-use crate::element::q2::GAUSS2;
-use crate::element::spatial::SpatialLaw;
-use crate::results::{FieldNode, NodeMeans};
-use crate::solver::newton::NewtonSystem as _;
-use crate::{FemError, Result};
+use super::{
+    Body,
+    discretisation::{Discretisation, Material},
+    kinematics::{gradient, largest_principal, left, now},
+    mesh::{Brick, BrickMesh},
+    model::ThreeDimensional,
+    muscle::MuscleInBricks,
+    saddle::dot,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{ShapePoint, determinant},
+        hexahedron::shape_at,
+        law::with_law,
+        q2::{GAUSS2, multilinear},
+        spatial::{SpatialLaw, Vector},
+    },
+    results::{FieldNode, NodeMeans},
+    solver::newton::NewtonSystem as _,
+};
 use mckibben::model::Workspace;
-use std::collections::HashMap;
+use std::{array::from_fn, collections::HashMap};
 
 /// A node of the bricks: (x, y, z) at rest and now, Cauchy stress xx, yy, zz, xy, yz, zx.
 pub type NodeField = FieldNode<3, 6>;
 
 /// A piece of a strand between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PieceField {
     /// Its nodes.
     pub ends: [usize; 2],
@@ -40,7 +46,7 @@ pub struct PieceField {
 }
 
 /// One eighth, node by node.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Field {
     /// The grid.
     pub mesh: BrickMesh,
@@ -53,7 +59,7 @@ pub struct Field {
 }
 
 /// The terminal as a body; its nodes are numbered separately.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PlugField {
     /// Nodes. A rigid terminal has no stress.
     pub nodes: Vec<NodeField>,
@@ -84,7 +90,8 @@ impl ThreeDimensional {
 }
 
 fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
-    let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
+    let body = &mut muscle.bricks;
+    let mesh = &muscle.mesh;
     let force_n = body.totals.pull;
     body.residual()
         .map_err(|reason| FemError::Force { force_n, reason })?;
@@ -101,27 +108,30 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field> {
 
 fn pieces(body: &Body) -> Vec<PieceField> {
     let d = &body.discretisation;
-    let one = |t: usize| {
-        let pull = body.discretisation.pull(&body.state, t, 0.0);
-        let n = pull.direction;
-        PieceField {
-            ends: d.problem.trusses[t].0.map(|n| n as usize),
-            stretch: 1.0 + pull.strain,
-            angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
-            tension_n: pull.tension,
-        }
-    };
-    (0..d.problem.trusses.len()).map(one).collect()
+    (0..d.problem.trusses.len())
+        .map(|t: usize| {
+            let pull = body.discretisation.pull(&body.state, t, 0.0);
+            let n = pull.direction;
+            PieceField {
+                ends: d.problem.trusses[t].0.map(|n| n as usize),
+                stretch: 1.0 + pull.strain,
+                angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
+                tension_n: pull.tension,
+            }
+        })
+        .collect()
 }
 
 /// The plug's bricks, their nodes numbered from 0.
 fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     let grid = mesh.plug.as_ref()?;
-    let (rows, [_, nj, nk]) = (grid.first_row, mesh.grid());
+    let rows = grid.first_row;
+    let [_, nj, nk] = mesh.grid();
     if nk - rows < 2 {
         return None;
     }
-    let (mut number, mut which) = (HashMap::new(), vec![]);
+    let mut number = HashMap::new();
+    let mut which = vec![];
     let mut local = |m: usize, j: usize, k: usize| {
         let node = mesh.plug_node(grid, m, j, k);
         *number.entry(node).or_insert_with(|| {
@@ -148,10 +158,10 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 }
 
 /// Stretches at F around, along and the largest; `at` says where around and along are.
-fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
+fn stretches(f: &[Vector; 3], at: Vector) -> [f64; 3] {
     let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
     let hoop = [-at[1] / radius, at[0] / radius, 0.0];
-    let length = |v: [f64; 3]| {
+    let length = |v: Vector| {
         f.map(|row| dot(&row, &v))
             .map(|x| x * x)
             .iter()
@@ -164,29 +174,30 @@ fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> [f64; 3] {
 /// Stretches and stress at the nodes of the bricks of a material, averaged where bricks meet: at
 /// the nodes or, of a plug, in the `middle` of its bricks.
 fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
-    let (problem, Material { bricks, law, .. }) = (
-        &body.discretisation.problem,
-        &body.discretisation.materials[material],
-    );
+    let problem = &body.discretisation.problem;
+    let Material { bricks, law, .. } = &body.discretisation.materials[material];
     let order = problem.brick.order();
     let p = order + 1;
     let corner =
         |a: usize| [a % p, a / p % p, a / (p * p)].map(|i| 2.0 * i as f64 / order as f64 - 1.0);
     let places = |a: usize| if middle { [0.0; 3] } else { corner(a) };
-    let places: Vec<[f64; 3]> = (0..problem.brick.nodes()).map(places).collect();
+    let places: Vec<Vector> = (0..problem.brick.nodes()).map(places).collect();
     let gauss = |k: usize| [GAUSS2[k % 2].0, GAUSS2[k / 2 % 2].0, GAUSS2[k / 4].0];
     let points = if order == 1 || middle {
         vec![[0.0; 3]]
     } else {
         (0..8).map(gauss).collect()
     };
-    let [at_nodes, at_points] =
-        [&places, &points].map(|list| list.iter().map(|x| at(order, *x, 1.0)).collect::<Vec<_>>());
+    let [at_nodes, at_points] = [&places, &points].map(|list| {
+        list.iter()
+            .map(|x| shape_at(order, *x, 1.0))
+            .collect::<Vec<_>>()
+    });
     let mut out = NodeMeans::new(problem.nodes.len());
     for e in bricks.clone() {
         let stress: Vec<[f64; 6]> = at_points
             .iter()
-            .map(|p| with(law, |law| stress(body, law.space, e, p)))
+            .map(|p| with_law(law, |law| stress(body, law.space, e, p)))
             .collect();
         for (a, node) in problem.bricks[e].iter().enumerate() {
             let k = *node as usize;
@@ -197,7 +208,10 @@ fn averages(body: &Body, material: usize, middle: bool) -> Vec<NodeField> {
                 rest_mm: problem.nodes[k],
                 now_mm: now(body, k),
                 stretches: stretches(&f, at),
-                stress_mpa: carried(&stress, places[a]),
+                stress_mpa: match stress[..] {
+                    [only] => only,
+                    _ => multilinear(&stress, places[a]),
+                },
             };
             out.add(k, &node);
         }
@@ -213,18 +227,13 @@ fn stress(body: &Body, law: SpatialLaw<'_>, e: usize, p: &ShapePoint) -> [f64; 6
     let j = determinant(&f);
     let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;
-    std::array::from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
+    from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
 }
 
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
-fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
+fn pressure(d: &Discretisation, body: &Body, e: usize, at: Vector) -> f64 {
     let rest = &d.rest[e];
-    let monomials = [
-        1.0,
-        at[0] - rest.centre[0],
-        at[1] - rest.centre[1],
-        at[2] - rest.centre[2],
-    ];
+    let monomials = rest.monomials(&at);
     (0..d.modes)
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
@@ -233,20 +242,4 @@ fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
             psi * (body.state.p[i] + augment * body.assembled.defect[i] / rest.volume)
         })
         .sum()
-}
-
-/// The trilinear function through 2 × 2 × 2 points, or the only value there is.
-fn carried(values: &[[f64; 6]], at: [f64; 3]) -> [f64; 6] {
-    let [only] = values else {
-        let weights = at.map(|x| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)]);
-        let weight = |k: usize| weights[0][k % 2] * weights[1][k / 2 % 2] * weights[2][k / 4];
-        return std::array::from_fn(|c| {
-            values
-                .iter()
-                .enumerate()
-                .map(|(k, v)| weight(k) * v[c])
-                .sum()
-        });
-    };
-    *only
 }

@@ -5,8 +5,7 @@
 //! [`crate::solver::continuation`] walks from rest.
 
 use super::muscle::MuscleInBricks;
-use crate::axisymmetric::Section;
-use crate::output::helices;
+use crate::{axisymmetric::Section, output::helices};
 use std::cmp::Ordering;
 
 /// Lagrange's weights through three places.
@@ -28,7 +27,8 @@ struct Finder<'a> {
 
 impl<'a> Finder<'a> {
     fn new(section: &'a Section) -> Self {
-        let (through, along) = (section.through, section.along);
+        let through = section.through;
+        let along = section.along;
         let at = |i, j| section.nodes[section.index(i, j)].rest_mm;
         Self {
             section,
@@ -52,7 +52,12 @@ impl<'a> Finder<'a> {
     }
 
     /// Calls `each` with nodes and weights.
-    fn at(&self, r: f64, z: f64, mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64)) {
+    fn weigh_nodes(
+        &self,
+        r: f64,
+        z: f64,
+        mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64),
+    ) {
         let (i, x) = Self::triple(&self.lines, r);
         let (j, y) = Self::triple(&self.stations, z);
         for (b, wy) in y.into_iter().enumerate() {
@@ -69,21 +74,20 @@ impl<'a> Finder<'a> {
 impl MuscleInBricks {
     /// Fills displacements, pressures and tensions of the state.
     pub(super) fn carry_over(&mut self, section: &Section) {
-        let (d, mesh, width, state) = (
-            &self.bricks.discretisation,
-            &self.mesh,
-            self.width,
-            &mut self.bricks.state,
-        );
+        let d = &self.bricks.discretisation;
+        let mesh = &self.mesh;
+        let width = self.width;
+        let state = &mut self.bricks.state;
         let find = Finder::new(section);
         let tube = mesh.plug.as_ref().map_or(d.problem.nodes.len(), |p| p.base);
         for (node, x) in d.problem.nodes.iter().enumerate() {
             let r = x[0].hypot(x[1]);
-            let (mut dr, mut dz) = (0.0, 0.0);
+            let mut dr = 0.0;
+            let mut dz = 0.0;
             // What lies behind the beginning of the bond, and the plug, moves with the terminal.
             let bonded = node >= tube || x[2] > mesh.tube.half_mm;
             let z = x[2].min(mesh.tube.half_mm);
-            find.at(r, z, |n, w| {
+            find.weigh_nodes(r, z, |n, w| {
                 dr += w * (n.now_mm[0] - n.rest_mm[0]);
                 dz += w * (n.now_mm[1] - n.rest_mm[1]);
             });
@@ -108,7 +112,7 @@ impl MuscleInBricks {
             if e >= d.materials[0].bricks.end {
                 continue;
             }
-            find.at(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
+            find.weigh_nodes(c[0].hypot(c[1]), c[2].min(mesh.tube.half_mm), |n, w| {
                 mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
             });
             state.p[e * d.modes] = mean;

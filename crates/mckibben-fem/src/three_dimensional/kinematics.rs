@@ -1,51 +1,46 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
-use super::body::Body;
-use super::saddle::dot;
-use crate::element::brick::{ShapePoint, adjugate, determinant, jacobian};
-use crate::element::spatial::PAIRS;
-use crate::element::spatial_stretches::principal_axes;
+use super::{body::Body, saddle::dot};
+use crate::{
+    element::{
+        brick::{ShapePoint, adjugate, determinant, jacobian},
+        spatial::{PAIRS, Vector},
+        spatial_stretches::principal_axes,
+    },
+    solver::dense::largest,
+};
 
 /// Place now of a node in mm.
-pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
-    let (x, u) = (
-        &body.discretisation.problem.nodes[node],
-        &body.state.u[3 * node..3 * node + 3],
-    );
+pub fn now(body: &Body, node: usize) -> Vector {
+    let x = &body.discretisation.problem.nodes[node];
+    let u = &body.state.u[3 * node..3 * node + 3];
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
 
 /// b = F Fᵀ
-pub(super) fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
+pub fn left(f: &[Vector; 3]) -> [f64; 6] {
     PAIRS.map(|(i, j)| dot(&f[i], &f[j]))
 }
 
 /// Largest principal stretch at F.
-pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
-    principal_axes(&left(f))
-        .0
-        .into_iter()
-        .fold(0.0, f64::max)
-        .sqrt()
+pub fn largest_principal(f: &[Vector; 3]) -> f64 {
+    largest(principal_axes(&left(f)).0).sqrt()
 }
 
 /// F at a point of a brick, and its place in the reference configuration.
-pub(super) fn gradient(
-    body: &Body,
-    brick: usize,
-    p: &ShapePoint,
-) -> Option<([[f64; 3]; 3], [f64; 3])> {
+pub fn gradient(body: &Body, brick: usize, p: &ShapePoint) -> Option<([Vector; 3], Vector)> {
     let problem = &body.discretisation.problem;
     let nodes = &problem.bricks[brick];
-    let rest: Vec<[f64; 3]> = nodes
+    let rest: Vec<Vector> = nodes
         .iter()
         .map(|node| problem.rest(brick, *node))
         .collect();
-    let here: Vec<[f64; 3]> = nodes.iter().map(|node| now(body, *node as usize)).collect();
-    let (before, after) = (jacobian(&rest, &p.dn), jacobian(&here, &p.dn));
-    let (volume, inverse) = (determinant(&before), adjugate(&before));
+    let here: Vec<Vector> = nodes.iter().map(|node| now(body, *node as usize)).collect();
+    let before = jacobian(&rest, &p.dn);
+    let after = jacobian(&here, &p.dn);
+    let volume = determinant(&before);
+    let inverse = adjugate(&before);
     let f = after
         .map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum::<f64>() / volume));
-    let at = [0, 1, 2].map(|i| rest.iter().zip(&p.n).map(|(x, n)| n * x[i]).sum());
-    (volume != 0.0).then_some((f, at))
+    (volume != 0.0).then_some((f, p.place(&rest)))
 }

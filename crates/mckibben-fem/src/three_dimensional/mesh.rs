@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Which brick.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Brick {
     /// Eight nodes, mean dilatation.
     #[default]
@@ -45,15 +45,20 @@ impl Brick {
         mut node: impl FnMut(usize, usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
-        let one = |e: usize| {
-            let (i, j, k) = (e % n0, e / n0 % n1, e / (n0 * n1));
-            let at = |a: usize| {
-                let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
-                node(p * i + x, p * j + y, p * k + z) as u32
-            };
-            (0..(p + 1).pow(3)).map(at).collect()
-        };
-        (0..n0 * n1 * n2).map(one).collect()
+        (0..n0 * n1 * n2)
+            .map(|e: usize| {
+                let i = e % n0;
+                let j = e / n0 % n1;
+                let k = e / (n0 * n1);
+                let at = |a: usize| {
+                    let x = a % (p + 1);
+                    let y = a / (p + 1) % (p + 1);
+                    let z = a / ((p + 1) * (p + 1));
+                    node(p * i + x, p * j + y, p * k + z) as u32
+                };
+                (0..(p + 1).pow(3)).map(at).collect()
+            })
+            .collect()
     }
 
     /// Nodes of a sheet of so many faces along its first and its second direction.
@@ -63,16 +68,18 @@ impl Brick {
         node: impl Fn(usize, usize) -> usize,
     ) -> Vec<Vec<u32>> {
         let p = self.order();
-        let one = |e: usize| {
-            let at = |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
-            (0..(p + 1).pow(2)).map(at).collect()
-        };
-        (0..n0 * n1).map(one).collect()
+        (0..n0 * n1)
+            .map(|e: usize| {
+                let at =
+                    |a: usize| node(p * (e % n0) + a % (p + 1), p * (e / n0) + a / (p + 1)) as u32;
+                (0..(p + 1).pow(2)).map(at).collect()
+            })
+            .collect()
     }
 }
 
 /// What the mesh of `fe3d` keeps where a whole number of cells at ±θ0 does not make the length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Keep")]
 pub enum Match {
@@ -86,7 +93,7 @@ pub enum Match {
 }
 
 /// Where the nodes of a ring lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Ring {
     /// On the circle: the polygon is smaller.
     #[default]
@@ -170,6 +177,27 @@ impl BrickSpec {
         tube.half_mm / (self.cell(tube, around * order).1 * order as f64)
     }
 
+    /// Heights of the rows of nodes, and of the last ones at the terminal.
+    fn row_heights(&self, tube: &Quarter, around: usize, along: usize) -> (f64, f64) {
+        let (order, half) = (self.brick.order(), tube.half_mm);
+        let (_, height) = self.cell(tube, around * order);
+        let rows = (along * order) as f64;
+        match (self.keep, self.along) {
+            (Match::Angle, _) => (height, height),
+            (Match::Length, None) if along > 1 => (
+                height,
+                (half - height * (rows - order as f64)) / order as f64,
+            ),
+            (Match::Length, _) => (half / rows, half / rows),
+        }
+    }
+
+    /// Insertion and nose of the plug in mm; zeros without one.
+    fn plug_measures(&self, tube: &Quarter) -> Result<(f64, f64)> {
+        self.plug
+            .map_or(Ok((0.0, 0.0)), |p| p.measures(tube.inner_mm, tube.half_mm))
+    }
+
     /// Bricks around: that number of a few which leaves the smallest part of a row over.
     fn choose_around(&self, tube: &Quarter) -> usize {
         let candidates = match self.brick {
@@ -199,7 +227,7 @@ impl Ring {
 }
 
 /// The tube that is divided.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Quarter {
     /// Inner radius in mm.
     pub inner_mm: f64,
@@ -215,7 +243,8 @@ impl Quarter {
     /// That of a muscle.
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let (inner_mm, outer_mm) = (tube.inner_radius_mm(), tube.outer_radius_mm());
+        let inner_mm = tube.inner_radius_mm();
+        let outer_mm = tube.outer_radius_mm();
         let angle_rad = muscle.braid().angle_rad();
         Self {
             inner_mm,
@@ -227,7 +256,7 @@ impl Quarter {
 }
 
 /// One eighth of a tube at rest, divided into bricks.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct BrickMesh {
     /// Which brick.
     pub brick: Brick,
@@ -252,14 +281,12 @@ impl BrickMesh {
 
     /// Whether given numbers make a mesh.
     pub fn check(spec: &BrickSpec) -> Result<()> {
-        let names = ["through", "around", "along"];
-        for ((name, value), high) in names
-            .into_iter()
-            .zip([spec.through, spec.around, spec.along])
-            .zip(MOST)
-        {
-            let value = value.map_or(1.0, |n| n as f64);
-            FemError::check_mesh(name, value, 1.0, high)?;
+        for (name, count, most) in [
+            ("through", spec.through, MOST[0]),
+            ("around", spec.around, MOST[1]),
+            ("along", spec.along, MOST[2]),
+        ] {
+            FemError::check_mesh(name, count.map_or(1.0, |n| n as f64), 1.0, most)?;
         }
         Ok(())
     }
@@ -269,40 +296,27 @@ impl BrickMesh {
     pub fn count(tube: &Quarter, spec: &BrickSpec) -> Result<[usize; 4]> {
         let order = spec.brick.order();
         Self::check(spec)?;
-        let measures = spec
-            .plug
-            .map(|p| p.measures(tube.inner_mm, tube.half_mm))
-            .transpose()?;
-        let insertion = measures.map_or(0.0, |m| m.0);
+        let (insertion, _) = spec.plug_measures(tube)?;
         // Where the bond begins the wall bends: one brick through it is too stiff.
         let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(tube));
-        let (_, height) = spec.cell(tube, around * order);
-        let natural = spec.rows(tube, around).round();
-        let along = spec
-            .along
-            .unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
-        Self::check(&BrickSpec {
-            along: Some(along),
-            ..*spec
-        })?;
-        // Rows over the insertion are as high as the others.
-        let height = if spec.keep == Match::Length && (spec.along.is_some() || along == 1) {
-            tube.half_mm / (along * order) as f64
-        } else {
-            height
+        let whole = |rows: f64| rows.round().clamp(1.0, 2.0 * MOST[2]) as usize;
+        let along = spec.along.unwrap_or(whole(spec.rows(tube, around)));
+        let check = |along| {
+            Self::check(&BrickSpec {
+                along: Some(along),
+                ..*spec
+            })
         };
+        check(along)?;
+        // Rows over the insertion are as high as the others.
+        let (height, _) = spec.row_heights(tube, around, along);
         let bonded = if insertion > 0.0 {
-            (insertion / (height * order as f64))
-                .round()
-                .clamp(1.0, 2.0 * MOST[2]) as usize
+            whole(insertion / (height * order as f64))
         } else {
             0
         };
-        Self::check(&BrickSpec {
-            along: Some(along + bonded),
-            ..*spec
-        })?;
+        check(along + bonded)?;
         Ok([through, around, along, bonded])
     }
 
@@ -316,26 +330,13 @@ impl BrickMesh {
             ..
         } = *tube;
         let [through, around, along, bonded] = Self::count(tube, spec)?;
-        let measures = spec
-            .plug
-            .map(|p| p.measures(tube.inner_mm, tube.half_mm))
-            .transpose()?;
-        let insertion = measures.map_or(0.0, |m| m.0);
-        let (chord, height) = spec.cell(tube, around * order);
-        let rows = (along * order) as f64;
-        // Height of the rows, and of the last ones at the terminal.
-        let (height, last) = match (spec.keep, spec.along) {
-            (Match::Angle, _) => (height, height),
-            (Match::Length, None) if along > 1 => (
-                height,
-                (half - height * (rows - order as f64)) / order as f64,
-            ),
-            (Match::Length, _) => (half / rows, half / rows),
-        };
+        let (insertion_mm, nose_mm) = spec.plug_measures(tube)?;
+        let (chord, _) = spec.cell(tube, around * order);
+        let (height, last) = spec.row_heights(tube, around, along);
         let half = if spec.keep == Match::Length {
             half
         } else {
-            height * rows
+            height * (along * order) as f64
         };
         let wide = spec.ring().width(around * order);
         let free = along * order;
@@ -345,7 +346,7 @@ impl BrickMesh {
             // From the terminal where that is nearer, so that it is exactly at half the length.
             Some(left) if left <= order => half - last * left as f64,
             Some(_) => height * k as f64,
-            None => half + insertion * (k - free) as f64 / (bonded * order) as f64,
+            None => half + insertion_mm * (k - free) as f64 / (bonded * order) as f64,
         });
         let rows: Vec<f64> = rows.collect();
         let mut nodes = Vec::with_capacity(grid.iter().product());
@@ -359,17 +360,14 @@ impl BrickMesh {
                 }
             }
         }
-        let plug = spec
-            .plug
-            .zip(measures)
-            .map(|(p, (insertion_mm, nose_mm))| PlugGrid {
-                material: p.material,
-                insertion_mm,
-                nose_mm,
-                first_row: free,
-                profile: profile(inner, nose_mm, around, order),
-                base: nodes.len(),
-            });
+        let plug = spec.plug.map(|p| PlugGrid {
+            material: p.material,
+            insertion_mm,
+            nose_mm,
+            first_row: free,
+            profile: profile(inner, nose_mm, around, order),
+            base: nodes.len(),
+        });
         let tube = Quarter {
             half_mm: half,
             angle_rad: (chord / height).atan(),
@@ -420,8 +418,8 @@ impl BrickMesh {
         let outer = |j, k| self.node(ni - 1, j, k) as u32;
         let quads = || (0..nk - 1).flat_map(move |k| (0..nj - 1).map(move |j| (j, k)));
         let left = quads().map(|(j, k)| [outer(j, k), outer(j + 1, k + 1)]);
-        let right = quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]);
-        left.chain(right).collect()
+        left.chain(quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]))
+            .collect()
     }
 
     /// Width at rest in mm that one strand of a family in the mesh represents: π D0 cosθ0/(strands

@@ -1,13 +1,16 @@
 //! The three-dimensional muscle as a force model.
 
-use super::mesh::{BrickMesh, BrickSpec};
-use super::muscle::MuscleMesh;
-use crate::Result;
-use crate::simulation::FiniteElements;
-use mckibben::model::{Accuracy, ModelEntry, Reference};
-use mckibben::muscle::Muscle;
+use super::{
+    mesh::{BrickMesh, BrickSpec},
+    muscle::MuscleMesh,
+};
+use crate::{Result, simulation::FiniteElements};
+use mckibben::{
+    model::{Accuracy, ModelEntry, Reference},
+    muscle::Muscle,
+};
 
-pub(crate) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "fe3d",
     description: "three-dimensional finite elements: bricks and single strands; the reference for \
         fe",
@@ -56,7 +59,8 @@ impl ThreeDimensional {
 
 /// What of the mesh is not as of the muscle.
 fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
-    let (mesh, angle) = (&*divided.mesh, muscle.braid().angle_deg);
+    let mesh = &*divided.mesh;
+    let angle = muscle.braid().angle_deg;
     let mut out = Vec::new();
     let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
     if (mesh.tube.angle_rad.to_degrees() - angle).abs() > 0.005 {
@@ -71,7 +75,8 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
             "in the last row of bricks at the terminal the strands lie at {last}"
         ));
     }
-    let (length, meshed) = (muscle.length_mm(), 2.0 * mesh.tube.half_mm);
+    let length = muscle.length_mm();
+    let meshed = 2.0 * mesh.tube.half_mm;
     if (meshed - length).abs() > 1e-6 * length {
         out.push(format!(
             "the mesh is {meshed:.2} mm long, the muscle {length} mm"
@@ -79,7 +84,8 @@ fn notes(divided: &MuscleMesh, muscle: &Muscle) -> Vec<String> {
     }
     if let Some(plug) = &mesh.plug {
         let name = format!("{:?}", plug.material).to_lowercase();
-        let (insertion, nose) = (plug.insertion_mm, plug.nose_mm);
+        let insertion = plug.insertion_mm;
+        let nose = plug.nose_mm;
         let assumed = if divided.insertion_assumed {
             " (assumed, because it is not stated; it reduces the pull by about 5 %)"
         } else {

@@ -1,20 +1,28 @@
 //! A muscle in bricks, ready to be led from equilibrium to equilibrium; its first guesses are
 //! axisymmetric equilibria of the same muscle.
 
-use super::body::Body;
-use super::discretisation::Discretisation;
-use super::mesh::{BrickMesh, BrickSpec, Quarter};
-use super::model::ENTRY;
-use super::plug::Plug;
-use super::problem::Problem;
-use crate::axisymmetric::{self, Axisymmetric, Section};
-use crate::simulation::Divided;
-use crate::solver::body::{self, Control, Settings, State, Totals};
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use crate::{FemError, Result};
-use mckibben::model::{ForceModel, ModelEntry};
-use mckibben::muscle::{BraidStiffness, Muscle};
+use super::{
+    body::Body,
+    discretisation::Discretisation,
+    mesh::{BrickMesh, BrickSpec, Quarter},
+    model::ENTRY,
+    plug::Plug,
+    problem::Problem,
+};
+use crate::{
+    FemError, Result,
+    axisymmetric::{self, Axisymmetric, Section},
+    simulation::Divided,
+    solver::{
+        body::{self, Control, Settings, State, Totals},
+        continuation::Continuation,
+        newton::{NewtonOptions, NewtonSystem, Stopped},
+    },
+};
+use mckibben::{
+    model::{ForceModel, ModelEntry},
+    muscle::{BraidStiffness, Muscle},
+};
 use std::sync::Arc;
 
 /// What of a muscle in bricks does not change.
@@ -39,7 +47,8 @@ impl MuscleMesh {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
-        let (tube, braid) = (muscle.tube(), muscle.braid());
+        let tube = muscle.tube();
+        let braid = muscle.braid();
         let missing = [
             ("braid.thickness", braid.thickness_mm > 0.0),
             ("braid.diameter", !braid.lay(tube).is_on(tube)),
@@ -63,8 +72,7 @@ impl MuscleMesh {
             insertion_mm: p.insertion_mm.or(Some(insertion)),
             ..p
         });
-        let spec = &BrickSpec { plug, ..*spec };
-        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), spec)?;
+        let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), &BrickSpec { plug, ..*spec })?;
         Ok(Self {
             limit: Axisymmetric::new(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
@@ -111,8 +119,7 @@ fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
     }
     braid.angle_deg = mesh.tube.angle_rad.to_degrees();
     braid.measured = None;
-    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
-    Axisymmetric::new(&muscle).ok()
+    Axisymmetric::new(&muscle.with_tube(tube).ok()?.with_braid(braid).ok()?).ok()
 }
 
 /// A muscle in bricks with its state.
@@ -125,24 +132,6 @@ pub struct MuscleInBricks {
     /// The axisymmetric muscle with the mesh's length and angle.
     section: Option<(Muscle, Continuation<axisymmetric::Body>)>,
     pub(super) width: f64,
-}
-
-impl MuscleInBricks {
-    /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
-    fn guess_from_section(&mut self, pressure: f64, terminal: f64) -> bool {
-        let contraction = -terminal / self.bricks.discretisation.half;
-        let Some((muscle, c)) = &mut self.section else {
-            return false;
-        };
-        if c.reach(pressure, contraction).is_err() {
-            return false;
-        }
-        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
-        let state = &mut self.bricks.state;
-        (state.pressure, state.terminal) = (pressure, terminal);
-        self.carry_over(&section);
-        true
-    }
 }
 
 impl body::Body for MuscleInBricks {
@@ -175,7 +164,7 @@ impl body::Body for MuscleInBricks {
         &mut self.bricks.state
     }
 
-    fn hold(&mut self, control: Control) {
+    fn hold_control(&mut self, control: Control) {
         self.bricks.control = control;
     }
 
@@ -204,11 +193,24 @@ impl body::Body for MuscleInBricks {
     }
 
     fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
-        (attempt == 0).then(|| self.guess_from_section(pressure, terminal))
+        (attempt == 0).then(|| self.guess_taut(pressure, terminal))
     }
 
+    /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.guess_from_section(pressure, terminal)
+        let contraction = -terminal / self.bricks.discretisation.half;
+        let Some((muscle, c)) = &mut self.section else {
+            return false;
+        };
+        if c.reach(pressure, contraction).is_err() {
+            return false;
+        }
+        let section = Section::from_state(&c.body.discretisation, &c.body.state, muscle);
+        let state = &mut self.bricks.state;
+        state.pressure = pressure;
+        state.terminal = terminal;
+        self.carry_over(&section);
+        true
     }
 
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {

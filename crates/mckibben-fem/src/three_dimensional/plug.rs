@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
 /// What a plug is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "TerminalMaterial")]
 pub enum PlugMaterial {
@@ -66,7 +66,7 @@ pub struct Plug {
 }
 
 /// A plug divided into bricks: places of its nodes among those of the mesh.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct PlugGrid {
     /// What it is made of.
     pub material: PlugMaterial,
@@ -113,7 +113,8 @@ impl Plug {
 /// as many columns as suit `around` bricks.
 pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
     let columns = (around / 4).clamp(2, 16);
-    let (flat, round) = (inner - nose, columns * order);
+    let flat = inner - nose;
+    let round = columns * order;
     let mut out = vec![];
     // Thinner than rounding is no column.
     if flat > 1e-9 * inner {

@@ -1,14 +1,17 @@
 //! The plug's nodes, bricks and face among those of the mesh.
 
-use super::mesh::{BrickMesh, direction};
-use super::plug::PlugGrid;
+use super::{
+    mesh::{BrickMesh, direction},
+    plug::PlugGrid,
+};
 
 impl BrickMesh {
     /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to
     /// the inner surface.
     pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
         let Some(plug) = &self.plug else { return };
-        let (order, [_, nj, _]) = (self.brick.order(), self.grid());
+        let order = self.brick.order();
+        let [_, nj, _] = self.grid();
         let rows = &rows[plug.first_row..];
         // The face bends; the rows behind it are plane.
         let behind = *rows.get(order).unwrap_or(&self.tube.half_mm);
@@ -43,7 +46,8 @@ impl BrickMesh {
     /// Number of the plug's node at (m from the axis, j around, k along from its face); at the
     /// inner surface it is the tube's.
     pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
-        let ([_, nj, nk], columns) = (self.grid(), plug.columns());
+        let [_, nj, nk] = self.grid();
+        let columns = plug.columns();
         match m {
             0 => plug.base + k,
             m if m == columns => self.node(0, j, plug.first_row + k),
@@ -56,7 +60,8 @@ impl BrickMesh {
         let Some(plug) = &self.plug else {
             return vec![];
         };
-        let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
+        let p = self.brick.order();
+        let [_, nc, nz] = self.elements;
         let count = [plug.columns() / p, nc, nz - plug.first_row / p];
         self.brick
             .bricks(count, |m, j, k| self.plug_node(plug, m, j, k))

@@ -1,14 +1,20 @@
 //! What a body is made of, before unknowns are numbered.
 
-use super::mesh::{Brick, BrickMesh};
-use super::plug::PlugGrid;
-use crate::element::truss::Truss;
-use crate::solver::dissection::Sheet;
-use mckibben::muscle::{Bulk, Muscle};
-use mckibben::rubber::{Law, NeoHookean};
+use super::{
+    mesh::{Brick, BrickMesh},
+    plug::PlugGrid,
+};
+use crate::{
+    element::{spatial::Vector, truss::Truss},
+    solver::dissection::Sheet,
+};
+use mckibben::{
+    muscle::{Bulk, Muscle},
+    rubber::{Law, NeoHookean},
+};
 
 /// What becomes of a displacement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Freedom {
     /// An unknown.
     #[default]
@@ -37,10 +43,10 @@ impl Freedom {
 }
 
 /// Nodes, elements, loads and supports of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Problem {
     /// Places at rest in mm.
-    pub nodes: Vec<[f64; 3]>,
+    pub nodes: Vec<Vector>,
     /// Which brick.
     pub brick: Brick,
     /// Nodes of every brick.
@@ -56,7 +62,7 @@ pub struct Problem {
     /// and counts three times here.
     pub cap_mm2: f64,
     /// Dead loads on nodes in N per MPa of pressure; empty without any.
-    pub dead: Vec<[f64; 3]>,
+    pub dead: Vec<Vector>,
     /// What becomes of the displacements.
     pub freedom: Vec<[Freedom; 3]>,
     /// Nodes in the order of elimination.
@@ -76,7 +82,7 @@ pub struct Problem {
 }
 
 /// A second material.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Other {
     /// The first brick of it.
     pub first: usize,
@@ -89,7 +95,7 @@ pub struct Other {
 impl Problem {
     /// A body without strands, cavity, dead loads and supports.
     pub fn free(
-        nodes: Vec<[f64; 3]>,
+        nodes: Vec<Vector>,
         (brick, bricks): (Brick, Vec<Vec<u32>>),
         order: Vec<u32>,
         (law, bulk): (Law, Bulk),
@@ -114,7 +120,7 @@ impl Problem {
 
     /// Place in mm of a node in the reference configuration of a brick.
     /// Rubber that was mounted with a stretch is wider there by √λp and shorter by 1/λp.
-    pub fn rest(&self, brick: usize, node: u32) -> [f64; 3] {
+    pub fn rest(&self, brick: usize, node: u32) -> Vector {
         let [x, y, z] = self.nodes[node as usize];
         if self.prestretch == 1.0
             || self
@@ -130,7 +136,8 @@ impl Problem {
 
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn from_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Self {
-        let ([ni, nj, nk], rubber) = (mesh.grid(), muscle.rubber());
+        let [ni, nj, nk] = mesh.grid();
+        let rubber = muscle.rubber();
         let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes.len()];
         for (j, k) in (0..nk).flat_map(|k| (0..nj).map(move |j| (j, k))) {
             let here = if k + 1 == nk {
@@ -165,7 +172,9 @@ impl Problem {
                 );
             }
         }
-        let (mut bricks, mut faces, mut other) = (mesh.bricks(), mesh.cavity_faces(), None);
+        let mut bricks = mesh.bricks();
+        let mut faces = mesh.cavity_faces();
+        let mut other = None;
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });
@@ -181,26 +190,8 @@ impl Problem {
             Some(_) => 0.0,
             None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
         };
-        let nodes = &mesh.nodes;
-        // A family is as stiff as the braid's; strands that do not stretch are infinitely stiff.
-        let width = mesh.strand_width_mm(muscle);
-        let stiffness_n = muscle
-            .family_stiffness_n_per_mm()
-            .map_or(f64::INFINITY, |k| k * width);
-        let trusses = mesh.strands().into_iter().map(|ends| {
-            let [a, b] = ends.map(|n| nodes[n as usize]);
-            let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            (
-                ends,
-                Truss {
-                    length_mm,
-                    stiffness_n,
-                    compression: muscle.braid().compression,
-                },
-            )
-        });
         Self {
-            trusses: trusses.collect(),
+            trusses: trusses(muscle, mesh),
             faces,
             cap_mm2,
             freedom,
@@ -208,13 +199,32 @@ impl Problem {
             length_mm: Some(mesh.tube.half_mm),
             prestretch: muscle.tube().prestretch,
             ..Self::free(
-                nodes.clone(),
+                mesh.nodes.clone(),
                 (mesh.brick, bricks),
                 order,
                 (rubber.law.clone(), rubber.bulk),
             )
         }
     }
+}
+
+/// The strands of a mesh: a family is as stiff as the braid's; strands that do not stretch are
+/// infinitely stiff.
+fn trusses(muscle: &Muscle, mesh: &BrickMesh) -> Vec<([u32; 2], Truss)> {
+    let width = mesh.strand_width_mm(muscle);
+    let stiffness_n = muscle
+        .family_stiffness_n_per_mm()
+        .map_or(f64::INFINITY, |k| k * width);
+    let truss = |ends: [u32; 2]| {
+        let [a, b] = ends.map(|n| mesh.nodes[n as usize]);
+        let truss = Truss {
+            length_mm: (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt(),
+            stiffness_n,
+            compression: muscle.braid().compression,
+        };
+        (ends, truss)
+    };
+    mesh.strands().into_iter().map(truss).collect()
 }
 
 /// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an

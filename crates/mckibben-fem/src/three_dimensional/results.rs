@@ -1,16 +1,23 @@
 //! What an equilibrium tells, in the words of the axisymmetric model: averages around the
 //! circumference.
 
-use super::body::Body;
-use super::kinematics::{gradient, largest_principal, now};
-use super::mesh::{Brick, BrickMesh};
-use super::muscle::MuscleInBricks;
-use crate::element::brick::{ShapePoint, determinant, jacobian};
-use crate::element::hexahedron::at;
-use crate::results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most};
-use crate::{FemError, Result};
-use mckibben::cancel;
-use mckibben::muscle::Muscle;
+use super::{
+    body::Body,
+    kinematics::{gradient, largest_principal, now},
+    mesh::{Brick, BrickMesh},
+    muscle::MuscleInBricks,
+};
+use crate::{
+    FemError, Result,
+    element::{
+        brick::{ShapePoint, determinant, jacobian},
+        hexahedron::shape_at,
+        spatial::Vector,
+    },
+    results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
+    solver::dense::largest,
+};
+use mckibben::{cancel, muscle::Muscle};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {
@@ -37,7 +44,8 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn profile(&self) -> Vec<ProfilePoint> {
-        let (body, mesh) = (&self.bricks, &self.mesh);
+        let body = &self.bricks;
+        let mesh = &self.mesh;
         let [ni, ..] = mesh.grid();
         let row = |k: usize| {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
@@ -56,44 +64,47 @@ impl MuscleBody for MuscleInBricks {
 
     /// Means over both families, row of quads by row.
     fn strands(&self, muscle: &Muscle) -> Vec<StrandState> {
-        let (body, mesh) = (&self.bricks, &self.mesh);
+        let body = &self.bricks;
+        let mesh = &self.mesh;
         let [_, nj, nk] = mesh.grid();
-        let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
+        let row = nj - 1;
+        let family = (nj - 1) * (nk - 1);
         let width = mesh.strand_width_mm(muscle);
         let spacing = muscle
             .braid()
             .strands
             .map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
-        let one = |k: usize| {
-            let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
-            let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
-            for t in pieces {
-                let pull = body.discretisation.pull(&body.state, t, 0.0);
-                stretch += 1.0 + pull.strain;
-                angle += pull.direction[0]
-                    .hypot(pull.direction[1])
-                    .atan2(pull.direction[2].abs());
-                tension += pull.tension;
-            }
-            let count = 2.0 * row as f64;
-            let per_width = tension / count / width;
-            let z = |k: usize| mesh.nodes[mesh.node(0, 0, k)][2];
-            StrandState {
-                rest_mm: 0.5 * (z(k) + z(k + 1)),
-                stretch: stretch / count,
-                angle_deg: (angle / count).to_degrees(),
-                tension_n_per_mm: per_width,
-                tension_n: spacing.map(|s| per_width * s),
-            }
-        };
-        (0..mesh.free_rows()).map(one).collect()
+        (0..mesh.free_rows())
+            .map(|k: usize| {
+                let mut stretch = 0.0;
+                let mut angle = 0.0;
+                let mut tension = 0.0;
+                let pieces =
+                    (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
+                for t in pieces {
+                    let pull = body.discretisation.pull(&body.state, t, 0.0);
+                    stretch += 1.0 + pull.strain;
+                    angle += pull.direction[0]
+                        .hypot(pull.direction[1])
+                        .atan2(pull.direction[2].abs());
+                    tension += pull.tension;
+                }
+                let count = 2.0 * row as f64;
+                let per_width = tension / count / width;
+                let z = |k: usize| mesh.nodes[mesh.node(0, 0, k)][2];
+                StrandState {
+                    rest_mm: 0.5 * (z(k) + z(k + 1)),
+                    stretch: stretch / count,
+                    angle_deg: (angle / count).to_degrees(),
+                    tension_n_per_mm: per_width,
+                    tension_n: spacing.map(|s| per_width * s),
+                }
+            })
+            .collect()
     }
 
     fn bulge_mm(&self) -> f64 {
-        self.profile()
-            .iter()
-            .map(|p| p.outer_r_mm)
-            .fold(0.0, f64::max)
+        largest(self.profile().iter().map(|p| p.outer_r_mm))
     }
 
     /// Looked at in three layers of every brick.
@@ -104,7 +115,7 @@ impl MuscleBody for MuscleInBricks {
         } else {
             &LAYERS
         };
-        let places: Vec<[f64; 3]> = LAYERS
+        let places: Vec<Vector> = LAYERS
             .iter()
             .flat_map(|x| along.iter().map(move |z| [*x, 0.0, *z]))
             .collect();
@@ -125,7 +136,9 @@ impl MuscleBody for MuscleInBricks {
 /// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
 fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
     let nj = mesh.grid()[1];
-    let (mut z, mut r, mut sum) = (0.0, 0.0, 0.0);
+    let mut z = 0.0;
+    let mut r = 0.0;
+    let mut sum = 0.0;
     for j in 0..nj {
         let w = if j == 0 || j + 1 == nj { 0.5 } else { 1.0 };
         let x = now(body, mesh.node(i, j, k));
@@ -137,31 +150,26 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 /// The stretch at places of every brick of rubber.
-fn stretches_at(body: &Body, places: &[[f64; 3]]) -> Vec<(StretchAt, f64)> {
+fn stretches_at(body: &Body, places: &[Vector]) -> Vec<(StretchAt, f64)> {
     let d = &body.discretisation;
     let points: Vec<ShapePoint> = places
         .iter()
-        .map(|x| at(d.problem.brick.order(), *x, 1.0))
+        .map(|x| shape_at(d.problem.brick.order(), *x, 1.0))
         .collect();
     let mut list = vec![];
     for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()]
         .iter()
         .enumerate()
     {
-        let rest: Vec<[f64; 3]> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
+        let rest: Vec<Vector> = nodes.iter().map(|n| d.problem.nodes[*n as usize]).collect();
         for p in &points {
             let Some((f, _)) = gradient(body, e, p) else {
                 continue;
             };
-            let at = [0, 1, 2].map(|i| {
-                rest.iter()
-                    .zip(&p.n)
-                    .map(|(x, share)| share * x[i])
-                    .sum::<f64>()
-            });
+            let [x, y, z] = p.place(&rest);
             let at = StretchAt {
                 value: largest_principal(&f),
-                rest_mm: [at[0].hypot(at[1]), at[2]],
+                rest_mm: [x.hypot(y), z],
             };
             list.push((at, determinant(&jacobian(&rest, &p.dn)).abs()));
         }

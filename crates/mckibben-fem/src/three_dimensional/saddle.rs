@@ -8,10 +8,11 @@
 //! K⁻¹(…) − d by conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin &
 //! Glowinski 1983 \[fortin1983\]).
 
-use super::assembly::Assembled;
-use super::discretisation::{Discretisation, share};
-use crate::solver::body::State;
-use crate::solver::sparse::SparseCholesky;
+use super::{
+    assembly::Assembled,
+    discretisation::{Discretisation, share},
+};
+use crate::solver::{body::State, sparse::SparseCholesky};
 use mckibben::cancel;
 
 const ITERATIONS: usize = 60;
@@ -40,11 +41,12 @@ impl Constraints<'_> {
 
     /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint
     /// that acts: first the bricks' (number 0 …), then the strands' (number bricks·modes …).
-    fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
+    fn each_constraint(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
             let nodes = &d.problem.bricks[e];
-            let (volume, material) = (d.rest[e].volume, d.material(e));
+            let volume = d.rest[e].volume;
+            let material = d.material(e);
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];
@@ -84,7 +86,7 @@ impl Constraints<'_> {
     /// G du for every constraint.
     fn defects(&self, du: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        self.each(|m, nodes, g, _, _, _| {
+        self.each_constraint(|m, nodes, g, _, _, _| {
             let mut sum = 0.0;
             for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
                 let at = 3 * *node as usize;
@@ -105,12 +107,12 @@ impl Constraints<'_> {
     /// z = (γ/V) r
     fn precondition(&self, r: &[f64], z: &mut [f64]) {
         z.fill(0.0);
-        self.each(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
+        self.each_constraint(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
     }
 
     /// out += Σ β G m, in displacements.
     pub fn forces(&self, m: &[f64], out: &mut [f64]) {
-        self.each(|number, nodes, g, _, compliance, augment| {
+        self.each_constraint(|number, nodes, g, _, compliance, augment| {
             let value = share(compliance, augment) * m[number];
             if value != 0.0 {
                 for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
@@ -129,7 +131,9 @@ impl Constraints<'_> {
         spread(self.d, b, du);
         let wanted = dm.to_vec();
         let mut shares = vec![0.0; dm.len()];
-        self.each(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
+        self.each_constraint(|m, _, _, _, compliance, augment| {
+            shares[m] = share(compliance, augment)
+        });
         dm.fill(0.0);
         if self.iterated() {
             let mut r = self.excess_defects(du, &wanted);
@@ -137,7 +141,7 @@ impl Constraints<'_> {
         }
         // Those that were condensed follow.
         let r = self.excess_defects(du, &wanted);
-        self.each(|m, _, _, volume, _, augment| {
+        self.each_constraint(|m, _, _, volume, _, augment| {
             if shares[m] == 0.0 {
                 dm[m] = augment / volume * r[m];
             }
@@ -153,7 +157,8 @@ impl Constraints<'_> {
         r: &mut [f64],
         x: &mut [f64],
     ) {
-        let (d, tolerance) = (self.d, self.tolerance);
+        let d = self.d;
+        let tolerance = self.tolerance;
         let n = r.len();
         let inner = |a: &[f64], b: &[f64]| {
             a.iter()
@@ -162,8 +167,11 @@ impl Constraints<'_> {
                 .map(|((x, y), w)| w * x * y)
                 .sum::<f64>()
         };
-        let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-        let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
+        let mut z = vec![0.0; n];
+        let mut p = vec![0.0; n];
+        let mut s = vec![0.0; n];
+        let mut full = vec![0.0; du.len()];
+        let mut b = vec![0.0; d.free];
         self.precondition(r, &mut z);
         p.copy_from_slice(&z);
         let mut rz = inner(r, &z);
@@ -181,7 +189,9 @@ impl Constraints<'_> {
             full.fill(0.0);
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);
-            self.each(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
+            self.each_constraint(|m, _, _, volume, compliance, _| {
+                s[m] += volume * compliance * p[m]
+            });
             let curvature = inner(&p, &s);
             if curvature.is_nan() || curvature <= 0.0 {
                 return;
@@ -205,29 +215,24 @@ impl Constraints<'_> {
     }
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-pub(super) fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
+pub fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
     for (x, place) in x.iter().zip(&d.place) {
         u[*place as usize] = *x;
     }
 }
 
-pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
+pub fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
     for (x, place) in x.iter_mut().zip(&d.place) {
         *x = u[*place as usize];
     }
 }
 
 /// d = −c: the defects of the constraints.
-pub(super) fn constraint_residual(
-    d: &Discretisation,
-    s: &State,
-    work: &Assembled,
-    out: &mut [f64],
-) {
+pub fn constraint_residual(d: &Discretisation, s: &State, work: &Assembled, out: &mut [f64]) {
     let bricks = d.bricks() * d.modes;
     for (o, c) in out.iter_mut().zip(&work.defect) {
         *o = -c;

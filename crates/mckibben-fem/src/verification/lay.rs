@@ -12,10 +12,12 @@
 //!
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
-use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, radius, slice};
+use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, pull, radius, slice};
 use crate::axisymmetric::{Body, BraidSpec};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Crimp, StrandLay};
+use mckibben::{
+    model::ThickWall,
+    muscle::{Braid, BraidStiffness, Crimp, StrandLay},
+};
 use std::f64::consts::PI;
 
 const INNER: f64 = 6.0;
@@ -44,7 +46,7 @@ fn tension(body: &Body, k: f64, lay: &StrandLay, stretch: f64) -> f64 {
 /// The rows of K.
 pub fn strand_lay(rows: &mut Rows) {
     let thick = |thickness: f64, stretch: f64| {
-        let slice = slice(WALL, neo_hookean(1e-8), braid(lay(OUTER, thickness), None))?;
+        let slice = slice(WALL, neo_hookean(1e-8), braid(lay(OUTER, thickness), None));
         Some(inflated(slice, 0.3, stretch)?.totals.pull)
     };
     for (thickness, stretch) in [(0.3, 1.0), (0.3, 0.85), (1.0, 0.7)] {
@@ -53,8 +55,12 @@ pub fn strand_lay(rows: &mut Rows) {
         let cos = stretch * lay.angle_rad.cos();
         let cot2 = cos * cos / (1.0 - cos * cos);
         let exact = PI * 0.3 * r * (2.0 * (r + lay.offset_mm) * cot2 - r);
-        let name = format!("braid {thickness} mm thick, λz {stretch}: F (N)");
-        rows.add(name, exact, thick(thickness, stretch), 1e-6);
+        rows.add(
+            format!("braid {thickness} mm thick, λz {stretch}: F (N)"),
+            exact,
+            thick(thickness, stretch),
+            1e-6,
+        );
     }
     // Of a tube of 14 mm at 20°, to the digits of the reference.
     let gain = (|| Some(100.0 * (thick(0.3, 1.0)? / thick(0.0, 1.0)? - 1.0)))();
@@ -74,48 +80,46 @@ pub fn strand_lay(rows: &mut Rows) {
         let exact =
             MU * ((OUTER * ri / (INNER * ro)).ln() / stretch + 0.5 * spread / (stretch * stretch));
         let above = |share: f64| {
-            let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)))?;
-            let body = inflated(slice, share * exact, stretch)?;
-            Some(tension(&body, k, &lay, stretch))
+            let slice = slice(WALL, neo_hookean(MU), braid(lay, Some(k)));
+            Some(tension(
+                &inflated(slice, share * exact, stretch)?,
+                k,
+                &lay,
+                stretch,
+            ))
         };
         let ours = (|| {
-            let (a, b) = (above(1.001)?, above(1.002)?);
+            let a = above(1.001)?;
+            let b = above(1.002)?;
             (a > 0.0 && b > a).then(|| exact * (1.001 - 0.001 * a / (b - a)))
         })();
-        let name = format!(
-            "sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)"
+        rows.add(
+            format!(
+                "sleeve of {diameter} mm on a tube of 14 mm, λz {stretch}: first contact (MPa)"
+            ),
+            exact,
+            ours,
+            1e-5,
         );
-        rows.add(name, exact, ours, 1e-5);
     }
     rows.source = "K: strands that are longer by what their crimp gives";
-    let (k, crimp) = (
-        1e3,
-        Some(Crimp {
-            strain: 0.01,
-            stiffness_ratio: 0.1,
-        }),
-    );
+    let k = 1e3;
+    let crimp = Some(Crimp {
+        strain: 0.01,
+        stiffness_ratio: 0.1,
+    });
     let crimped = BraidSpec {
         crimp,
         ..braid(lay(OUTER, 0.0), Some(k))
     };
-    let ours = slice(WALL, neo_hookean(MU), crimped).and_then(|c| inflated(c, 0.5, 0.9));
-    let stiffness = BraidStiffness::NewtonPerMm(k);
+    let ours = inflated(slice(WALL, neo_hookean(MU), crimped), 0.5, 0.9).map(|b| b.totals.pull);
     let braid = Braid {
         angle_deg: ANGLE_DEG,
-        stiffness,
+        stiffness: BraidStiffness::NewtonPerMm(k),
         crimp,
         ..Braid::paper()
     };
-    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid).and_then(|m| {
-        ThickWall::new(&m)
-            .force_n(&mut Workspace::new(), 0.5, 0.1)
-            .ok()
-    });
-    rows.add(
-        "strands with 1 % of crimp, ε 0.1: F (N)",
-        exact,
-        ours.map(|b| b.totals.pull),
-        1e-8,
-    );
+    let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
+        .and_then(|m| pull(ThickWall::new(&m), 0.5, 0.1));
+    rows.add("strands with 1 % of crimp, ε 0.1: F (N)", exact, ours, 1e-8);
 }

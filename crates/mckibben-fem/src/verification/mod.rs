@@ -5,7 +5,7 @@
 //! stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm,
 //! MPa, N.
 
-pub mod bricks;
+mod bricks;
 mod endless;
 mod homogeneous;
 mod lay;
@@ -15,16 +15,24 @@ mod pressure;
 mod sphere;
 mod tube;
 
-use crate::FemError;
-use crate::axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{self, Effort, NewtonOptions, NewtonSystem};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube};
-use mckibben::progress::Progress;
-use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
+use crate::{
+    FemError,
+    axisymmetric::{Axisymmetric, Body, BraidSpec, Discretisation, Ends, Mesh, Problem},
+    solver::{
+        body::Control,
+        continuation::Continuation,
+        dense::largest,
+        newton::{self, Effort, NewtonOptions, NewtonSystem},
+    },
+};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube},
+    progress::Progress,
+    rubber::{Law, MooneyRivlin, NeoHookean},
+};
 
+pub use bricks::COOK_FINE;
 pub use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// The rows of the cases, with the source of those that come next.
@@ -71,66 +79,146 @@ impl Rows {
     }
 }
 
-/// A case with the source of its reference.
-type Case = (&'static str, fn(&mut Rows));
+/// A case: its name, the source of its reference, and what adds its rows.
+pub type Case = (&'static str, &'static str, fn(&mut Rows));
 
-/// Every case of the section.
-const SECTION: [Case; 11] = [
+const LONG: &str = "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch";
+
+/// Every case.
+pub const CASES: [Case; 23] = [
     (
+        "homogeneous_states",
         "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]",
         homogeneous::homogeneous,
     ),
     (
+        "rivlins_and_haughton_ogdens_thick_tube",
         "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]",
         tube::thick_tube,
     ),
     (
+        "green_zernas_thick_sphere",
         "C: Green & Zerna 1954 [green1954], thick sphere",
         sphere::thick_sphere,
     ),
     (
+        "follower_pressure",
         "E: pressure as −P·V of a closed cavity",
         pressure::follower_pressure,
     ),
+    ("infinitely_long_muscle", LONG, endless::endless_braid),
+    ("long_muscles", LONG, endless::long_muscles),
     (
-        "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch",
-        endless::endless_braid,
-    ),
-    (
-        "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch",
-        endless::long_muscles,
-    ),
-    (
+        "lay_of_the_strands",
         "K: work of the pressure, braid of a thickness",
         lay::strand_lay,
     ),
-    ("I: Maxwell relation", muscle::identities),
-    ("independent axisymmetric prototype", muscle::prototype),
-    ("J: numerical conduct", numerics::numerics),
     (
+        "identities_of_the_muscle",
+        "I: Maxwell relation",
+        muscle::identities,
+    ),
+    (
+        "independent_prototype",
+        "independent axisymmetric prototype",
+        muscle::prototype,
+    ),
+    (
+        "numerical_conduct",
+        "J: numerical conduct",
+        numerics::numerics,
+    ),
+    (
+        "sensitivities",
         "J: sensitivities against finite differences",
         numerics::sensitivities,
     ),
+    (
+        "patch_test_of_bricks",
+        "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)",
+        bricks::homogeneous::homogeneous,
+    ),
+    (
+        "simple_shear_of_bricks",
+        "A: Rivlin 1948 [rivlin1948], simple shear (bricks)",
+        bricks::homogeneous::shear,
+    ),
+    (
+        "rivlins_and_haughton_ogdens_thick_tube_in_bricks",
+        "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)",
+        bricks::tube::thick_tube,
+    ),
+    (
+        "rivlins_torsion",
+        "D: Rivlin 1949 [rivlin1949], torsion",
+        bricks::torsion::torsion,
+    ),
+    (
+        "follower_pressure_on_bricks",
+        "E: closed cavity, energy (bricks)",
+        bricks::cavity::follower_pressure,
+    ),
+    (
+        "terminals_as_bodies",
+        "E: closed cavity, terminals as bodies (bricks)",
+        bricks::cavity::terminals,
+    ),
+    (
+        "von_mises_truss",
+        "F: von Mises truss, engineering strain (strands)",
+        bricks::snap::snap,
+    ),
+    ("cooks_membrane", bricks::COOK, bricks::cook::cook),
+    (
+        "numerical_conduct_of_bricks",
+        bricks::CONDUCT,
+        bricks::numerics::numerics,
+    ),
+    (
+        "paths_and_stability_of_bricks",
+        bricks::CONDUCT,
+        bricks::paths::paths,
+    ),
+    (
+        "outer_diameter_limit_of_bricks",
+        "I: outer-diameter limit of strands that do not stretch (bricks)",
+        bricks::muscle::outer_diameter_limit,
+    ),
+    (
+        "felupes_muscle",
+        "FElupe 11.3, same mesh, mean dilatation",
+        bricks::muscle::muscle,
+    ),
 ];
 
-/// Every case, one after the other.
+/// The rows of a case.
+pub fn rows_of_case((_, source, add_rows): &Case) -> Vec<VerificationRow> {
+    let mut rows = Rows {
+        source,
+        list: vec![],
+    };
+    add_rows(&mut rows);
+    rows.list
+}
+
+/// The rows of the case that takes seconds.
+pub fn rows_of_fine_meshes() -> Vec<VerificationRow> {
+    rows_of_case(&COOK_FINE)
+}
+
+/// The rows of every case, one after the other.
 ///
 /// # Errors
 /// [`FemError::Cancelled`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<VerificationRow>, FemError> {
-    let cases: Vec<Case> = SECTION.into_iter().chain(bricks::CASES).collect();
-    let mut rows = Rows {
-        source: "",
-        list: vec![],
-    };
-    for (done, (source, case)) in cases.iter().enumerate() {
-        progress.report(done, cases.len());
+    let mut rows = vec![];
+    for (done, case) in CASES.iter().enumerate() {
+        progress.report(done, CASES.len());
         progress.check()?;
-        rows.source = source;
-        case(&mut rows);
+        rows.extend(rows_of_case(case));
     }
-    progress.report(cases.len(), cases.len());
-    Ok(rows.list)
+    progress.report(CASES.len(), CASES.len());
+    Ok(rows)
 }
 
 /// The rubber of the cases.
@@ -145,19 +233,22 @@ fn neo_hookean(mu_mpa: f64) -> Law {
     Law::NeoHookean(NeoHookean { mu_mpa })
 }
 
+type Path = Continuation<Body>;
+
 /// A body of an incompressible rubber at rest.
-fn body(mesh: Mesh, law: Law, braid: Option<BraidSpec>, ends: Ends) -> Option<Continuation<Body>> {
+fn body(mesh: Mesh, law: Law, braid: Option<BraidSpec>, ends: Ends) -> Option<Path> {
     at_rest(mesh, Problem::new(law, Bulk::Incompressible, braid, ends))
 }
 
-fn at_rest(mesh: Mesh, problem: Problem) -> Option<Continuation<Body>> {
-    Some(Continuation::new(Body::new(
+fn at_rest(mesh: Mesh, problem: Problem) -> Option<Path> {
+    Some(Path::new(Body::new(
         Discretisation::new(mesh, problem).ok()?,
     )))
 }
 
 /// The body at a pressure and an axial stretch of the whole, to the last digit.
-fn stretched(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<Body> {
+fn stretched(path: Option<Path>, pressure: f64, stretch: f64) -> Option<Body> {
+    let mut c = path?;
     let terminal = (stretch - 1.0) * c.body.discretisation.half_length();
     c.walk(0.0, terminal, 1.0).ok()?;
     c.walk(pressure, terminal, 1.0).ok()?;
@@ -167,21 +258,18 @@ fn stretched(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<B
 }
 
 /// The same, first inflated: then strands are taut.
-fn inflated(mut c: Continuation<Body>, pressure: f64, stretch: f64) -> Option<Body> {
+fn inflated(path: Option<Path>, pressure: f64, stretch: f64) -> Option<Body> {
+    let mut c = path?;
+    let terminal = (stretch - 1.0) * c.body.discretisation.half_length();
     c.walk(pressure, 0.0, 1.0).ok()?;
-    c.walk(
-        pressure,
-        (stretch - 1.0) * c.body.discretisation.half_length(),
-        1.0,
-    )
-    .ok()?;
+    c.walk(pressure, terminal, 1.0).ok()?;
     Some(c.body)
 }
 
 /// Radius now of node `i` of station `j`.
 fn radius(body: &Body, i: usize, j: usize) -> f64 {
     let d = &body.discretisation;
-    d.mesh.node(i, j)[0] + body.state.u[d.layout.at(j) + 2 * i]
+    d.mesh.node(i, j)[0] + body.state.u[d.layout.station_offset(j) + 2 * i]
 }
 
 /// A braid of strands that carry no compression; `stiffness` in N/mm.
@@ -195,7 +283,7 @@ fn braid(lay: StrandLay, stiffness: Option<f64>) -> BraidSpec {
 }
 
 /// A slice of an infinitely long muscle of radii `inner` and `outer` in mm.
-fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Continuation<Body>> {
+fn slice([inner, outer]: [f64; 2], law: Law, braid: BraidSpec) -> Option<Path> {
     body(
         Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0)),
         law,
@@ -215,21 +303,27 @@ fn muscle([inner, outer]: [f64; 2], length_mm: f64, law: Law, braid: Braid) -> O
 
 /// The prototype of the paper, changed.
 fn changed(change: impl FnOnce(&mut Tube, &mut Braid)) -> Option<Muscle> {
-    let (mut tube, mut braid) = (Muscle::prototype().tube().clone(), Braid::paper());
+    let prototype = Muscle::prototype();
+    let mut tube = prototype.tube().clone();
+    let mut braid = Braid::paper();
     change(&mut tube, &mut braid);
-    Muscle::prototype()
-        .with_tube(tube)
-        .ok()?
-        .with_braid(braid)
+    prototype.with_tube(tube).ok()?.with_braid(braid).ok()
+}
+
+/// Pull in N by a model.
+fn pull(model: impl ForceModel, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+    model
+        .force_n(&mut Workspace::new(), pressure_mpa, contraction)
         .ok()
 }
 
-/// Pull in N of a muscle by the section.
-fn pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
-    Axisymmetric::new(muscle)
-        .ok()?
-        .force_n(&mut Workspace::new(), pressure_mpa, contraction)
-        .ok()
+/// The same of a muscle by the section.
+fn section_pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+    pull(Axisymmetric::new(muscle).ok()?, pressure_mpa, contraction)
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is

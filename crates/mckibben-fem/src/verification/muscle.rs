@@ -2,17 +2,19 @@
 //!
 //! Loaded and held: pressure inside, the length given, both ends bonded to rigid terminals.
 
-use super::{Rows, changed, pull};
+use super::{Rows, changed, section_pull};
 use crate::axisymmetric::Axisymmetric;
-use mckibben::differences::slope;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{BraidStiffness, Muscle, Rubber, Strands};
-use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben::{
+    differences::slope,
+    model::{ForceModel, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Tube},
+    rubber::{Law, MooneyRivlin},
+};
 use std::f64::consts::PI;
 
 /// π D0² P (3 cos²θ − 1)/(4 sin²θ): blocked force in N at D0 50, θ 28°, P 0.25 of strands that do
 /// not stretch.
-pub(super) fn outer_diameter_limit_n() -> f64 {
+pub fn outer_diameter_limit_n() -> f64 {
     let theta = 28.0_f64.to_radians();
     PI * 2500.0 * 0.25 / (4.0 * theta.sin().powi(2)) * (3.0 * theta.cos().powi(2) - 1.0)
 }
@@ -29,18 +31,12 @@ pub fn identities(rows: &mut Rows) {
         let by_volume = slopes.map_or(f64::INFINITY, |f| f.1);
         let what = "against −∂V/∂L (mm²)";
         let begins = format!("D0 {d0}, s {s}, P {p}, ε {e}: ∂F/∂P ");
-        rows.add(
-            format!("{begins}by differences {what}"),
-            by_volume,
-            slopes.map(|f| f.0),
-            1e-7,
-        );
-        rows.add(
-            format!("{begins}of the tangent {what}"),
-            by_volume,
-            slopes.map(|f| f.2),
-            1e-7,
-        );
+        for (how, ours) in [
+            ("by differences", slopes.map(|f| f.0)),
+            ("of the tangent", slopes.map(|f| f.2)),
+        ] {
+            rows.add(format!("{begins}{how} {what}"), by_volume, ours, 1e-7);
+        }
     }
     rows.source = "I: outer-diameter limit of strands that do not stretch";
     let stiff = BraidStiffness::NewtonPerMm(1e6);
@@ -52,9 +48,13 @@ pub fn identities(rows: &mut Rows) {
             let ours = changed(|t, b| {
                 (t.outer_diameter_mm, t.wall_mm, b.stiffness) = (50.0, s, stiffness)
             })
-            .and_then(|m| pull(&m, 0.25, 0.0));
-            let name = format!("blocked force, D0 50, s {s}, P 0.25, {name} (N)");
-            rows.add(name, outer_diameter_limit_n(), ours, tolerance);
+            .and_then(|m| section_pull(&m, 0.25, 0.0));
+            rows.add(
+                format!("blocked force, D0 50, s {s}, P 0.25, {name} (N)"),
+                outer_diameter_limit_n(),
+                ours,
+                tolerance,
+            );
         }
     }
 }
@@ -73,32 +73,45 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Option<(f64, f64, f64)> {
     ))
 }
 
+/// The rubber and the strands of the prototype in other programs.
+pub fn compared(tube: &mut Tube, braid: &mut Braid) {
+    tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
+        c10_mpa: 0.12,
+        c01_mpa: 0.03,
+    }));
+    braid.strands = Some(Strands {
+        count: 48,
+        section: Some((0.3, 2500.0)),
+        strength_n: None,
+    });
+    braid.stiffness = BraidStiffness::OfStrands;
+}
+
 /// An independent axisymmetric code, and the limit of bricks and trusses in FElupe 11.3.
 pub fn prototype(rows: &mut Rows) {
     let muscle = changed(|tube, braid| {
-        tube.rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
-            c10_mpa: 0.12,
-            c01_mpa: 0.03,
-        }));
+        compared(tube, braid);
         tube.length_mm = 287.83;
-        braid.strands = Some(Strands {
-            count: 48,
-            section: Some((0.3, 2500.0)),
-            strength_n: None,
-        });
-        braid.stiffness = BraidStiffness::OfStrands;
     });
-    let ours = |p: f64, e: f64| pull(muscle.as_ref()?, p, e);
+    let ours = |p: f64, e: f64| section_pull(muscle.as_ref()?, p, e);
     for (e, p, force) in [
         (0.0, 0.25, 846.03),
         (0.10, 0.10, 100.14),
         (0.10, 0.25, 440.59),
     ] {
-        let name = format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)");
         // 0.03 % of the blocked force.
-        rows.add(name, force, ours(p, e), 3e-4 * 846.0 / force);
+        rows.add(
+            format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)"),
+            force,
+            ours(p, e),
+            3e-4 * 846.0 / force,
+        );
     }
     rows.source = "FElupe 11.3, refined";
-    let name = "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5";
-    rows.add(name, 440.6, ours(0.25, 0.10), 0.5 / 440.6);
+    rows.add(
+        "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5",
+        440.6,
+        ours(0.25, 0.10),
+        0.5 / 440.6,
+    );
 }

@@ -4,28 +4,42 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice
 //! of tube under pressure, its length given.
 
-use super::{Rows, at_rest, body, changed, order_of_newton, pull, radius, rubber, stretched};
-use crate::axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem};
-use crate::simulation::{Given, Simulation};
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{NewtonOptions, NewtonSystem as _};
-use mckibben::differences::{STENCIL, slope};
-use mckibben::model::Workspace;
-use mckibben::muscle::measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section};
-use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
-use mckibben::random::Random;
-use mckibben::rubber::Law;
+use super::{
+    Path, Rows, at_rest, body, changed, largest_difference, order_of_newton, radius, rubber,
+    section_pull, stretched,
+};
+use crate::{
+    axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem},
+    simulation::{Given, Simulation},
+    solver::{
+        body::Control,
+        newton::{NewtonOptions, NewtonSystem as _},
+    },
+};
+use mckibben::{
+    differences::{STENCIL, slope},
+    model::Workspace,
+    muscle::{
+        BraidStiffness, Bulk, Muscle,
+        measures::{STIFFNESS as STIFFNESS_OF_FAMILY, of_section},
+    },
+    random::Random,
+    rubber::Law,
+};
 
 const STIFFNESS: BraidStiffness = BraidStiffness::NewtonPerMm(321.0);
 
+const HALF: f64 = 142.5;
+
 /// A bonded muscle with one law, bulk and braid at rest.
-fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Continuation<Body>> {
+fn bonded(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Path> {
     let muscle = changed(|tube, braid| {
-        (tube.rubber.law, tube.rubber.bulk, braid.stiffness) = (law, bulk, stiffness);
+        tube.rubber.law = law;
+        tube.rubber.bulk = bulk;
+        braid.stiffness = stiffness;
     })?;
     at_rest(
-        Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)),
+        Mesh::tube(12.0, 15.0, HALF, (1, 6, 2.0)),
         Problem::from_parts(muscle.parts()),
     )
 }
@@ -39,19 +53,22 @@ pub fn numerics(rows: &mut Rows) {
             (Bulk::Incompressible, BraidStiffness::Inextensible),
         ] {
             let error = bonded(law.clone(), bulk, stiffness).and_then(|mut w| {
-                w.walk(0.2, -0.08 * 142.5, 1.0).ok()?;
-                w.solve(Control::Length(-0.08 * 142.5)).ok()?;
+                w.walk(0.2, -0.08 * HALF, 1.0).ok()?;
+                w.solve(Control::Length(-0.08 * HALF)).ok()?;
                 tangent_error(&mut w.body)
             });
             let name = law.name();
-            let name =
-                format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}");
-            rows.add(name, 0.0, error, 2e-7);
+            rows.add(
+                format!("tangent against differences, {name}, {bulk:?}, strands {stiffness:?}"),
+                0.0,
+                error,
+                2e-7,
+            );
         }
     }
     let order = bonded(rubber(), Bulk::Incompressible, STIFFNESS).and_then(|mut w| {
-        w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
-        w.body.control = Control::Length(-0.10 * 142.5);
+        w.walk(0.2, -0.05 * HALF, 1.0).ok()?;
+        w.body.control = Control::Length(-0.10 * HALF);
         let options = NewtonOptions {
             small: 0.0,
             tolerance: 1e-13,
@@ -69,7 +86,7 @@ pub fn numerics(rows: &mut Rows) {
         let mut w = bonded(rubber(), Bulk::Incompressible, STIFFNESS)?;
         for i in 1..=n {
             let t = i as f64 / n as f64;
-            w.walk(0.25 * t, -0.15 * 142.5 * t, 1.0).ok()?;
+            w.walk(0.25 * t, -0.15 * HALF * t, 1.0).ok()?;
         }
         Some(w.body.totals.pull)
     };
@@ -82,12 +99,13 @@ pub fn numerics(rows: &mut Rows) {
     // Bore of a thick tube 1/2 at p = 0.1377728574 (a/A = 2): elements through the wall doubled.
     // Theory: the energy, and with it the answer to the only load, converges with h⁴.
     let error = |n: usize| {
-        let mesh = Mesh::mapped(n, 1, |x, y| [1.0 + x, y]);
-        let b = stretched(
-            body(mesh, rubber(), None, Ends::Sliding)?,
-            0.137_772_857_4,
-            1.0,
-        )?;
+        let body = body(
+            Mesh::mapped(n, 1, |x, y| [1.0 + x, y]),
+            rubber(),
+            None,
+            Ends::Sliding,
+        );
+        let b = stretched(body, 0.137_772_857_4, 1.0)?;
         Some((radius(&b, 0, 0) - 2.0).abs())
     };
     let rate = (|| Some((error(4)? / error(8)?).log2()))();
@@ -98,7 +116,8 @@ pub fn numerics(rows: &mut Rows) {
 /// for it with the factorised tangent, and compares with v.
 pub fn tangent_error(body: &mut Body) -> Option<f64> {
     body.factorise().ok()?;
-    let (l, state) = (body.discretisation.layout, body.state.clone());
+    let l = body.discretisation.layout;
+    let state = body.state.clone();
     let mut v = vec![0.0; state.u.len()];
     let mut random = Random(1);
     v[..l.end()]
@@ -120,18 +139,14 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
     }
     body.state.copy_from(&state);
     body.solve_linear(&mut change, 0.0);
-    let worst = change[..l.end()]
-        .iter()
-        .zip(&v)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
-    Some(worst)
+    Some(largest_difference(&change[..l.end()], &v))
 }
 
 /// ∂F of every constant and measure by implicit differentiation against answers of neighbouring
 /// muscles.
 pub fn sensitivities(rows: &mut Rows) {
-    let (p, e) = (0.2, 0.1);
+    let p = 0.2;
+    let e = 0.1;
     let muscle = changed(|tube, braid| (tube.rubber.law, braid.stiffness) = (rubber(), STIFFNESS));
     let solved = muscle.as_ref().and_then(|m| {
         Axisymmetric::new(m)
@@ -140,7 +155,8 @@ pub fn sensitivities(rows: &mut Rows) {
             .ok()
     });
     let beside = |name: &str, value: f64| -> Option<Muscle> {
-        let (muscle, law) = (muscle.as_ref()?, rubber());
+        let muscle = muscle.as_ref()?;
+        let law = rubber();
         let measure = of_section("tube")
             .chain(of_section("braid"))
             .chain([&STIFFNESS_OF_FAMILY])
@@ -164,7 +180,7 @@ pub fn sensitivities(rows: &mut Rows) {
         0.0,
     );
     for s in slopes {
-        let pull = |h: f64| pull(&beside(&s.name, s.value + h)?, p, e);
+        let pull = |h: f64| section_pull(&beside(&s.name, s.value + h)?, p, e);
         let by = slope(4e-3 * s.value, |h| pull(h).ok_or(())).ok();
         rows.add(format!("∂F/∂({})", s.name), by, s.force_n_per_unit, 1e-6);
     }

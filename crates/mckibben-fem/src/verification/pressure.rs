@@ -4,29 +4,33 @@
 //! pressures and lengths.
 
 use super::Rows;
-use crate::axisymmetric::Axisymmetric;
-use crate::load::cavity::volume;
-use crate::simulation::{Given, Simulation};
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
+use crate::{
+    axisymmetric::Axisymmetric,
+    load::cavity::volume,
+    simulation::{Given, Simulation},
+};
+use mckibben::{model::Workspace, muscle::Muscle};
 
 /// The rows of E.
 pub fn follower_pressure(rows: &mut Rows) {
     let x = [13.1, 10.3, 12.0, 4.9, 12.6, 16.2];
     let v = volume::<true>(&x);
     let h = 1e-3;
-    let (mut slope, mut curvature, mut skew) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut slope = 0.0_f64;
+    let mut curvature = 0.0_f64;
+    let mut skew = 0.0_f64;
     for i in 0..6 {
-        let (mut up, mut down) = (x, x);
-        up[i] += h;
-        down[i] -= h;
-        let (up, down) = (volume::<true>(&up), volume::<true>(&down));
+        let [up, down] = [h, -h].map(|h| {
+            let mut moved = x;
+            moved[i] += h;
+            volume::<true>(&moved)
+        });
         // The volume is a cubic: central differences leave its third derivative h²/6.
-        slope =
-            slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
+        let off = (up.value - down.value) / (2.0 * h) - v.first[i];
+        slope = slope.max(off.abs() / v.first[4].abs());
         for j in 0..6 {
-            curvature =
-                curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
+            let off = (up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i];
+            curvature = curvature.max(off.abs());
             // Problem that integrate to the ends of the line are not symmetric inside of it; the
             // sum is.
             skew = skew.max((v.second[i][j] - v.second[j][i]).abs());
@@ -42,35 +46,36 @@ pub fn follower_pressure(rows: &mut Rows) {
         together,
         1e-11,
     );
-    let model = Axisymmetric::new(&Muscle::prototype()).ok();
-    rows.add(
-        "(∫P dV + ∫F dL)/ΔW along a path",
-        1.0,
-        model.and_then(|m| balance(&m)),
-        1e-7,
-    );
+    let ours = Axisymmetric::new(&Muscle::prototype())
+        .ok()
+        .and_then(|m| balance(&m));
+    rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, ours, 1e-7);
 }
 
 /// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV =
 /// [PV] − ∫V dP.
-pub(super) fn balance(model: &dyn Simulation) -> Option<f64> {
+pub fn balance(model: &dyn Simulation) -> Option<f64> {
     const STEPS: usize = 32;
-    let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
-    let (mut work, mut stored) = (0.0, 0.0);
+    let p = |t: f64| 0.10 + 0.15 * t;
+    let e = |t: f64| 0.02 + 0.08 * t;
+    let mut work = 0.0;
+    let mut stored = 0.0;
     for i in 0..=STEPS {
         let t = i as f64 / STEPS as f64;
         let s = model
             .solve(&mut Workspace::new(), Given::at(p(t), e(t)))
             .ok()?;
-        let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
-        let end = [(0, -1.0), (STEPS, 1.0)]
-            .into_iter()
-            .find(|end| end.0 == i)
-            .map(|end| end.1);
-        let weight = end.map_or([2.0, 4.0][i % 2], |_| 1.0) / (3.0 * STEPS as f64);
+        let force = s.response.force_n;
+        let volume = s.response.volume_mm3?;
+        let (weight, end) = match i {
+            0 => (1.0, -1.0),
+            STEPS => (1.0, 1.0),
+            _ => ([2.0, 4.0][i % 2], 0.0),
+        };
+        let weight = weight / (3.0 * STEPS as f64);
         work += weight * (-volume * 0.15 - force * 0.08 * model.muscle().length_mm());
-        work += end.unwrap_or(0.0) * p(t) * volume;
-        stored += end.unwrap_or(0.0) * (s.energies.rubber_n_mm + s.energies.braid_n_mm);
+        work += end * p(t) * volume;
+        stored += end * (s.energies.rubber_n_mm + s.energies.braid_n_mm);
     }
     Some(work / stored)
 }

@@ -22,8 +22,8 @@ pub fn thick_sphere(rows: &mut Rows) {
         (1.5, 0.199_702_676_3),
         (2.0, 0.239_043_099_0),
     ] {
-        let ours = body(half_sphere(8, 20, |x| 1.0 + x), rubber(), None, Ends::Pole)
-            .and_then(|c| Some(radius(&stretched(c, pressure, 1.0)?, 0, 0)));
+        let sphere = body(half_sphere(8, 20, |x| 1.0 + x), rubber(), None, Ends::Pole);
+        let ours = stretched(sphere, pressure, 1.0).map(|b| radius(&b, 0, 0));
         rows.add(
             format!("thick sphere 1/2, p {pressure}: a/A"),
             swell,

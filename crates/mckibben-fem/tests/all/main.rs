@@ -18,4 +18,5 @@ mod sweep;
 mod temperature;
 mod three_dimensional;
 mod universal_small;
+mod verification;
 mod vtu;

@@ -1,10 +1,12 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
-use crate::solver::dissection::Sheet;
-use crate::three_dimensional::{Brick, Problem};
-use crate::verification::rubber;
-use mckibben::muscle::Bulk;
-use mckibben::rubber::Law;
+use crate::{
+    element::spatial::Vector,
+    solver::dissection::Sheet,
+    three_dimensional::{Brick, Problem},
+    verification::rubber,
+};
+use mckibben::{muscle::Bulk, rubber::Law};
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {
@@ -50,10 +52,11 @@ impl Block {
     }
 
     /// The body, all free; `map` carries the unit cube to the places at rest.
-    pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
-        let (p, [ni, nj, nk]) = (self.brick.order(), self.grid());
+    pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn(Vector) -> Vector) -> Problem {
+        let p = self.brick.order();
+        let [ni, nj, nk] = self.grid();
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
-        let nodes: Vec<[f64; 3]> = self
+        let nodes: Vec<Vector> = self
             .places()
             .iter()
             .map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)]))
@@ -66,8 +69,10 @@ impl Block {
             along: nk,
             stride: p,
         };
-        let columns = sheet.order().into_iter();
-        let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
+        let order = sheet
+            .order()
+            .into_iter()
+            .flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
         let order = order.map(|(i, j, k)| self.node(i, j, k) as u32).collect();
         Problem::free(nodes, (self.brick, bricks), order, (law, bulk))
     }

@@ -4,10 +4,11 @@
 //! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held
 //! everywhere.
 
-use super::block::Block;
-use super::{body, drive};
-use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{Rows, neo_hookean};
+use super::{block::Block, body, drive};
+use crate::{
+    three_dimensional::{Brick, Freedom},
+    verification::{Rows, neo_hookean},
+};
 use mckibben::muscle::Bulk;
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
@@ -17,14 +18,12 @@ fn tip(n: usize) -> Option<f64> {
         elements: [1, n, n],
     };
     // First direction: the thickness (z); second and third: along and across.
-    let mut problem = block.problem(
-        neo_hookean(80.1938),
-        Bulk::Modulus(400_889.806),
-        |[t, x, y]| {
-            let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
-            [48.0 * x, low + (high - low) * y, t]
-        },
-    );
+    let bulk = Bulk::Modulus(400_889.806);
+    let mut problem = block.problem(neo_hookean(80.1938), bulk, |[t, x, y]| {
+        let low = 44.0 * x;
+        let high = 44.0 + 16.0 * x;
+        [48.0 * x, low + (high - low) * y, t]
+    });
     problem.dead = vec![[0.0; 3]; problem.nodes.len()];
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
         problem.freedom[node][2] = Freedom::Held;
@@ -44,13 +43,18 @@ fn tip(n: usize) -> Option<f64> {
 
 /// The rows of H.
 pub fn cook(rows: &mut Rows) {
-    meshes(
+    add_meshes(
         rows,
         &[(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)],
     );
 }
 
-pub(super) fn meshes(rows: &mut Rows, meshes: &[(usize, f64)]) {
+/// Those of the finest meshes.
+pub fn cook_fine(rows: &mut Rows) {
+    add_meshes(rows, &[(64, 6.9115), (128, 6.9231)]);
+}
+
+fn add_meshes(rows: &mut Rows, meshes: &[(usize, f64)]) {
     for &(n, exact) in meshes {
         rows.add(
             format!("Cook's membrane, {n} × {n}: tip (mm)"),

@@ -4,23 +4,22 @@
 //! Loaded and held: the faces of a block by given displacements in one or two directions, all else
 //! free.
 
-use super::block::bent_cube;
-use super::{BRICKS, body, push};
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Body, Brick, Freedom};
-use crate::verification::Rows;
+use super::{BRICKS, block::bent_cube, body, push};
+use crate::{
+    element::spatial::Vector,
+    solver::newton::NewtonSystem as _,
+    three_dimensional::{Body, Brick, Freedom},
+    verification::Rows,
+};
 
 /// The bent cube; the planes through the origin held, and what `held` says of
 /// (node on the far faces x, y, z; direction).
 fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, Vec<[bool; 3]>)> {
     let (block, mut problem) = bent_cube(brick);
     let last = block.grid()[0] - 1;
-    let far: Vec<[bool; 3]> = block
-        .places()
-        .iter()
-        .map(|p| p.map(|i| i == last))
-        .collect();
-    for (node, place) in block.places().iter().enumerate() {
+    let places = block.places();
+    let far: Vec<[bool; 3]> = places.iter().map(|p| p.map(|i| i == last)).collect();
+    for (node, place) in places.iter().enumerate() {
         for i in 0..3 {
             if place[i] == 0 || held(far[node], i) {
                 problem.freedom[node][i] = Freedom::Held;
@@ -36,11 +35,8 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
     let (mut body, far) = cube(brick, |far, i| {
         far[i] && (i == 0 || (i == 1 && y.is_some()))
     })?;
-    let stretch = [
-        x,
-        y.unwrap_or(x.powf(-0.5)),
-        1.0 / (x * y.unwrap_or(x.powf(-0.5))),
-    ];
+    let y = y.unwrap_or(x.powf(-0.5));
+    let stretch = [x, y, 1.0 / (x * y)];
     push(&mut body, 10, |n, i| {
         if far[n][i] { stretch[i] - 1.0 } else { 0.0 }
     })?;
@@ -54,12 +50,10 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<[f64; 2]> {
 
 /// Largest distance of a node from its displacement in the homogeneous state, of (place at rest,
 /// direction).
-fn distance(body: &Body, exact: impl Fn(&[f64; 3], usize) -> f64) -> f64 {
+fn distance(body: &Body, exact: impl Fn(&Vector, usize) -> f64) -> f64 {
     let mut worst = 0.0_f64;
-    for (n, rest) in body.discretisation.problem.nodes.iter().enumerate() {
-        for i in 0..3 {
-            worst = worst.max((body.state.u[3 * n + i] - exact(rest, i)).abs());
-        }
+    for (k, u) in body.state.u.iter().enumerate() {
+        worst = worst.max((u - exact(&body.discretisation.problem.nodes[k / 3], k % 3)).abs());
     }
     worst
 }
@@ -76,8 +70,12 @@ pub fn homogeneous(rows: &mut Rows) {
                 ("nominal stress (MPa)", exact),
                 ("largest displacement off (mm)", 0.0),
             ];
-            let begins = format!("{name}, patch test, {what} λ = 2: ");
-            rows.each(&begins, exact, stress(brick, 2.0, y), 1e-10);
+            rows.each(
+                &format!("{name}, patch test, {what} λ = 2: "),
+                exact,
+                stress(brick, 2.0, y),
+                1e-10,
+            );
         }
     }
 }
@@ -103,18 +101,13 @@ fn sheared(brick: Brick) -> Option<[f64; 4]> {
         }
     }
     let rest = problem.nodes.clone();
-    let sheared = |rest: &[f64; 3], i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
+    let sheared = |rest: &Vector, i: usize| if i == 0 { GAMMA * rest[1] } else { 0.0 };
     let mut body = body(problem)?;
     push(&mut body, 10, |n, i| sheared(&rest[n], i))?;
     body.residual().ok()?;
-    let p: [[f64; 3]; 3] = [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| {
-            rest.iter()
-                .enumerate()
-                .map(|(n, x)| body.assembled.force[3 * n + i] * x[j])
-                .sum()
-        })
-    });
+    let forces = body.assembled.force.chunks_exact(3);
+    let p: [Vector; 3] = [0, 1, 2]
+        .map(|i| [0, 1, 2].map(|j| forces.clone().zip(&rest).map(|(f, x)| f[i] * x[j]).sum()));
     let f = [[1.0, GAMMA, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let sigma = |i: usize, j: usize| (0..3).map(|k| p[i][k] * f[j][k]).sum::<f64>();
     let [normal, second] = [sigma(0, 0) - sigma(2, 2), sigma(1, 1) - sigma(2, 2)];

@@ -1,25 +1,27 @@
 //! The cases with bricks: the same exact values, met by the three-dimensional elements.
 
 mod block;
-mod cook;
-mod homogeneous;
-mod limit;
-mod muscle;
-mod numerics;
-mod paths;
-mod pressure;
-mod snap;
-mod terminal;
-mod torsion;
-mod tube;
+pub mod cavity;
+pub mod cook;
+pub mod homogeneous;
+pub mod muscle;
+pub mod numerics;
+pub mod paths;
+pub mod snap;
+pub mod torsion;
+pub mod tube;
 
-use super::{Case, Rows, VerificationRow};
-use crate::simulation::Divided;
-use crate::solver::body::Control;
-use crate::solver::continuation::Continuation;
-use crate::solver::newton::{self, Effort, NewtonOptions};
-use crate::three_dimensional::{
-    Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
+use super::Case;
+use crate::{
+    simulation::Divided,
+    solver::{
+        body::Control,
+        continuation::Continuation,
+        newton::{self, Effort, NewtonOptions},
+    },
+    three_dimensional::{
+        Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
+    },
 };
 use mckibben::muscle::Muscle;
 
@@ -28,55 +30,12 @@ const BRICKS: [(Brick, &str); 2] = [
     (Brick::Quadratic, "27-node brick"),
 ];
 
-const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
-
-/// Every case with bricks.
-pub(super) const CASES: [Case; 12] = [
-    (
-        "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)",
-        homogeneous::homogeneous,
-    ),
-    (
-        "A: Rivlin 1948 [rivlin1948], simple shear (bricks)",
-        homogeneous::shear,
-    ),
-    (
-        "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)",
-        tube::thick_tube,
-    ),
-    ("D: Rivlin 1949 [rivlin1949], torsion", torsion::torsion),
-    (
-        "E: closed cavity, energy (bricks)",
-        pressure::follower_pressure,
-    ),
-    (
-        "E: closed cavity, terminals as bodies (bricks)",
-        terminal::terminal,
-    ),
-    (
-        "F: von Mises truss, engineering strain (strands)",
-        snap::snap,
-    ),
-    (COOK, cook::cook),
-    ("J: numerical conduct (bricks)", numerics::numerics),
-    ("J: numerical conduct (bricks)", paths::paths),
-    (
-        "I: outer-diameter limit of strands that do not stretch (bricks)",
-        limit::limit,
-    ),
-    ("FElupe 11.3, same mesh, mean dilatation", muscle::muscle),
-];
+pub const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
+pub const CONDUCT: &str = "J: numerical conduct (bricks)";
 
 /// The finest meshes of Cook's membrane: some seconds in a program that is optimised, minutes in
 /// one that is not.
-pub fn cook_fine() -> Vec<VerificationRow> {
-    let mut rows = Rows {
-        source: COOK,
-        list: vec![],
-    };
-    cook::meshes(&mut rows, &[(64, 6.9115), (128, 6.9231)]);
-    rows.list
-}
+pub const COOK_FINE: Case = ("cooks_membrane_in_fine_meshes", COOK, cook::cook_fine);
 
 fn body(problem: Problem) -> Option<Body> {
     Body::new(Discretisation::new(problem).ok()?).ok()
@@ -99,7 +58,8 @@ fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
 
 /// A small mesh: as many nodes of either brick.
 fn coarse(brick: Brick) -> BrickSpec {
-    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
+    let around = Some(4 / brick.order());
+    let along = Some(12 / brick.order());
     BrickSpec {
         brick,
         around,
@@ -118,12 +78,15 @@ fn tight() -> NewtonOptions {
 }
 
 /// Solves with the terminal at `w` and the present pressure.
-fn solve(body: &mut Body, w: f64) -> Option<Effort> {
-    let mut effort = Effort::default();
+fn solve(body: &mut Body, w: f64) -> Option<()> {
     body.control = Control::Length(w);
-    newton::solve(body, &tight(), &mut effort, |_| Ok(()))
-        .ok()
-        .map(|()| effort)
+    newton::solve(body, &tight(), &mut Effort::default(), |_| Ok(())).ok()
+}
+
+/// Solves with the terminal where it is.
+fn settle(body: &mut Body) -> Option<()> {
+    let terminal = body.state.terminal;
+    solve(body, terminal)
 }
 
 /// (∂F/∂P, −∂V/∂L) in mm² of the tangent.
@@ -144,18 +107,16 @@ fn drive(body: &mut Body, pressure: f64, terminal: f64, steps: usize) -> Option<
 
 /// Moves held displacements to what `at` says of (node, direction), in so many equal steps.
 fn push(body: &mut Body, steps: usize, at: impl Fn(usize, usize) -> f64) -> Option<()> {
-    let held: Vec<(usize, usize)> = (0..body.discretisation.problem.nodes.len())
-        .flat_map(|n| (0..3).map(move |i| (n, i)))
-        .filter(|&(n, i)| body.discretisation.problem.freedom[n][i] == Freedom::Held)
-        .collect();
-    let start: Vec<f64> = held.iter().map(|&(n, i)| body.state.u[3 * n + i]).collect();
+    let start = body.state.u.clone();
+    let freedom = body.discretisation.problem.freedom.as_flattened();
+    let held = |k: &usize| freedom[*k] == Freedom::Held;
+    let held: Vec<usize> = (0..start.len()).filter(held).collect();
     for step in 1..=steps {
         let share = step as f64 / steps as f64;
-        for (&(n, i), from) in held.iter().zip(&start) {
-            body.state.u[3 * n + i] = from + share * (at(n, i) - from);
+        for &k in &held {
+            body.state.u[k] = start[k] + share * (at(k / 3, k % 3) - start[k]);
         }
-        let w = body.state.terminal;
-        solve(body, w)?;
+        settle(body)?;
     }
     Some(())
 }

@@ -4,16 +4,18 @@
 //! Loaded and held: a short muscle shaken at random, its length given.
 
 use super::{BRICKS, body, prototype, solve, tight};
-use crate::element::spatial::AT;
-use crate::element::truss::Truss;
-use crate::solver::body::Control;
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter};
-use crate::verification::{Rows, changed, order_of_newton, rubber};
-use mckibben::differences::{STENCIL, slope};
-use mckibben::muscle::{BraidStiffness, Bulk, Muscle};
-use mckibben::random::Random;
-use mckibben::rubber::Law;
+use crate::{
+    element::{spatial::AT, truss::Truss},
+    solver::{body::Control, newton::NewtonSystem as _},
+    three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter, dot},
+    verification::{Rows, changed, largest_difference, order_of_newton, rubber},
+};
+use mckibben::{
+    differences::{STENCIL, slope},
+    muscle::{BraidStiffness, Bulk, Muscle},
+    random::Random,
+    rubber::Law,
+};
 use nalgebra::{DMatrix, DVector};
 
 fn tube(half_mm: f64) -> Quarter {
@@ -25,11 +27,14 @@ fn tube(half_mm: f64) -> Quarter {
     }
 }
 
-/// A small muscle in a random deformed state, with pressures and tensions.
-fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
+/// A small muscle in a random deformed state, with pressures and tensions; stiffness in N/mm.
+fn shaken(brick: Brick, law: Law, stiffness: f64) -> Option<Body> {
     let muscle = changed(|tube, braid| {
-        (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
-        (braid.stiffness, braid.compression) = (stiffness, true);
+        tube.rubber.law = law;
+        tube.rubber.bulk = Bulk::Modulus(20.0);
+        tube.length_mm = 40.0;
+        braid.stiffness = BraidStiffness::NewtonPerMm(stiffness);
+        braid.compression = true;
     })?;
     let spec = BrickSpec {
         brick,
@@ -38,8 +43,10 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
         through: Some(1),
         ..BrickSpec::default()
     };
-    let mesh = BrickMesh::new(&tube(20.0), &spec).ok()?;
-    let mut body = body(Problem::from_muscle(&muscle, &mesh))?;
+    let mut body = body(Problem::from_muscle(
+        &muscle,
+        &BrickMesh::new(&tube(20.0), &spec).ok()?,
+    ))?;
     let mut random = Random(7);
     for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = random.between(-0.3, 0.3);
@@ -55,9 +62,15 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     body.state.pressure = 0.15;
     // Tensions that belong to the strains: the residual holds them so.
     body.residual().ok()?;
-    for (t, (_, strain, _)) in body.assembled.strands.clone().into_iter().enumerate() {
-        let (compliance, augment) = body.discretisation.strand[t];
-        body.state.q[t] = if compliance > 0.0 {
+    let strands = body.discretisation.strand.iter();
+    for ((q, (_, strain, _)), (compliance, augment)) in body
+        .state
+        .q
+        .iter_mut()
+        .zip(&body.assembled.strands)
+        .zip(strands)
+    {
+        *q = if *compliance > 0.0 {
             strain / compliance
         } else {
             augment * strain
@@ -67,12 +80,13 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
 }
 
 /// The tangent of the last assembly with both halves.
-pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
+pub fn dense_tangent(body: &Body) -> DMatrix<f64> {
     let d = &body.discretisation;
     let mut full = DMatrix::zeros(d.free, d.free);
+    let pattern = d.pattern();
     for c in 0..d.free {
-        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
-            let r = d.pattern().rows[k] as usize;
+        for k in pattern.column(c) {
+            let r = pattern.rows[k] as usize;
             full[(r, c)] = body.assembled.values[k];
             full[(c, r)] = full[(r, c)];
         }
@@ -83,7 +97,7 @@ pub(super) fn dense_tangent(body: &Body) -> DMatrix<f64> {
 /// Largest difference between K v and central differences of the residual, over the largest force.
 ///
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
-pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
+pub fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discretisation.clone();
     // Of condensed modes, p + γ c/V is what the elements take; put it into p. Of an incompressible
     // rubber the tangent holds p; what the augmentation adds to the geometric part vanishes with
@@ -125,40 +139,24 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
         }
     }
     body.state.copy_from(&base);
-    let worst = product
-        .iter()
-        .zip(&change)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
-    Some(worst / product.amax())
+    Some(largest_difference(product.as_slice(), &change) / product.amax())
 }
 
 /// Change of the energy and of the forces' size when everything is turned.
 fn objectivity(brick: Brick) -> Option<f64> {
-    let mut body = shaken(
-        brick,
-        rubber(),
-        Bulk::Modulus(20.0),
-        BraidStiffness::NewtonPerMm(300.0),
-    )?;
+    let mut body = shaken(brick, rubber(), 300.0)?;
     body.state.pressure = 0.0;
     body.residual().ok()?;
     let before = body.totals;
     let size = |b: &Body| b.assembled.force.iter().map(|f| f * f).sum::<f64>().sqrt();
     let force = size(&body);
-    let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]
+    let turned = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]
         .map(|r: [f64; 3]| r.map(|x| x / 3.0));
-    for (n, rest) in body
-        .discretisation
-        .problem
-        .nodes
-        .clone()
-        .into_iter()
-        .enumerate()
-    {
-        let x: Vec<f64> = (0..3).map(|i| rest[i] + body.state.u[3 * n + i]).collect();
+    let nodes = &body.discretisation.problem.nodes;
+    for (u, rest) in body.state.u.chunks_exact_mut(3).zip(nodes) {
+        let x = [0, 1, 2].map(|i| rest[i] + u[i]);
         for i in 0..3 {
-            body.state.u[3 * n + i] = (0..3).map(|j| axis[i][j] * x[j]).sum::<f64>() - rest[i];
+            u[i] = dot(&turned[i], &x) - rest[i];
         }
     }
     body.residual().ok()?;
@@ -236,35 +234,32 @@ pub fn numerics(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for law in Law::examples() {
             let title = format!("{name}, {}: tangent against differences", law.name());
-            let error = shaken(
-                brick,
-                law,
-                Bulk::Modulus(20.0),
-                BraidStiffness::NewtonPerMm(20.0),
-            )
-            .and_then(|mut b| tangent_error(&mut b));
+            let error = shaken(brick, law, 20.0).and_then(|mut b| tangent_error(&mut b));
             rows.add(title, 0.0, error, 1e-8);
         }
-        let title = |what: &str| format!("{name}, {what}");
-        rows.add(
-            title("energy and forces after a rotation"),
-            0.0,
-            objectivity(brick),
-            1e-10,
-        );
-        rows.add(
-            title("order of Newton's last residuals (2 or more)"),
-            2.0,
-            newton(brick),
-            0.2,
-        );
-        rows.add(title("pull after 4 and 25 steps"), 0.0, steps(brick), 1e-8);
-        rows.add(
-            title("pull with unknowns numbered backwards"),
-            0.0,
-            numbering(brick),
-            1e-10,
-        );
+        for (what, exact, ours, tolerance) in [
+            (
+                "energy and forces after a rotation",
+                0.0,
+                objectivity(brick),
+                1e-10,
+            ),
+            (
+                "order of Newton's last residuals (2 or more)",
+                2.0,
+                newton(brick),
+                0.2,
+            ),
+            ("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8),
+            (
+                "pull with unknowns numbered backwards",
+                0.0,
+                numbering(brick),
+                1e-10,
+            ),
+        ] {
+            rows.add(format!("{name}, {what}"), exact, ours, tolerance);
+        }
     }
     rows.add("strand, tangent against differences", 0.0, truss(), 1e-8);
 }

@@ -4,18 +4,23 @@
 //! Loaded and held: a bonded muscle under pressure at a given length; strands that carry
 //! compression shortened without pressure.
 
-use super::muscle::peers;
-use super::numerics::{dense_tangent, tangent_error};
-use super::{BRICKS, at_rest, coarse, prototype, solve};
-use crate::solver::continuation::Unstable;
-use crate::three_dimensional::{Body, Brick, BrickSpec};
-use crate::verification::{Rows, changed};
-use mckibben::muscle::Bulk;
-use mckibben::rubber::Law;
+use super::{
+    BRICKS, at_rest, coarse,
+    muscle::peers,
+    numerics::{dense_tangent, tangent_error},
+    prototype, settle,
+};
+use crate::{
+    solver::continuation::Unstable,
+    three_dimensional::{Body, Brick, BrickSpec},
+    verification::{Rows, changed},
+};
+use mckibben::{muscle::Bulk, rubber::Law};
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
-    let (mut guessed, mut walked) = (prototype(brick)?, prototype(brick)?);
+    let mut guessed = prototype(brick)?;
+    let mut walked = prototype(brick)?;
     guessed.reach(pressure, contraction).ok()?;
     walked.walk_from_rest(pressure, contraction).ok()?;
     Some((walked.pull() / guessed.pull() - 1.0).abs())
@@ -30,8 +35,7 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     c.reach(0.2, 0.05).ok()?;
     let body = &mut c.body.bricks;
     // Defects of the volume multiply second derivatives that the tangent omits: they must vanish.
-    let terminal = body.state.terminal;
-    solve(body, terminal)?;
+    settle(body)?;
     tangent_error(body)
 }
 
@@ -46,7 +50,7 @@ fn negative_eigenvalues(body: &Body) -> Option<usize> {
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues)
 /// that are negative.
-fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
+fn shortened() -> Option<(Option<Unstable>, [f64; 2])> {
     let spec = BrickSpec {
         around: Some(4),
         along: Some(12),
@@ -54,50 +58,50 @@ fn shortened() -> Option<(Option<Unstable>, f64, f64)> {
         ..BrickSpec::default()
     };
     let mut c = at_rest(&peers()?, &spec)?;
-    let half = c.body.bricks.discretisation.half;
-    c.walk(0.0, -0.02 * half, 0.25).ok()?;
+    c.walk(0.0, -0.02 * c.body.bricks.discretisation.half, 0.25)
+        .ok()?;
     let body = &mut c.body.bricks;
     body.factorise().ok()?;
-    let (pivots, eigenvalues) = (
-        body.unstable_directions() as f64,
-        negative_eigenvalues(body)? as f64,
-    );
-    Some((c.unstable, pivots, eigenvalues))
+    let negative = [body.unstable_directions(), negative_eigenvalues(body)?];
+    Some((c.unstable, negative.map(|n| n as f64)))
 }
 
 /// The rows of paths and stability.
 pub fn paths(rows: &mut Rows) {
     for (brick, name) in BRICKS {
         for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
-            let title =
-                format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
-            rows.add(title, 0.0, walked(brick, p, e), 1e-8);
+            rows.add(
+                format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference"),
+                0.0,
+                walked(brick, p, e),
+                1e-8,
+            );
         }
         for law in Law::examples() {
-            let title = format!(
-                "{name}, {}, incompressible: tangent against differences",
-                law.name()
+            rows.add(
+                format!(
+                    "{name}, {}, incompressible: tangent against differences",
+                    law.name()
+                ),
+                0.0,
+                incompressible(brick, law),
+                1e-7,
             );
-            rows.add(title, 0.0, incompressible(brick, law), 1e-7);
         }
     }
-    let stability = shortened();
-    let (noticed, pivots) = (stability.and_then(|f| f.0), stability.map(|f| f.1));
-    let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues";
-    rows.add(title, stability.map(|f| f.2), pivots, 0.0);
+    let (noticed, negative) = shortened().unzip();
+    let noticed = noticed.flatten();
+    let pivots = negative.map(|n| n[0]);
     rows.add(
-        "the same: there are some",
-        1.0,
-        pivots.map(|n| n.min(1.0)),
+        "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues",
+        negative.map(|n| n[1]),
+        pivots,
         0.0,
     );
+    let some = pivots.map(|n| n.min(1.0));
+    rows.add("the same: there are some", 1.0, some, 0.0);
     let title = |what: &str| format!("the same: the first unstable equilibrium is noticed, {what}");
     rows.add(title("P (MPa)"), 0.0, noticed.map(|u| u.pressure_mpa), 0.0);
-    let on_the_way = |e: f64| f64::from(e > 0.0 && e < 0.020_001);
-    rows.add(
-        title("on the way"),
-        1.0,
-        noticed.map(|u| on_the_way(u.contraction)),
-        0.0,
-    );
+    let on_the_way = noticed.map(|u| f64::from(u.contraction > 0.0 && u.contraction < 0.020_001));
+    rows.add(title("on the way"), 1.0, on_the_way, 0.0);
 }

@@ -9,8 +9,7 @@
 //!
 //! Loaded and held: both supports held, the apex pushed down.
 
-use crate::element::truss::Truss;
-use crate::verification::Rows;
+use crate::{element::truss::Truss, verification::Rows};
 use mckibben::analysis::find_root;
 
 /// E·A in N.
@@ -28,7 +27,8 @@ fn apex(d: f64, compression: bool) -> (f64, f64) {
         stiffness_n: EA,
         compression,
     };
-    let (mut load, mut stiffness) = (0.0, 0.0);
+    let mut load = 0.0;
+    let mut stiffness = 0.0;
     for side in [1.0, -1.0] {
         let at = [0.6 * side * W, 0.8 * side * W, H - d];
         let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
@@ -39,7 +39,8 @@ fn apex(d: f64, compression: bool) -> (f64, f64) {
 }
 
 fn exact(d: f64) -> f64 {
-    let (l0, l) = (W.hypot(H), W.hypot(H - d));
+    let l0 = W.hypot(H);
+    let l = W.hypot(H - d);
     2.0 * EA * (H - d) * (1.0 / l - 1.0 / l0)
 }
 
@@ -63,12 +64,8 @@ pub fn snap(rows: &mut Rows) {
     let stiffness = |d: f64| apex(d, true).1;
     let top = root(&stiffness, 0.1 * H, 0.9 * H);
     rows.add("two strands, limit point: d (mm)", limit, top, 1e-9);
-    rows.add(
-        "two strands, limit load: P (N)",
-        exact(limit),
-        top.map(|d| apex(d, true).0),
-        1e-9,
-    );
+    let load = top.map(|d| apex(d, true).0);
+    rows.add("two strands, limit load: P (N)", exact(limit), load, 1e-9);
     // Where the load is the limit load again.
     let again = root(&|d| exact(d) - exact(limit), 2.0 * H, 4.0 * H);
     let landed = root(&|d| apex(d, true).0 - exact(limit), 2.0 * H, 4.0 * H);

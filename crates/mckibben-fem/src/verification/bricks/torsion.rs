@@ -4,11 +4,12 @@
 //! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the
 //! side free.
 
-use super::block::Block;
-use super::{body, push};
-use crate::solver::newton::NewtonSystem as _;
-use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::{Rows, rubber};
+use super::{block::Block, body, push};
+use crate::{
+    solver::newton::NewtonSystem as _,
+    three_dimensional::{Brick, Freedom, now},
+    verification::{Rows, rubber},
+};
 use mckibben::muscle::Bulk;
 
 const RADIUS: f64 = 5.0;
@@ -24,7 +25,8 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
     };
     // The square becomes a disc (the elliptical map).
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+        let u = 2.0 * x - 1.0;
+        let v = 2.0 * y - 1.0;
         [
             RADIUS * u * (1.0 - 0.5 * v * v).sqrt(),
             RADIUS * v * (1.0 - 0.5 * u * u).sqrt(),
@@ -32,13 +34,10 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
         ]
     });
     let last = block.grid()[2] - 1;
-    let mut top = Vec::new();
-    for (node, [_, _, k]) in block.places().into_iter().enumerate() {
-        if k == 0 || k == last {
+    let places = block.places();
+    for (node, [_, _, k]) in places.iter().enumerate() {
+        if [0, last].contains(k) {
             problem.freedom[node] = [Freedom::Held; 3];
-        }
-        if k == last {
-            top.push(node);
         }
     }
     let nodes = problem.nodes.clone();
@@ -52,11 +51,12 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
         [cos * x - sin * y - x, sin * x + cos * y - y, 0.0][i]
     })?;
     body.residual().ok()?;
-    let (mut moment, mut axial) = (0.0, 0.0);
-    for n in top {
-        let (x, f) = (nodes[n], &body.assembled.force[3 * n..3 * n + 3]);
-        let (px, py) = (x[0] + body.state.u[3 * n], x[1] + body.state.u[3 * n + 1]);
-        moment += px * f[1] - py * f[0];
+    let mut moment = 0.0;
+    let mut axial = 0.0;
+    for n in (0..nodes.len()).filter(|&n| places[n][2] == last) {
+        let x = now(&body, n);
+        let f = &body.assembled.force[3 * n..];
+        moment += x[0] * f[1] - x[1] * f[0];
         axial += f[2];
     }
     Some((moment, axial))

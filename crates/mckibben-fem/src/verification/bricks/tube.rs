@@ -4,11 +4,11 @@
 //! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between
 //! planes of symmetry.
 
-use super::block::Block;
-use super::{BRICKS, body, drive};
-use crate::three_dimensional::{Brick, Freedom};
-use crate::verification::tube::ROWS;
-use crate::verification::{Rows, rubber};
+use super::{BRICKS, block::Block, body, drive};
+use crate::{
+    three_dimensional::{Brick, Freedom},
+    verification::{Rows, rubber, tube::ROWS},
+};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
@@ -16,19 +16,19 @@ use std::f64::consts::FRAC_PI_2;
 /// `b0` and height 1 mm.
 fn ring(
     brick: Brick,
-    radii: (f64, f64),
+    [inner, outer]: [f64; 2],
     stretch: f64,
     p: f64,
-    divisions: (usize, usize),
+    (through, around): (usize, usize),
 ) -> Option<(f64, f64)> {
-    let (through, around) = divisions;
     let block = Block {
         brick,
         elements: [through, around, 1],
     };
     let [_, nj, nk] = block.grid();
     let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
-        let (r, phi) = (radii.0 + x * (radii.1 - radii.0), FRAC_PI_2 * y);
+        let r = inner + x * (outer - inner);
+        let phi = FRAC_PI_2 * y;
         [r * phi.cos(), r * phi.sin(), z]
     });
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
@@ -53,32 +53,27 @@ fn ring(
         body.state.pressure = 0.25 * f64::from(i) * p;
         super::solve(&mut body, stretch - 1.0)?;
     }
-    let at = block.node(0, 0, 0);
-    Some((1.0 + body.state.u[3 * at] / radii.0, body.totals.pull))
+    Some((
+        1.0 + body.state.u[3 * block.node(0, 0, 0)] / inner,
+        body.totals.pull,
+    ))
 }
 
 /// The rows of B.
 pub fn thick_tube(rows: &mut Rows) {
-    for (inner, outer, stretch, exact, p, _, force) in ROWS {
-        let radii = (inner, outer);
-        let (radius, pull) = ring(Brick::Quadratic, radii, stretch, p, (3, 8)).unzip();
-        let title = |what| {
-            format!(
-                "27-node brick, tube {}–{} mm, λz = {stretch}: {what}",
-                radii.0, radii.1
-            )
-        };
+    for [inner, outer, stretch, exact, p, _, force] in ROWS {
+        let (radius, pull) = ring(Brick::Quadratic, [inner, outer], stretch, p, (3, 8)).unzip();
+        let title =
+            |what| format!("27-node brick, tube {inner}–{outer} mm, λz = {stretch}: {what}");
         rows.add(title("a/A"), exact, radius, 5e-5);
         rows.add(title("N − πa²p (N)"), force, pull, 1e-3);
     }
     // Displacements of bricks of degree p converge like h^(p+1).
     for ((brick, name), order) in BRICKS.into_iter().zip([2.0, 3.0]) {
         let error = |n: usize| {
-            ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
+            ring(brick, [1.0, 2.0], 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
         };
-        let got = error(1)
-            .zip(error(2))
-            .map(|(coarse, fine)| (coarse / fine).log2());
+        let got = (|| Some((error(1)? / error(2)?).log2()))();
         rows.add(
             format!("{name}, order of convergence of a/A"),
             order,
