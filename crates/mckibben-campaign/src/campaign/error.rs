@@ -7,7 +7,7 @@ use std::path::Path;
 use std::path::PathBuf;
 use thiserror::Error;
 
-pub(super) type Result<T, E = CampaignError> = std::result::Result<T, E>;
+pub(crate) type Result<T, E = CampaignError> = std::result::Result<T, E>;
 
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]

@@ -8,32 +8,21 @@ use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader}
 use parquet::data_type::{DataType, DoubleType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::FileMetaData;
-use parquet::file::reader::{ChunkReader, FileReader};
+use parquet::file::reader::FileReader;
 use parquet::file::serialized_reader::SerializedFileReader;
 use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A file whose metadata are read.
 pub struct Reader {
-    file: Box<dyn FileReader>,
+    file: SerializedFileReader<File>,
 }
 
 impl Reader {
-    pub fn file(file: File) -> std::result::Result<Self, TableError> {
-        Self::open(file)
-    }
-
-    /// Opens what was just written to memory.
-    pub fn bytes(bytes: Vec<u8>) -> std::result::Result<Self, TableError> {
-        Self::open(bytes::Bytes::from(bytes))
-    }
-
-    fn open(source: impl ChunkReader + 'static) -> std::result::Result<Self, TableError> {
-        Ok(guarded(|| {
-            Ok(Self {
-                file: Box::new(SerializedFileReader::new(source)?),
-            })
-        })?)
+    /// Reads the metadata of a file.
+    pub fn new(file: File) -> std::result::Result<Self, TableError> {
+        let file = guarded(|| SerializedFileReader::new(file))?;
+        Ok(Self { file })
     }
 
     fn metadata(&self) -> &FileMetaData {
