@@ -1,9 +1,12 @@
 //! From text to rows of fields: separators, comments, blank lines, and the line of each row as an
 //! editor counts it.
 
-use super::TableError;
+use super::error::TableError;
 use crate::cancel;
 use csv::{ReaderBuilder, StringRecord, Trim};
+
+/// The largest table that is read, in bytes: about a million lines.
+pub const MAX_BYTES: usize = 32 << 20;
 
 /// What is between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

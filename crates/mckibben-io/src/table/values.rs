@@ -1,11 +1,10 @@
 //! Numbers and words of a table's columns.
 
-use super::Table;
 use super::error::{TableError, short};
-use super::find::Column;
-use super::heading::{self, plain};
+use super::find::Table;
+use super::heading::{self, Column, plain};
 use super::number::{self, Decimal, NoNumber};
-use super::vocabulary::{Entry, Meaning, Need};
+use super::vocabulary::{Meaning, Need};
 use crate::cancel;
 use crate::units::Dimension;
 
@@ -120,20 +119,13 @@ impl Table {
         }
     }
 
-    fn entry(&self, column: &Column) -> Option<&'static Entry> {
-        self.vocabulary.entry(column.meaning)
-    }
-
     fn number(&self, at: usize, column: &Column) -> Result<f64, TableError> {
         cancel::check()?;
         let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
-            let (line, count, expected) = (row.line, row.width(), self.headings.len());
-            return Err(TableError::Refused(format!(
-                "line {line} has {count} fields and the heading {expected}; every line needs as \
-                 many fields as the heading"
-            )));
+            let (expected, hint) = (self.headings.len(), TableError::AS_MANY);
+            return Err(TableError::fields(row.line, row.width(), expected, hint));
         }
         let not_a_number = |hint| {
             column.refused(
@@ -160,7 +152,7 @@ impl Table {
             )),
         }
         })?;
-        let dimension = self.entry(column).and_then(|e| e.dimension);
+        let dimension = column.meaning.words().dimension;
         let value = if column.negated { -value } else { value };
         let inside = match (unit, column.unit, dimension) {
             ("", _, None) => value,
@@ -214,7 +206,7 @@ impl Table {
             return Ok(None);
         }
         let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
-        let name = self.entry(column).map_or("", |e| &e.name);
+        let name = &meaning.words().name;
         word.map(Some)
             .ok_or_else(|| TableError::word(line, name, text, known))
     }
@@ -240,9 +232,9 @@ impl Table {
     }
 
     fn no_unit(&self, column: &Column) -> TableError {
-        let entry = self.entry(column);
+        let has_pressure = self.vocabulary.quantities.contains(&Meaning::Pressure);
         let example = |d: Dimension| match d {
-            Dimension::Pressure if self.vocabulary.entry(Meaning::Pressure).is_some() => "kPa",
+            Dimension::Pressure if has_pressure => "kPa",
             d => d.unit_inside().name,
         };
         let stated = if column.unknown_unit {
@@ -250,7 +242,7 @@ impl Table {
         } else {
             ""
         };
-        let unit = entry.and_then(|e| e.dimension).map_or("", example);
+        let unit = column.meaning.words().dimension.map_or("", example);
         let (name, units) = self.units_of(column);
         if column.is_constant() {
             let text = &column.heading;
@@ -279,9 +271,8 @@ impl Table {
 
     /// Name and units of what a column holds.
     fn units_of(&self, column: &Column) -> (&str, String) {
-        self.entry(column).map_or(("", String::new()), |e| {
-            (e.name.as_str(), self.vocabulary.units(e))
-        })
+        let meaning = column.meaning;
+        (&meaning.words().name, self.vocabulary.units(meaning))
     }
 
     pub(super) fn wrong_unit(
