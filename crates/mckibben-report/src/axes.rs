@@ -1,15 +1,15 @@
 //! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
 
 use crate::curve::Frame;
-use crate::font::Metrics;
+use crate::figure::{Axis, FigureError, Palette, Panel, Result, Series, Style};
+use crate::font::{Metrics, PANEL_TITLE};
 use crate::labels::{self, Label};
-use crate::layout::{PANEL_TITLE, PER_MM};
 use crate::legend::{self, Legend};
 use crate::line_labels::{self, Ended};
-use crate::rect::Rect;
+use crate::palette;
+use crate::rect::{PER_MM, Rect};
 use crate::room::Room;
 use crate::ticks::{self, Scale};
-use crate::{Axis, FigureError, Panel, Result, Style, palette};
 
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;
@@ -30,6 +30,14 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
+    pub fn at_x(&self, value: f64) -> f64 {
+        self.plot.x + self.x.part(value) * self.plot.w
+    }
+
+    pub fn at_y(&self, value: f64) -> f64 {
+        self.plot.bottom() - self.y.part(value) * self.plot.h
+    }
+
     pub fn frame(&self) -> Frame<'_> {
         Frame {
             plot: self.plot,
@@ -104,7 +112,7 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
     for series in &panel.series {
-        if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
+        if palette::dash(series.style, 0, Palette::Categorical).is_some() {
             frame
                 .line(&series.points)
                 .iter()
@@ -156,13 +164,8 @@ impl<'a> Grid<'a, '_> {
         let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
         loop {
             let scale = ticks::scale(&panel.x, data, wanted)?;
-            let widest = scale
-                .labels
-                .iter()
-                .map(|l| self.metrics.width(l, TICK))
-                .fold(0.0, f64::max);
             let between = width / (scale.ticks.len().max(2) - 1) as f64;
-            if widest + 8.0 <= between || wanted == 1 {
+            if self.metrics.widest(&scale.labels, TICK) + 8.0 <= between || wanted == 1 {
                 return Ok(scale);
             }
             wanted -= 1;
@@ -214,12 +217,6 @@ impl<'a> Grid<'a, '_> {
             top: 6.0 + title,
             bottom: 40.0,
         };
-        let widest = |labels: &[String]| {
-            labels
-                .iter()
-                .map(|l| self.metrics.width(l, TICK))
-                .fold(0.0, f64::max)
-        };
         // twice: the scales depend on the room, the room on the texts of the scales
         for _ in 0..2 {
             let axes = self.axes(i, gutters)?;
@@ -235,8 +232,8 @@ impl<'a> Grid<'a, '_> {
                 } else {
                     TICK + 2.0
                 };
-            gutters.left =
-                axes.y_label.len() as f64 * LABEL_ROW + widest(&axes.y.labels) + TICK_LENGTH + 8.0;
+            let widest = self.metrics.widest(&axes.y.labels, TICK);
+            gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
             gutters.right = (last / 2.0 + 2.0).max(8.0);
             let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() {
                 LABEL_ROW
@@ -263,7 +260,7 @@ impl<'a> Grid<'a, '_> {
                     .last()
                     .is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
             });
-        let width = |s: &crate::Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
+        let width = |s: &Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
     }
 
@@ -328,7 +325,7 @@ impl<'a> Grid<'a, '_> {
         let ended = ended.filter_map(|(i, s)| {
             let line = axes.frame().line(&s.points).pop()?;
             let number = s.number(i);
-            let explained = |(k, other): (usize, &crate::Series)| {
+            let explained = |(k, other): (usize, &Series)| {
                 !other.label.trim().is_empty() && other.number(k) == number
             };
             let has_meaning = s.neutral || panel.series.iter().enumerate().any(explained);
@@ -355,7 +352,6 @@ impl<'a> Grid<'a, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Series;
 
     /// The frame cuts a band that is wider than its line: half of the line's height lies above and
     /// below.

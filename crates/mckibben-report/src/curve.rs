@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::rect::{Rect, Spot};
+use crate::rect::{Rect, Spot, between};
 use crate::smooth::smooth;
 use crate::ticks::Scale;
 
@@ -78,8 +78,7 @@ impl Frame<'_> {
                 let from = &spots[(i + spots.len() - 1) % spots.len()];
                 let (a, b) = (inside(from), inside(to));
                 if (a < 0.0) != (b < 0.0) {
-                    let t = a / (a - b);
-                    kept.push((from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1)));
+                    kept.push(between(*from, *to, a / (a - b)));
                 }
                 if b >= 0.0 {
                     kept.push(*to);
@@ -178,9 +177,8 @@ fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
     if from > to {
         return None;
     }
-    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
     Some((
-        if from == 0.0 { a } else { at(from) },
-        if to == 1.0 { b } else { at(to) },
+        if from == 0.0 { a } else { between(a, b, from) },
+        if to == 1.0 { b } else { between(a, b, to) },
     ))
 }

@@ -337,3 +337,12 @@ pub enum FigureError {
     #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", .0.display())]
     UnknownExtension(PathBuf),
 }
+
+#[cfg(feature = "png")]
+impl FigureError {
+    pub(crate) fn image(reason: impl std::fmt::Display) -> Self {
+        Self::Drawing(format!(
+            "the figure cannot be turned into an image: {reason}"
+        ))
+    }
+}

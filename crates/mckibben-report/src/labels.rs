@@ -1,7 +1,7 @@
 //! Texts beside marks, kept clear of the data and of each other.
 
-use crate::Mark;
 use crate::curve::Frame;
+use crate::figure::Mark;
 use crate::font::Metrics;
 use crate::rect::{Rect, Spot};
 use crate::room::Room;
@@ -60,13 +60,7 @@ pub(crate) fn add_rings(marks: &[Mark], frame: &Frame<'_>, room: &mut Room) {
         .filter_map(|m| frame.spot((m.x, m.y)))
         .filter(|s| frame.plot.has(*s))
     {
-        let r = RING + 1.0;
-        room.add_box(Rect {
-            x: spot.0 - r,
-            y: spot.1 - r,
-            w: 2.0 * r,
-            h: 2.0 * r,
-        });
+        room.add_box(Rect::about(spot, RING + 1.0));
     }
 }
 

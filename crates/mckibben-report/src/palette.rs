@@ -1,6 +1,6 @@
 //! Colours, dash patterns and marker shapes.
 
-use crate::{Palette, Style};
+use crate::figure::{Palette, Style};
 
 /// Okabe & Ito 2008 \[okabe2008\], without the yellow, which is lost on white.
 const CATEGORICAL: [[u8; 3]; 7] = [

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::figure::{Palette, Style};
 use crate::palette::{self, Shape};
 use crate::rect::Spot;
-use crate::xml::length as n;
-use crate::{Palette, Style};
+use crate::xml::{escape, length as n};
 
 const LINE_WIDTH: f64 = 1.7;
 const MARKER: f64 = 3.1;
@@ -88,6 +88,39 @@ fn dashes(pattern: &[f64]) -> String {
     }
     let list: Vec<String> = pattern.iter().map(|p| n(p * LINE_WIDTH)).collect();
     format!(" stroke-dasharray=\"{}\"", list.join(" "))
+}
+
+/// A thin line along a path.
+pub(crate) fn thin(out: &mut String, path: &str, colour: &str, width: f64) {
+    let _ = writeln!(
+        out,
+        "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"{width}\" fill=\"none\"/>"
+    );
+}
+
+/// Attributes of a text that does not start at its place.
+pub(crate) const MIDDLE: &str = " text-anchor=\"middle\"";
+pub(crate) const END: &str = " text-anchor=\"end\"";
+
+/// Attribute of a text that reads upwards.
+pub(crate) fn upwards((x, y): Spot) -> String {
+    format!(" transform=\"rotate(-90 {} {})\"", n(x), n(y))
+}
+
+/// A text with its base line at a place.
+pub(crate) fn text(
+    out: &mut String,
+    (x, y): Spot,
+    size: f64,
+    fill: &str,
+    attributes: &str,
+    content: &str,
+) {
+    let (x, y, size, content) = (n(x), n(y), n(size), escape(content));
+    let _ = writeln!(
+        out,
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{fill}\"{attributes}>{content}</text>"
+    );
 }
 
 /// Adds a line through spots to a path.

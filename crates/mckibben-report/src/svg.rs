@@ -3,14 +3,17 @@
 use std::fmt::Write as _;
 
 use crate::axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH};
-use crate::font::{FAMILY, Metrics};
+use crate::figure::{Figure, Result, Style};
+use crate::font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE};
 use crate::labels::{self, Label};
-use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, TITLE};
+use crate::layout::{self, Page};
 use crate::legend::{self, Legend};
-use crate::rect::Spot;
-use crate::strokes::{Brush, area, series as draw_series, through};
+use crate::rect::{PER_MM, Spot};
+use crate::strokes::{
+    self, Brush, END, MIDDLE, area, series as draw_series, thin, through, upwards,
+};
 use crate::xml::{escape, length as n};
-use crate::{Figure, Result, Style, palette, ticks};
+use crate::{palette, ticks};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";
@@ -96,19 +99,15 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
     out
 }
 
-/// Attributes of a text that does not start at its place.
-const MIDDLE: &str = " text-anchor=\"middle\"";
-const END: &str = " text-anchor=\"end\"";
-
 /// A text whose middle line runs through `at`.
 fn text(out: &mut String, at: Spot, size: f64, fill: &str, attributes: &str, content: &str) {
-    let _ = writeln!(
+    strokes::text(
         out,
-        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{fill}\"{attributes}>{}</text>",
-        n(at.0),
-        n(at.1 + 0.36 * size),
-        n(size),
-        escape(content)
+        (at.0, at.1 + 0.36 * size),
+        size,
+        fill,
+        attributes,
+        content,
     );
 }
 
@@ -122,43 +121,26 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     }
     let frame = placed.axes.frame();
     let mut anything = false;
-    let bands = |s: &&crate::Series| s.style == Style::Band;
-    for (i, band) in placed
-        .panel
-        .series
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| bands(s))
-    {
+    let series = placed.panel.series.iter().enumerate();
+    let (bands, others): (Vec<_>, Vec<_>) = series.partition(|(_, s)| s.style == Style::Band);
+    for (i, band) in bands {
         area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
     }
-    for (i, series) in placed
-        .panel
-        .series
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| !bands(s))
-    {
+    for (i, series) in others {
         let runs = match series.style {
             Style::Points => vec![frame.markers(&series.points)],
             _ => frame.line(&series.points),
         };
         anything |= runs.iter().any(|run| !run.is_empty());
-        let brush = pen.brush(series.number(i));
-        let brush = if series.neutral {
-            Brush {
-                hex: INK.into(),
-                ..brush
-            }
-        } else {
-            brush
-        };
+        let mut brush = pen.brush(series.number(i));
+        if series.neutral {
+            brush.hex = INK.into();
+        }
         draw_series(out, &runs, series.style, &brush);
     }
     anything |= draw_marks(out, placed);
     if !anything {
-        let plot = placed.axes.plot;
-        let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
+        let middle = placed.axes.plot.middle();
         text(out, middle, LABEL, SOFT, MIDDLE, "no data in this range");
     }
     if let Some(legend) = &placed.legend {
@@ -171,103 +153,69 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
 }
 
 fn draw_axes(out: &mut String, axes: &Axes) {
+    draw_grid(out, axes);
     let plot = axes.plot;
-    let at_x = |v: f64| plot.x + axes.x.part(v) * plot.w;
-    let at_y = |v: f64| plot.bottom() - axes.y.part(v) * plot.h;
-    let (mut grid, mut small) = (String::new(), String::new());
-    for v in &axes.x.ticks {
-        through(&mut grid, &[(at_x(*v), plot.y), (at_x(*v), plot.bottom())]);
-        through(
-            &mut small,
-            &[
-                (at_x(*v), plot.bottom()),
-                (at_x(*v), plot.bottom() + TICK_LENGTH),
-            ],
-        );
-    }
-    for v in &axes.y.ticks {
-        through(&mut grid, &[(plot.x, at_y(*v)), (plot.right(), at_y(*v))]);
-        through(
-            &mut small,
-            &[(plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v))],
-        );
-    }
-    let _ = writeln!(
-        out,
-        "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>"
-    );
-    let mut zero = String::new();
-    if axes.y.low < 0.0 && axes.y.high > 0.0 {
-        through(&mut zero, &[(plot.x, at_y(0.0)), (plot.right(), at_y(0.0))]);
-    }
-    if axes.x.low < 0.0 && axes.x.high > 0.0 {
-        through(
-            &mut zero,
-            &[(at_x(0.0), plot.y), (at_x(0.0), plot.bottom())],
-        );
-    }
-    if !zero.is_empty() {
-        let _ = writeln!(
-            out,
-            "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>"
-        );
-    }
-    let _ = writeln!(
-        out,
-        "<path d=\"{small}M{} {}V{}H{}\" stroke=\"{INK}\" stroke-width=\"1\" fill=\"none\" \
-         stroke-linecap=\"square\"/>",
-        n(plot.x),
-        n(plot.y),
-        n(plot.bottom()),
-        n(plot.right())
-    );
+    let (x, y) = plot.middle();
     let below = plot.bottom() + TICK_LENGTH + 3.0 + TICK / 2.0;
     for (v, label) in axes.x.ticks.iter().zip(&axes.x.labels) {
-        text(out, (at_x(*v), below), TICK, INK, MIDDLE, label);
+        text(out, (axes.at_x(*v), below), TICK, INK, MIDDLE, label);
     }
+    let before = plot.x - TICK_LENGTH - 3.0;
     for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
-        text(
-            out,
-            (plot.x - TICK_LENGTH - 3.0, at_y(*v)),
-            TICK,
-            INK,
-            END,
-            label,
-        );
+        text(out, (before, axes.at_y(*v)), TICK, INK, END, label);
     }
     let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
     if axes.x.exponent != 0 {
-        text(
-            out,
-            (plot.right(), row),
-            TICK,
-            INK,
-            END,
-            &ticks::power_text(axes.x.exponent),
-        );
+        let power = ticks::power_text(axes.x.exponent);
+        text(out, (plot.right(), row), TICK, INK, END, &power);
     }
     if axes.y.exponent != 0 {
-        text(
-            out,
-            (plot.x, plot.y - 8.0),
-            TICK,
-            INK,
-            "",
-            &ticks::power_text(axes.y.exponent),
-        );
+        let power = ticks::power_text(axes.y.exponent);
+        text(out, (plot.x, plot.y - 8.0), TICK, INK, "", &power);
     }
     for (i, line) in axes.x_label.iter().enumerate() {
-        let at = (plot.x + plot.w / 2.0, row + i as f64 * (LABEL + 2.5));
+        let at = (x, row + i as f64 * (LABEL + 2.5));
         text(out, at, LABEL, INK, MIDDLE, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
-        let at = (
-            axes.y_label_x + i as f64 * (LABEL + 2.5),
-            plot.y + plot.h / 2.0,
-        );
-        let turned = format!("{MIDDLE} transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
+        let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), y);
+        let turned = format!("{MIDDLE}{}", upwards(at));
         text(out, at, LABEL, INK, &turned, line);
     }
+}
+
+/// Lines at the ticks, through zero, and the axes themselves.
+fn draw_grid(out: &mut String, axes: &Axes) {
+    let (plot, bottom) = (axes.plot, axes.plot.bottom());
+    let (mut grid, mut small, mut zero) = (String::new(), String::new(), String::new());
+    let upright = |v: f64| [(axes.at_x(v), plot.y), (axes.at_x(v), bottom)];
+    let level = |v: f64| [(plot.x, axes.at_y(v)), (plot.right(), axes.at_y(v))];
+    for v in &axes.x.ticks {
+        let [_, foot] = upright(*v);
+        through(&mut grid, &upright(*v));
+        through(&mut small, &[foot, (foot.0, bottom + TICK_LENGTH)]);
+    }
+    for v in &axes.y.ticks {
+        let [foot, _] = level(*v);
+        through(&mut grid, &level(*v));
+        through(&mut small, &[(plot.x - TICK_LENGTH, foot.1), foot]);
+    }
+    thin(out, &grid, GRID, 0.8);
+    if axes.y.low < 0.0 && axes.y.high > 0.0 {
+        through(&mut zero, &level(0.0));
+    }
+    if axes.x.low < 0.0 && axes.x.high > 0.0 {
+        through(&mut zero, &upright(0.0));
+    }
+    if !zero.is_empty() {
+        thin(out, &zero, "#9a9a9a", 0.9);
+    }
+    let [x, y, bottom, right] = [plot.x, plot.y, bottom, plot.right()].map(n);
+    let _ = writeln!(
+        out,
+        "<path d=\"{small}M{x} {y}V{bottom}H{right}\" stroke=\"{INK}\" stroke-width=\"1\" \
+         fill=\"none\" stroke-linecap=\"square\"/>"
+    );
 }
 
 /// Draws the operating points; tells whether there was one to draw.
@@ -298,10 +246,7 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     if let Some((a, b)) = label.leader {
         let mut path = String::new();
         through(&mut path, &[a, b]);
-        let _ = writeln!(
-            out,
-            "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>"
-        );
+        thin(out, &path, &colour, 0.7);
     }
     // A white outline below keeps the text readable over a line.
     let halo =

@@ -11,7 +11,7 @@
 //! 3. Both held, (11): n.
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same};
-use super::{FitError, Result};
+use super::error::{FitError, Result};
 use mckibben::formula::Coefficients;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};

@@ -1,7 +1,7 @@
 //! Errors of forces against reference forces, and where they are.
 
 use super::data::{FitPoint, distinct, same};
-use super::{FitError, Result};
+use super::error::{FitError, Result};
 use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 

@@ -14,8 +14,8 @@
 //! outermost the formula would have to extrapolate, which it refuses to do later.
 
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
+use super::error::{FitError, Result};
 use super::errors::{Compared, compared};
-use super::{FitError, Result};
 use mckibben::cancel;
 use mckibben::formula::{GlobalTerms, Scales, Term};
 use nalgebra::{DMatrix, DVector};

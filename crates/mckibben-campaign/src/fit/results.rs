@@ -6,9 +6,11 @@
 
 use super::constants::{fit_constants, table_1};
 use super::data::{FitPoint, Grid, pressure_steps, same};
+use super::error::{FitError, Result};
 use super::errors::{Errors, compared, errors};
+use super::make::{Method, fitted};
+use super::paper_method::{Rules, SlackRule, ThinRule};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
-use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
 use mckibben::formula::Formula;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;

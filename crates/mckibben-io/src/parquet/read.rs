@@ -1,8 +1,8 @@
 //! Parquet → tables.
 
-use crate::parquet::TableError;
-use crate::parquet::column::Column;
-use crate::parquet::write::GROUP;
+use super::column::Column;
+use super::error::TableError;
+use super::write::GROUP;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::{DataType, DoubleType};

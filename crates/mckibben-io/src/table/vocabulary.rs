@@ -5,8 +5,8 @@
 //! an underscore ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other
 //! spelling (`ue`) is beside them.
 
-use crate::named;
 use crate::units::Dimension;
+use crate::word::named;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;

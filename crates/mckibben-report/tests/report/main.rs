@@ -6,3 +6,4 @@ mod figures;
 mod drawing;
 mod files;
 mod pdf;
+mod snap;

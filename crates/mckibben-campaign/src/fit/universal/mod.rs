@@ -14,7 +14,8 @@
 mod held_out;
 mod points;
 
-use super::{FitError, Result, least_squares};
+use super::error::{FitError, Result};
+use super::least_squares::least_squares;
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::formula::{

@@ -1,7 +1,7 @@
 //! From the rows of a campaign to points with their muscles.
 
-use crate::PointRow;
-use crate::fit::{FitError, Result};
+use crate::columns::PointRow;
+use crate::fit::error::{FitError, Result};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
