@@ -1,12 +1,11 @@
 //! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
 
 use crate::curve::Frame;
-use crate::figure::{Axis, FigureError, Palette, Panel, Result, Series, Style};
+use crate::figure::{Axis, FigureError, Panel, Result, Series, Style};
 use crate::font::{Metrics, PANEL_TITLE};
 use crate::labels::{self, Label};
 use crate::legend::{self, Legend};
 use crate::line_labels::{self, Ended};
-use crate::palette;
 use crate::rect::{PER_MM, Rect};
 use crate::room::Room;
 use crate::ticks::{self, Scale};
@@ -112,17 +111,18 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
     for series in &panel.series {
-        if palette::dash(series.style, 0, Palette::Categorical).is_some() {
-            frame
-                .line(&series.points)
-                .iter()
-                .for_each(|line| room.add_line(line));
-        }
-        if series.style == Style::Points {
-            frame
-                .markers(&series.points)
-                .into_iter()
-                .for_each(|spot| room.add_marker(spot));
+        match series.style {
+            Style::Points => {
+                for spot in frame.markers(&series.points) {
+                    room.add_marker(spot);
+                }
+            }
+            Style::Band => {}
+            _ => {
+                for line in frame.line(&series.points) {
+                    room.add_line(&line);
+                }
+            }
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
@@ -317,23 +317,19 @@ impl<'a> Grid<'a, '_> {
             )));
         }
         let mut labels = labels::for_marks(&panel.marks, &axes.frame(), metrics, &mut room);
-        let ended = panel
-            .series
-            .iter()
-            .enumerate()
+        let is_explained = |number: usize| {
+            panel
+                .numbered()
+                .any(|(other, s)| other == number && !s.label.trim().is_empty())
+        };
+        let named = panel
+            .numbered()
             .filter(|(_, s)| !s.end_label.trim().is_empty());
-        let ended = ended.filter_map(|(i, s)| {
-            let line = axes.frame().line(&s.points).pop()?;
-            let number = s.number(i);
-            let explained = |(k, other): (usize, &Series)| {
-                !other.label.trim().is_empty() && other.number(k) == number
-            };
-            let has_meaning = s.neutral || panel.series.iter().enumerate().any(explained);
-            let colour = (!has_meaning).then_some(number);
+        let ended = named.filter_map(|(number, s)| {
             Some(Ended {
                 text: s.end_label.trim().to_owned(),
-                colour,
-                line,
+                colour: (!s.neutral && !is_explained(number)).then_some(number),
+                line: axes.frame().line(&s.points).pop()?,
             })
         });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));

@@ -1,9 +1,10 @@
 //! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
 
 use crate::axes::{Grid, Placed};
-use crate::figure::{Figure, FigureError, Result};
+use crate::figure::{Figure, FigureError, Panel, Result};
 use crate::font::{CAPTION, Metrics, TITLE};
 use crate::legend::{self, Entry, Legend};
+use crate::palette::Colours;
 use crate::rect::{PER_MM, Rect};
 
 const MARGIN: f64 = 16.0;
@@ -28,13 +29,14 @@ pub(crate) struct Page<'a> {
     pub legend: Option<Legend>,
 }
 
-/// Number of different colours of a figure.
-pub(crate) fn colour_count(figure: &Figure) -> usize {
-    let numbers = figure
-        .panels
-        .iter()
-        .flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.number(i)));
-    numbers.max().map_or(1, |last| last.saturating_add(1))
+/// The colours of a figure.
+pub(crate) fn colours(figure: &Figure) -> Colours {
+    let series = figure.panels.iter().flat_map(Panel::numbered);
+    let last = series.map(|(number, _)| number).max();
+    Colours {
+        palette: figure.palette,
+        count: last.map_or(1, |last| last.saturating_add(1)),
+    }
 }
 
 /// Columns and rows of the grid of panels.
@@ -62,9 +64,8 @@ pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
     {
         return Ok(());
     }
-    let paper = format!("{width_mm} mm × {height_mm} mm");
     Err(FigureError::Drawing(format!(
-        "a figure of {paper} cannot be drawn (20 to 2000 mm a side)"
+        "a figure of {width_mm} mm × {height_mm} mm cannot be drawn (20 to 2000 mm a side)"
     )))
 }
 
@@ -75,12 +76,9 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         return Err(FigureError::Drawing(message));
     }
     let (columns, rows) = grid(figure);
-    let single = figure.panels.len() == 1;
-    let width_mm = match figure.size_mm {
-        Some((width_mm, _)) => width_mm,
-        None if single => 160.0,
-        None => (84.0 * columns as f64).max(160.0),
-    };
+    let (single, panels_mm) = (figure.panels.len() == 1, 64.0 * rows as f64);
+    let usual_mm = if single { 0.0 } else { 84.0 * columns as f64 };
+    let width_mm = figure.size_mm.map_or(usual_mm.max(160.0), |size| size.0);
     let width = width_mm * PER_MM;
     let inner = width - 2.0 * MARGIN;
     let title = metrics.wrap(&figure.title, TITLE, inner);
@@ -94,9 +92,9 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     let texts_mm = (top + caption_room) / PER_MM;
     let height_mm = match figure.size_mm {
         None if single => 100.0,
-        None => 64.0 * rows as f64 + 20.0,
+        None => panels_mm + 20.0,
         Some((_, 0.0)) if single => PANEL_SHARE * width_mm + texts_mm,
-        Some((_, 0.0)) => 64.0 * rows as f64 + texts_mm,
+        Some((_, 0.0)) => panels_mm + texts_mm,
         Some((_, height_mm)) => height_mm,
     };
     check_paper(width_mm, height_mm)?;

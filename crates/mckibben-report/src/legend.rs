@@ -41,11 +41,11 @@ impl Legend {
 /// The entries of a panel, each once.
 pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
     let mut all = Vec::new();
-    for (i, series) in panel.series.iter().enumerate() {
+    for (colour, series) in panel.numbered() {
         let entry = Entry {
             label: series.label.clone(),
             style: series.style,
-            colour: series.number(i),
+            colour,
         };
         if !entry.label.trim().is_empty() && !all.contains(&entry) {
             all.push(entry);

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use resvg::usvg::roxmltree::{Document, Node};
+use resvg::usvg::{Options, Tree};
 use ttf_parser::{GlyphId, OutlineBuilder};
 
 use crate::figure::{FigureError, Result};
@@ -26,6 +27,11 @@ pub fn texts_as_outlines(svg: &str) -> Result<String> {
     }
     out.push_str(&svg[copied..]);
     Ok(out)
+}
+
+/// The paths of a drawing.
+pub(crate) fn tree(svg: &str) -> Result<Tree> {
+    Tree::from_str(&texts_as_outlines(svg)?, &Options::default()).map_err(FigureError::image)
 }
 
 fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<()> {

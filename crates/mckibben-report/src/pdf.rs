@@ -12,7 +12,7 @@ use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
 use crate::figure::{Figure, FigureError, Result};
-use crate::outlines::texts_as_outlines;
+use crate::outlines::tree;
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
 const POINTS: f32 = 0.75;
@@ -26,8 +26,7 @@ impl Figure {
 
 /// A drawing as a PDF page of its size.
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
-        .map_err(FigureError::image)?;
+    let tree = tree(svg)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
     let mut drawn = Drawn {
         content: Content::new(),

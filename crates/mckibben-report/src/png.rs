@@ -1,9 +1,9 @@
 //! The figure as pixels: the same SVG, rendered with the embedded font.
 
-use resvg::{tiny_skia, usvg};
+use resvg::tiny_skia;
 
 use crate::figure::{Figure, FigureError, Result};
-use crate::outlines::texts_as_outlines;
+use crate::outlines::tree;
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
 const SCALE: f32 = 2.5;
@@ -20,8 +20,7 @@ impl Figure {
 
 /// Pixels of a drawing.
 fn drawn(svg: &str) -> Result<tiny_skia::Pixmap> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
-        .map_err(FigureError::image)?;
+    let tree = tree(svg)?;
     // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
     let size = tree.size();
     let units = 4.0 * 25.4 / 96.0;

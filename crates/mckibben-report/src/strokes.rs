@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::figure::{Palette, Style};
-use crate::palette::{self, Shape};
+use crate::figure::Style;
+use crate::palette::{self, Colours, Shape};
 use crate::rect::Spot;
 use crate::xml::{escape, length as n};
 
@@ -12,23 +12,16 @@ const MARKER: f64 = 3.1;
 /// Opacity of an area.
 const PALE: f64 = 0.14;
 
-/// The brush of a series.
-pub(crate) struct Brush {
-    /// Colour number; dash pattern and marker shape follow from it.
-    pub number: usize,
-    pub hex: String,
-    pub palette: Palette,
-}
-
 /// Draws the runs of a series: lines, or markers.
-pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: &Brush) {
-    let Brush {
-        number,
-        hex: colour,
-        palette,
-    } = brush;
+pub(crate) fn series(
+    out: &mut String,
+    runs: &[Vec<Spot>],
+    (style, number): (Style, usize),
+    colour: &str,
+    colours: &Colours,
+) {
     if style == Style::Points {
-        let (shape, mut shapes) = (palette::shape(*number), String::new());
+        let (shape, mut shapes) = (palette::shape(number), String::new());
         runs.iter()
             .flatten()
             .for_each(|spot| marker(&mut shapes, shape, *spot));
@@ -57,7 +50,7 @@ pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: 
         through(&mut path, line);
     }
     if !path.is_empty() {
-        let pattern = palette::dash(style, *number, *palette).unwrap_or(&[]);
+        let pattern = colours.dashes(style, number);
         let _ = writeln!(
             out,
             "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{LINE_WIDTH}\" \

@@ -8,12 +8,11 @@ use crate::font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE};
 use crate::labels::{self, Label};
 use crate::layout::{self, Page};
 use crate::legend::{self, Legend};
+use crate::palette::Colours;
 use crate::rect::{PER_MM, Spot};
-use crate::strokes::{
-    self, Brush, END, MIDDLE, area, series as draw_series, thin, through, upwards,
-};
+use crate::strokes::{self, END, MIDDLE, area, series as draw_series, thin, through, upwards};
+use crate::ticks;
 use crate::xml::{escape, length as n};
-use crate::{palette, ticks};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";
@@ -29,26 +28,6 @@ impl Figure {
         let metrics = Metrics::new()?;
         let page = layout::page(self, &metrics)?;
         Ok(draw(self, &page))
-    }
-}
-
-/// The colours of the series of a figure.
-struct Pen<'a> {
-    figure: &'a Figure,
-    colours: usize,
-}
-
-impl Pen<'_> {
-    fn brush(&self, number: usize) -> Brush {
-        Brush {
-            number,
-            hex: self.hex(number),
-            palette: self.figure.palette,
-        }
-    }
-
-    fn hex(&self, number: usize) -> String {
-        palette::hex(self.figure.palette, number, self.colours)
     }
 }
 
@@ -68,10 +47,7 @@ pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
 
 /// Writes a laid-out page.
 pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
-    let pen = Pen {
-        figure,
-        colours: layout::colour_count(figure),
-    };
+    let colours = &layout::colours(figure);
     let mut out = head(&figure.title, page.width, page.height);
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
@@ -80,10 +56,10 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
         text(&mut out, (page.left, y), TITLE, INK, &outline, line);
     }
     for placed in &page.panels {
-        draw_panel(&mut out, placed, &pen);
+        draw_panel(&mut out, placed, colours);
     }
     if let Some(legend) = &page.legend {
-        draw_legend(&mut out, legend, &pen);
+        draw_legend(&mut out, legend, colours);
     }
     for (i, line) in page.caption.iter().enumerate() {
         text(
@@ -111,7 +87,7 @@ fn text(out: &mut String, at: Spot, size: f64, fill: &str, attributes: &str, con
     );
 }
 
-fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
+fn draw_panel(out: &mut String, placed: &Placed<'_>, colours: &Colours) {
     out.push_str("<g>\n");
     draw_axes(out, &placed.axes);
     let (x, y, title) = &placed.title;
@@ -121,22 +97,23 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     }
     let frame = placed.axes.frame();
     let mut anything = false;
-    let series = placed.panel.series.iter().enumerate();
+    let series = placed.panel.numbered();
     let (bands, others): (Vec<_>, Vec<_>) = series.partition(|(_, s)| s.style == Style::Band);
-    for (i, band) in bands {
-        area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
+    for (number, band) in bands {
+        area(out, &frame.area(&band.points), &colours.hex(number));
     }
-    for (i, series) in others {
+    for (number, series) in others {
         let runs = match series.style {
             Style::Points => vec![frame.markers(&series.points)],
             _ => frame.line(&series.points),
         };
         anything |= runs.iter().any(|run| !run.is_empty());
-        let mut brush = pen.brush(series.number(i));
-        if series.neutral {
-            brush.hex = INK.into();
-        }
-        draw_series(out, &runs, series.style, &brush);
+        let hex = if series.neutral {
+            INK.to_owned()
+        } else {
+            colours.hex(number)
+        };
+        draw_series(out, &runs, (series.style, number), &hex, colours);
     }
     anything |= draw_marks(out, placed);
     if !anything {
@@ -144,10 +121,10 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         text(out, middle, LABEL, SOFT, MIDDLE, "no data in this range");
     }
     if let Some(legend) = &placed.legend {
-        draw_legend(out, legend, pen);
+        draw_legend(out, legend, colours);
     }
     for label in &placed.labels {
-        draw_label(out, label, pen);
+        draw_label(out, label, colours);
     }
     out.push_str("</g>\n");
 }
@@ -239,10 +216,10 @@ fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
     any
 }
 
-fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
+fn draw_label(out: &mut String, label: &Label, colours: &Colours) {
     let colour = label
         .colour
-        .map_or_else(|| INK.to_owned(), |number| pen.hex(number));
+        .map_or_else(|| INK.to_owned(), |number| colours.hex(number));
     if let Some((a, b)) = label.leader {
         let mut path = String::new();
         through(&mut path, &[a, b]);
@@ -255,14 +232,15 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     text(out, label.at, labels::SIZE, &colour, "", &label.text);
 }
 
-fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
+fn draw_legend(out: &mut String, legend: &Legend, colours: &Colours) {
     out.push_str("<g>\n");
     for (x, y, entry) in &legend.entries {
         let run = match entry.style {
             Style::Points => vec![(x + legend::SAMPLE / 2.0, *y)],
             _ => vec![(*x, *y), (x + legend::SAMPLE, *y)],
         };
-        draw_series(out, &[run], entry.style, &pen.brush(entry.colour));
+        let hex = colours.hex(entry.colour);
+        draw_series(out, &[run], (entry.style, entry.colour), &hex, colours);
         text(
             out,
             (x + legend::SAMPLE + 6.0, *y),

@@ -6,4 +6,3 @@ mod figures;
 mod drawing;
 mod files;
 mod pdf;
-mod snap;
