@@ -18,32 +18,12 @@ const LABEL_ROW: f64 = 13.5;
 
 /// Plot, scales and axis texts of a panel.
 pub(crate) struct Axes {
-    pub plot: Rect,
-    pub x: Scale,
-    pub y: Scale,
+    pub frame: Frame,
     /// Axis label in lines.
     pub x_label: Vec<String>,
     pub y_label: Vec<String>,
     /// Middle of the first line of the (upright, turned) label of the vertical axis.
     pub y_label_x: f64,
-}
-
-impl Axes {
-    pub fn at_x(&self, value: f64) -> f64 {
-        self.plot.x + self.x.part(value) * self.plot.w
-    }
-
-    pub fn at_y(&self, value: f64) -> f64 {
-        self.plot.bottom() - self.y.part(value) * self.plot.h
-    }
-
-    pub fn frame(&self) -> Frame<'_> {
-        Frame {
-            plot: self.plot,
-            x: &self.x,
-            y: &self.y,
-        }
-    }
 }
 
 /// A panel in its place.
@@ -108,8 +88,8 @@ struct Gutters {
 
 /// The drawn parts of a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
-    let frame = axes.frame();
-    let mut room = Room::new(axes.plot);
+    let frame = &axes.frame;
+    let mut room = Room::new(frame.plot);
     for series in &panel.series {
         match series.style {
             Style::Points => {
@@ -125,7 +105,7 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
             }
         }
     }
-    labels::add_rings(&panel.marks, &frame, &mut room);
+    labels::add_rings(&panel.marks, frame, &mut room);
     room
 }
 
@@ -190,9 +170,7 @@ impl<'a> Grid<'a, '_> {
         let x_label = self.wrapped(&panel.x.label, plot.w);
         let y_label = self.wrapped(&panel.y.label, plot.h);
         Ok(Axes {
-            plot,
-            x,
-            y,
+            frame: Frame { plot, x, y },
             x_label,
             y_label,
             y_label_x: cell.x + LABEL_ROW / 2.0,
@@ -221,21 +199,22 @@ impl<'a> Grid<'a, '_> {
         for _ in 0..2 {
             let axes = self.axes(i, gutters)?;
             let last = axes
+                .frame
                 .x
                 .labels
                 .last()
                 .map_or(0.0, |l| self.metrics.width(l, TICK));
             gutters.top = 6.0
                 + title
-                + if axes.y.exponent == 0 {
+                + if axes.frame.y.exponent == 0 {
                     0.0
                 } else {
                     TICK + 2.0
                 };
-            let widest = self.metrics.widest(&axes.y.labels, TICK);
+            let widest = self.metrics.widest(&axes.frame.y.labels, TICK);
             gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
             gutters.right = (last / 2.0 + 2.0).max(8.0);
-            let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() {
+            let power_alone = if axes.frame.x.exponent != 0 && axes.x_label.is_empty() {
                 LABEL_ROW
             } else {
                 0.0
@@ -249,7 +228,7 @@ impl<'a> Grid<'a, '_> {
 
     /// Room for the texts of lines that end at the right edge.
     fn end_room(&self, i: usize, axes: &Axes) -> f64 {
-        let frame = axes.frame();
+        let frame = &axes.frame;
         let at_edge = self.panels[i]
             .series
             .iter()
@@ -258,7 +237,7 @@ impl<'a> Grid<'a, '_> {
                 frame
                     .line(&s.points)
                     .last()
-                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
+                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.frame.plot))
             });
         let width = |s: &Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
@@ -270,7 +249,7 @@ impl<'a> Grid<'a, '_> {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
-        Ok(self.legend(i, (0.0, 0.0), axes.plot.w).frame.h + 4.0)
+        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).frame.h + 4.0)
     }
 
     fn legend(&self, i: usize, (x, y): (f64, f64), width: f64) -> Legend {
@@ -302,21 +281,21 @@ impl<'a> Grid<'a, '_> {
         let legend = (below > 0.0).then(|| {
             self.legend(
                 index,
-                (axes.plot.x, cell.bottom() - below + 4.0),
-                axes.plot.w,
+                (axes.frame.plot.x, cell.bottom() - below + 4.0),
+                axes.frame.plot.w,
             )
         });
-        if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
+        if axes.frame.plot.w < 8.0 * PER_MM || axes.frame.plot.h < 8.0 * PER_MM {
             return Err(FigureError::Drawing(format!(
                 "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure \
                  larger or use fewer columns",
                 index + 1,
                 self.title,
-                axes.plot.w / PER_MM,
-                axes.plot.h / PER_MM
+                axes.frame.plot.w / PER_MM,
+                axes.frame.plot.h / PER_MM
             )));
         }
-        let mut labels = labels::for_marks(&panel.marks, &axes.frame(), metrics, &mut room);
+        let mut labels = labels::for_marks(&panel.marks, &axes.frame, metrics, &mut room);
         let is_explained = |number: usize| {
             panel
                 .numbered()
@@ -329,12 +308,12 @@ impl<'a> Grid<'a, '_> {
             Some(Ended {
                 text: s.end_label.trim().to_owned(),
                 colour: (!s.neutral && !is_explained(number)).then_some(number),
-                line: axes.frame().line(&s.points).pop()?,
+                line: axes.frame.line(&s.points).pop()?,
             })
         });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
-        let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
+        let title = (axes.frame.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
         Ok(Placed {
             panel,
             axes,

@@ -2,16 +2,16 @@
 
 use std::collections::HashSet;
 
+use crate::figure::Mark;
 use crate::rect::{Rect, Spot, between};
 use crate::smooth::smooth;
 use crate::ticks::Scale;
 
 /// Maps values of two axes onto a rectangle.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame<'a> {
+pub(crate) struct Frame {
     pub plot: Rect,
-    pub x: &'a Scale,
-    pub y: &'a Scale,
+    pub x: Scale,
+    pub y: Scale,
 }
 
 /// Series longer than this are thinned.
@@ -19,7 +19,15 @@ const MANY: usize = 2000;
 /// Width of the columns (and cells) in which a long series is thinned, units of the drawing.
 const CELL: f64 = 0.5;
 
-impl Frame<'_> {
+impl Frame {
+    pub fn at_x(&self, value: f64) -> f64 {
+        self.plot.x + self.x.part(value) * self.plot.w
+    }
+
+    pub fn at_y(&self, value: f64) -> f64 {
+        self.plot.bottom() - self.y.part(value) * self.plot.h
+    }
+
     /// Place of a point; `None` if a coordinate is not finite.
     pub fn spot(&self, (x, y): (f64, f64)) -> Option<Spot> {
         if !(x.is_finite() && y.is_finite()) {
@@ -33,6 +41,12 @@ impl Frame<'_> {
             self.plot.bottom() - up * self.plot.h,
         );
         (spot.0.is_finite() && spot.1.is_finite()).then_some(spot)
+    }
+
+    /// Place of a mark within the frame.
+    pub fn mark(&self, mark: &Mark) -> Option<Spot> {
+        let spot = self.spot((mark.x, mark.y))?;
+        self.plot.grown(0.01).has(spot).then_some(spot)
     }
 
     /// The visible pieces of a line. A piece of one spot is a point without neighbours.

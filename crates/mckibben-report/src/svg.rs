@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH};
+use crate::curve::Frame;
 use crate::figure::{Figure, Result, Style};
 use crate::font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE};
 use crate::labels::{self, Label};
@@ -95,7 +96,7 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, colours: &Colours) {
         let outline = format!(" stroke=\"{INK}\" stroke-width=\"0.2\"");
         text(out, (*x, *y), PANEL_TITLE, INK, &outline, title);
     }
-    let frame = placed.axes.frame();
+    let frame = &placed.axes.frame;
     let mut anything = false;
     let series = placed.panel.numbered();
     let (bands, others): (Vec<_>, Vec<_>) = series.partition(|(_, s)| s.style == Style::Band);
@@ -117,7 +118,7 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, colours: &Colours) {
     }
     anything |= draw_marks(out, placed);
     if !anything {
-        let middle = placed.axes.plot.middle();
+        let middle = placed.axes.frame.plot.middle();
         text(out, middle, LABEL, SOFT, MIDDLE, "no data in this range");
     }
     if let Some(legend) = &placed.legend {
@@ -130,24 +131,25 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, colours: &Colours) {
 }
 
 fn draw_axes(out: &mut String, axes: &Axes) {
-    draw_grid(out, axes);
-    let plot = axes.plot;
+    let frame = &axes.frame;
+    let plot = frame.plot;
+    draw_grid(out, frame);
     let (x, y) = plot.middle();
     let below = plot.bottom() + TICK_LENGTH + 3.0 + TICK / 2.0;
-    for (v, label) in axes.x.ticks.iter().zip(&axes.x.labels) {
-        text(out, (axes.at_x(*v), below), TICK, INK, MIDDLE, label);
+    for (v, label) in frame.x.ticks.iter().zip(&frame.x.labels) {
+        text(out, (frame.at_x(*v), below), TICK, INK, MIDDLE, label);
     }
     let before = plot.x - TICK_LENGTH - 3.0;
-    for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
-        text(out, (before, axes.at_y(*v)), TICK, INK, END, label);
+    for (v, label) in frame.y.ticks.iter().zip(&frame.y.labels) {
+        text(out, (before, frame.at_y(*v)), TICK, INK, END, label);
     }
     let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
-    if axes.x.exponent != 0 {
-        let power = ticks::power_text(axes.x.exponent);
+    if frame.x.exponent != 0 {
+        let power = ticks::power_text(frame.x.exponent);
         text(out, (plot.right(), row), TICK, INK, END, &power);
     }
-    if axes.y.exponent != 0 {
-        let power = ticks::power_text(axes.y.exponent);
+    if frame.y.exponent != 0 {
+        let power = ticks::power_text(frame.y.exponent);
         text(out, (plot.x, plot.y - 8.0), TICK, INK, "", &power);
     }
     for (i, line) in axes.x_label.iter().enumerate() {
@@ -162,26 +164,26 @@ fn draw_axes(out: &mut String, axes: &Axes) {
 }
 
 /// Lines at the ticks, through zero, and the axes themselves.
-fn draw_grid(out: &mut String, axes: &Axes) {
-    let (plot, bottom) = (axes.plot, axes.plot.bottom());
+fn draw_grid(out: &mut String, frame: &Frame) {
+    let (plot, bottom) = (frame.plot, frame.plot.bottom());
     let (mut grid, mut small, mut zero) = (String::new(), String::new(), String::new());
-    let upright = |v: f64| [(axes.at_x(v), plot.y), (axes.at_x(v), bottom)];
-    let level = |v: f64| [(plot.x, axes.at_y(v)), (plot.right(), axes.at_y(v))];
-    for v in &axes.x.ticks {
+    let upright = |v: f64| [(frame.at_x(v), plot.y), (frame.at_x(v), bottom)];
+    let level = |v: f64| [(plot.x, frame.at_y(v)), (plot.right(), frame.at_y(v))];
+    for v in &frame.x.ticks {
         let [_, foot] = upright(*v);
         through(&mut grid, &upright(*v));
         through(&mut small, &[foot, (foot.0, bottom + TICK_LENGTH)]);
     }
-    for v in &axes.y.ticks {
+    for v in &frame.y.ticks {
         let [foot, _] = level(*v);
         through(&mut grid, &level(*v));
         through(&mut small, &[(plot.x - TICK_LENGTH, foot.1), foot]);
     }
     thin(out, &grid, GRID, 0.8);
-    if axes.y.low < 0.0 && axes.y.high > 0.0 {
+    if frame.y.low < 0.0 && frame.y.high > 0.0 {
         through(&mut zero, &level(0.0));
     }
-    if axes.x.low < 0.0 && axes.x.high > 0.0 {
+    if frame.x.low < 0.0 && frame.x.high > 0.0 {
         through(&mut zero, &upright(0.0));
     }
     if !zero.is_empty() {
@@ -197,13 +199,12 @@ fn draw_grid(out: &mut String, axes: &Axes) {
 
 /// Draws the operating points; tells whether there was one to draw.
 fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
-    let frame = placed.axes.frame();
+    let frame = &placed.axes.frame;
     let mut any = false;
     for mark in &placed.panel.marks {
-        let spot = frame
-            .spot((mark.x, mark.y))
-            .filter(|s| placed.axes.plot.grown(0.01).has(*s));
-        let Some((x, y)) = spot else { continue };
+        let Some((x, y)) = frame.mark(mark) else {
+            continue;
+        };
         any = true;
         let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
         let _ = writeln!(
