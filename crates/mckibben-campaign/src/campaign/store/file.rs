@@ -7,7 +7,7 @@ use super::provenance::{Provenance, VERSION, Which};
 use super::table::Table;
 use crate::campaign::error::{CampaignError, Result};
 use crate::columns::PointRow;
-use mckibben_io::files::ReadError;
+use mckibben_io::files::{ReadError, open};
 use mckibben_io::parquet::{GROUP, Reader, TableError, Writer};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -27,10 +27,10 @@ pub(crate) struct Opened {
 
 impl Opened {
     pub(crate) fn file(path: &Path) -> Result<Self> {
-        let file = mckibben_io::files::open(path).map_err(CampaignError::unread(path))?;
+        let file = open(path).map_err(CampaignError::read(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
             let limit = MAX_BYTES;
-            return Err(CampaignError::unread(path)(ReadError::TooLarge { limit }));
+            return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
         }
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);

@@ -94,7 +94,6 @@ pub fn run(
 ) -> Result<Outcome> {
     check_name(out)?;
     let one_file = is_file_name(out);
-    check_kind(out, one_file, options)?;
     let run = Run {
         plan,
         provenance: Provenance::for_plan(plan),
@@ -103,48 +102,11 @@ pub fn run(
         options,
         progress,
     };
-    let replaced = one_file && out.exists();
-    if replaced {
-        check_writable(out).map_err(CampaignError::write(out))?;
-        match run.finished() {
-            Err(error) if options.overwrite && !matches!(error, CampaignError::Read { .. }) => {}
-            done => return done,
-        }
+    if one_file {
+        run.into_file()
+    } else {
+        run.into_folder()
     }
-    let folder = Folder::for_writing(&run.store, options.shard)?;
-    if !one_file {
-        Manifest::claim(out, &run.provenance, options.overwrite)?;
-        return run.into_folder(&folder);
-    }
-    if out.exists() && !replaced {
-        // Another process finished it since.
-        drop(folder);
-        return run.finished();
-    }
-    let outcome = run.into_folder(&folder)?;
-    if outcome.complete {
-        run.into_file(folder)?;
-    }
-    Ok(outcome)
-}
-
-/// Refuses a shard of one file, and a file in the place of a folder.
-fn check_kind(out: &Path, one_file: bool, options: &RunOptions) -> Result<()> {
-    if one_file && options.shard.is_some() {
-        let message = format!(
-            "a shard writes parts, and {} would be one file",
-            out.display()
-        );
-        let hint = "give a folder, and merge the parts into a file when all shards are there";
-        return Err(CampaignError::Refused(message, hint));
-    }
-    if !one_file && out.is_file() {
-        let why =
-            "it is a file, and parts go into a folder; a campaign in one file ends in .parquet"
-                .into();
-        return Err(CampaignError::NoCampaign(out.into(), why));
-    }
-    Ok(())
 }
 
 /// The folder of parts of a campaign that becomes one file.
@@ -202,8 +164,64 @@ impl Run<'_> {
         Ok(self.outcome(self.out, counts, vec![]))
     }
 
+    /// Runs into a folder of parts.
+    fn into_folder(self) -> Result<Outcome> {
+        if self.out.is_file() {
+            let why =
+                "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
+            return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
+        }
+        let folder = Folder::for_writing(self.out, self.options.shard)?;
+        Manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
+        self.complete(&folder)
+    }
+
+    /// Runs into one file, by way of a folder of parts.
+    fn into_file(self) -> Result<Outcome> {
+        let (out, overwrite) = (self.out, self.options.overwrite);
+        if self.options.shard.is_some() {
+            let message = format!(
+                "a shard writes parts, and {} would be one file",
+                out.display()
+            );
+            let hint = "give a folder, and merge the parts into a file when all shards are there";
+            return Err(CampaignError::Refused(message, hint));
+        }
+        let is_replaced = out.exists();
+        if is_replaced {
+            check_writable(out).map_err(CampaignError::write(out))?;
+            match self.finished() {
+                Err(error) if overwrite && !matches!(error, CampaignError::Read { .. }) => {}
+                done => return done,
+            }
+        }
+        let folder = Folder::for_writing(&self.store, None)?;
+        if out.exists() && !is_replaced {
+            // Another process finished it since.
+            drop(folder);
+            return self.finished();
+        }
+        let outcome = self.complete(&folder)?;
+        if !outcome.complete {
+            return Ok(outcome);
+        }
+        if out.exists() && !overwrite {
+            return Err(CampaignError::Appeared(out.into()));
+        }
+        let numbers = 0..self.provenance.parts();
+        let mut files = Folder::parts(&self.store)?;
+        files.retain(|part, _| numbers.contains(part));
+        let parts = Parts {
+            provenance: self.provenance,
+            files: files.into_values().collect(),
+        };
+        parts.write(out, overwrite)?;
+        folder.remove(numbers)?;
+        Ok(outcome)
+    }
+
     /// Computes the missing parts of a folder.
-    fn into_folder(&self, folder: &Folder) -> Result<Outcome> {
+    fn complete(&self, folder: &Folder) -> Result<Outcome> {
         let RunOptions {
             threads, overwrite, ..
         } = *self.options;
@@ -289,24 +307,5 @@ impl Run<'_> {
             points,
             failed,
         }))
-    }
-
-    /// All parts of a folder become one file.
-    fn into_file(self, folder: Folder) -> Result<()> {
-        let Self {
-            provenance,
-            out,
-            options,
-            ..
-        } = self;
-        if out.exists() && !options.overwrite {
-            return Err(CampaignError::Appeared(out.into()));
-        }
-        let numbers = 0..provenance.parts();
-        let mut files = Folder::parts(&folder.path)?;
-        files.retain(|part, _| numbers.contains(part));
-        let files = files.into_values().collect();
-        Parts { provenance, files }.write(out, options.overwrite)?;
-        folder.remove(numbers)
     }
 }
