@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// are no files.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
-    let one = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
+    let rows_of = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
         progress.check()?;
         let rows = rows(plan, number);
         progress.check()?;
@@ -25,7 +25,7 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one)
+    let all: Vec<Vec<PointRow>> = threads::map(&numbers, rows_of)
         .into_iter()
         .collect::<Result<_, Cancelled>>()?;
     Ok(all.concat())

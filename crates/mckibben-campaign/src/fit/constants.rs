@@ -78,7 +78,7 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
         wall_mm: Some(s),
         ..Section::default()
     };
-    let one = |contraction: f64, pressure_mpa: f64| {
+    let point = |contraction: f64, pressure_mpa: f64| {
         let (force_n, branch) = (force(pressure_mpa, contraction)?, Some(Direction::Mean));
         let at = MeasuredPoint {
             pressure_mpa,
@@ -94,7 +94,7 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
     };
     CONTRACTIONS
         .iter()
-        .flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p)))
+        .flat_map(|&e| PRESSURES.iter().filter_map(move |&p| point(e, p)))
         .collect()
 }
 

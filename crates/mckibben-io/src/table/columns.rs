@@ -232,11 +232,11 @@ impl Choice {
                 ..c
             }));
         }
-        let (index, unit) = match (self.place(headings, text)?, self.split()) {
+        let (index, unit) = match (self.heading_place(headings, text)?, self.split()) {
             (Some(index), _) => (Some(index), None),
             (None, (heading, unit)) => match self.by_number() {
                 Some(n) => (Some(n).filter(|n| *n < headings.len()), unit),
-                None => (self.place(headings, heading)?, unit),
+                None => (self.heading_place(headings, heading)?, unit),
             },
         };
         let Some(index) = index else { return Ok(None) };
@@ -280,7 +280,7 @@ impl Choice {
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then
     /// without its unit.
-    fn place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
+    fn heading_place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
         let simple = plain(wanted);
         let without_unit = |h: &str| self.vocabulary.without_unit_of(self.meaning, h);
         let tests: [&dyn Fn(&str) -> bool; 3] = [

@@ -82,7 +82,7 @@ static KINDS: [Kind; 21] = [
         bare: "mm",
         end_of_name: "mm",
         units: &[
-            one(&["mm"]),
+            inside(&["mm"]),
             times(10.0, &["cm"]),
             times(1000.0, &["m"]),
             part(1000.0, &["um"]),
@@ -96,7 +96,7 @@ static KINDS: [Kind; 21] = [
         bare: "MPa",
         end_of_name: "mpa",
         units: &[
-            one(&["MPa", "N/mm2"]),
+            inside(&["MPa", "N/mm2"]),
             part(10.0, &["bar"]),
             part(10000.0, &["mbar"]),
             part(1000.0, &["kPa"]),
@@ -114,7 +114,7 @@ static KINDS: [Kind; 21] = [
         examples: "28deg or 0.49rad",
         bare: "degrees",
         end_of_name: "deg",
-        units: &[one(&["deg", "°"]), ratio(180.0, PI, &["rad"])],
+        units: &[inside(&["deg", "°"]), ratio(180.0, PI, &["rad"])],
     },
     Kind {
         dimension: Dimension::Force,
@@ -123,7 +123,7 @@ static KINDS: [Kind; 21] = [
         bare: "N",
         end_of_name: "n",
         units: &[
-            one(&["N"]),
+            inside(&["N"]),
             times(1000.0, &["kN"]),
             part(1000.0, &["mN"]),
             times(4.4482216152605, &["lbf"]),
@@ -147,9 +147,9 @@ static KINDS: [Kind; 21] = [
         bare: "N/mm",
         end_of_name: "n_per_mm",
         units: &[
-            one(&["N/mm"]),
+            inside(&["N/mm"]),
             part(1000.0, &["N/m"]),
-            one(&["kN/m"]),
+            inside(&["kN/m"]),
             times(1000.0, &["kN/mm"]),
             ratio(4.4482216152605, 25.4, &["lbf/in"]),
         ],
@@ -161,7 +161,7 @@ static KINDS: [Kind; 21] = [
         bare: "mm/N",
         end_of_name: "mm_per_n",
         units: &[
-            one(&["mm/N"]),
+            inside(&["mm/N"]),
             part(1000.0, &["mm/kN", "um/N"]),
             times(1000.0, &["m/N"]),
             ratio(25.4, 4.4482216152605, &["in/lbf"]),
@@ -174,7 +174,7 @@ static KINDS: [Kind; 21] = [
         bare: "mm²",
         end_of_name: "mm2",
         units: &[
-            one(&["mm2"]),
+            inside(&["mm2"]),
             times(100.0, &["cm2"]),
             part(1000000.0, &["um2"]),
         ],
@@ -186,7 +186,7 @@ static KINDS: [Kind; 21] = [
         bare: "kg",
         end_of_name: "kg",
         units: &[
-            one(&["kg"]),
+            inside(&["kg"]),
             part(1000.0, &["g"]),
             times(1000.0, &["t"]),
             times(0.45359237, &["lb", "lbm"]),
@@ -199,7 +199,7 @@ static KINDS: [Kind; 21] = [
         bare: "N m",
         end_of_name: "nm",
         units: &[
-            one(&["N m", "Nm"]),
+            inside(&["N m", "Nm"]),
             part(1000.0, &["N mm", "Nmm"]),
             part(100.0, &["N cm", "Ncm"]),
             times(1000.0, &["kN m", "kNm"]),
@@ -214,7 +214,7 @@ static KINDS: [Kind; 21] = [
         bare: "N m/rad",
         end_of_name: "nm_per_rad",
         units: &[
-            one(&["N m/rad", "Nm/rad"]),
+            inside(&["N m/rad", "Nm/rad"]),
             ratio(180.0, PI, &["N m/deg", "Nm/deg", "N m/°"]),
             part(1000.0, &["N mm/rad", "Nmm/rad"]),
         ],
@@ -226,7 +226,7 @@ static KINDS: [Kind; 21] = [
         bare: "kg m²",
         end_of_name: "kg_m2",
         units: &[
-            one(&["kg m2", "kgm2"]),
+            inside(&["kg m2", "kgm2"]),
             part(10000.0, &["kg cm2", "kgcm2"]),
             part(10000000.0, &["g cm2"]),
         ],
@@ -238,7 +238,7 @@ static KINDS: [Kind; 21] = [
         bare: "s",
         end_of_name: "s",
         units: &[
-            one(&["s"]),
+            inside(&["s"]),
             part(1000.0, &["ms"]),
             part(1000000.0, &["us"]),
             times(60.0, &["min"]),
@@ -252,7 +252,7 @@ static KINDS: [Kind; 21] = [
         bare: "Hz",
         end_of_name: "hz",
         units: &[
-            one(&["Hz", "1/s"]),
+            inside(&["Hz", "1/s"]),
             times(1000.0, &["kHz"]),
             part(1000.0, &["mHz"]),
         ],
@@ -263,7 +263,7 @@ static KINDS: [Kind; 21] = [
         examples: "20degC",
         bare: "°C",
         end_of_name: "degc",
-        units: &[one(&["degC", "°C", "celsius"])],
+        units: &[inside(&["degC", "°C", "celsius"])],
     },
     Kind {
         dimension: Dimension::Conductance,
@@ -272,7 +272,7 @@ static KINDS: [Kind; 21] = [
         bare: "L/(s bar)",
         end_of_name: "l_per_s_bar",
         units: &[
-            one(&["L/(s bar)", "dm3/(s bar)", "L/s/bar"]),
+            inside(&["L/(s bar)", "dm3/(s bar)", "L/s/bar"]),
             part(60.0, &["L/(min bar)", "L/min/bar"]),
             times(100000000.0, &["m3/(s Pa)"]),
         ],
@@ -283,7 +283,10 @@ static KINDS: [Kind; 21] = [
         examples: "\"400 N s/m\"",
         bare: "N s/m",
         end_of_name: "n_s_per_m",
-        units: &[one(&["N s/m", "Ns/m"]), times(1000.0, &["N s/mm", "Ns/mm"])],
+        units: &[
+            inside(&["N s/m", "Ns/m"]),
+            times(1000.0, &["N s/mm", "Ns/mm"]),
+        ],
     },
     Kind {
         dimension: Dimension::AngularDamping,
@@ -291,7 +294,7 @@ static KINDS: [Kind; 21] = [
         examples: "\"0.2 N m s/rad\"",
         bare: "N m s/rad",
         end_of_name: "nm_s_per_rad",
-        units: &[one(&["N m s/rad", "Nms/rad", "N m s", "Nms"])],
+        units: &[inside(&["N m s/rad", "Nms/rad", "N m s", "Nms"])],
     },
     Kind {
         dimension: Dimension::Volume,
@@ -300,7 +303,7 @@ static KINDS: [Kind; 21] = [
         bare: "mm³",
         end_of_name: "mm3",
         units: &[
-            one(&["mm3"]),
+            inside(&["mm3"]),
             times(1000.0, &["cm3", "mL", "cc"]),
             times(1000000.0, &["L", "dm3"]),
             times(1000000000.0, &["m3"]),
@@ -313,7 +316,7 @@ static KINDS: [Kind; 21] = [
         bare: "kg/m³",
         end_of_name: "kg_per_m3",
         units: &[
-            one(&["kg/m3"]),
+            inside(&["kg/m3"]),
             times(1000.0, &["g/cm3", "kg/L", "kg/dm3", "g/mL"]),
         ],
     },
@@ -324,7 +327,7 @@ static KINDS: [Kind; 21] = [
         bare: "mm³/s",
         end_of_name: "mm3_per_s",
         units: &[
-            one(&["mm3/s"]),
+            inside(&["mm3/s"]),
             times(1000.0, &["mL/s", "cm3/s"]),
             ratio(1000.0, 60.0, &["mL/min", "cm3/min"]),
             times(1000000.0, &["L/s", "dm3/s"]),
@@ -336,7 +339,7 @@ static KINDS: [Kind; 21] = [
 ];
 
 /// The unit inside.
-const fn one(spellings: &'static [&'static str]) -> Spelled {
+const fn inside(spellings: &'static [&'static str]) -> Spelled {
     (spellings, 1.0, 1.0)
 }
 

@@ -100,7 +100,7 @@ pub fn shares(
     build: impl Fn(&Sample) -> Option<Box<dyn ForceModel>> + Sync,
     compared: impl Fn(&Sample, &PullPoint) -> bool + Sync,
 ) -> Vec<Vec<f64>> {
-    let one = |s: &Sample| {
+    let shares_of = |s: &Sample| {
         let Some(model) = build(s) else { return vec![] };
         let mut workspace = Workspace::new();
         let share = |p: &PullPoint| {
@@ -113,7 +113,7 @@ pub fn shares(
             .map(share)
             .collect()
     };
-    threads::map(samples, one)
+    threads::map(samples, shares_of)
 }
 
 /// Root mean square, quantiles and the largest of a list for each muscle.
