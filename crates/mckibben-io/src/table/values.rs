@@ -1,5 +1,6 @@
 //! Numbers and words of a table's columns.
 
+use super::delimited::TableRow;
 use super::error::{TableError, short};
 use super::find::Table;
 use super::heading::{self, Column, plain};
@@ -127,50 +128,33 @@ impl Table {
             let (expected, hint) = (self.headings.len(), TableError::AS_MANY);
             return Err(TableError::fields(row.line, row.width(), expected, hint));
         }
-        let not_a_number = |hint| {
-            column.refused(
-                row.line,
-                format!("\"{}\" is not a finite number{hint}", short(text)),
-            )
-        };
         let decimal = if column.is_constant() {
             Decimal::Point
         } else {
             self.decimal
         };
-        let (value, unit) = number::number(text, decimal).map_err(|why| {
-            match why {
-            NoNumber::Text if text.is_empty() => {
-                not_a_number("; the field is empty: leave the whole line out")
-            }
-            NoNumber::Text => not_a_number(""),
-            NoNumber::Ambiguous => column.refused(row.line, format!(
-                "\"{}\" can be read in two ways: is its mark a decimal mark, or does it separate \
-                 thousands? Write numbers without separators of thousands, with the same decimal \
-                 mark in all lines",
-                short(text)
-            )),
-        }
-        })?;
-        let dimension = column.meaning.words().dimension;
-        let value = if column.negated { -value } else { value };
-        let inside = match (unit, column.unit, dimension) {
-            ("", _, None) => value,
-            ("", Some(unit), _) => unit.inside(value),
-            ("", None, Some(Dimension::Ratio)) => value,
-            ("", None, _) => return Err(self.no_unit(column)),
-            (_, _, None) => return Err(not_a_number("")),
-            (said, stated, Some(dimension)) => match dimension.heading_unit(said) {
-                Some(unit) if stated.is_none_or(|s| s == unit) => unit.inside(value),
-                Some(_) => {
-                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
-                    return Err(self.wrong_unit(row.line, column, said, clash));
-                }
-                None => return Err(not_a_number("")),
-            },
+        let wrong = |why| match why {
+            NoNumber::Text if text.is_empty() => not_finite(
+                row,
+                column,
+                "; the field is empty: leave the whole line out",
+            ),
+            NoNumber::Text => not_finite(row, column, ""),
+            NoNumber::Ambiguous => column.refused(
+                row.line,
+                format!(
+                    "\"{}\" can be read in two ways: is its mark a decimal mark, or does it \
+                     separate thousands? Write numbers without separators of thousands, with the \
+                     same decimal mark in all lines",
+                    short(text)
+                ),
+            ),
         };
+        let (value, unit) = number::number(text, decimal).map_err(wrong)?;
+        let value = if column.negated { -value } else { value };
+        let inside = self.inside(row, column, (value, unit))?;
         if !inside.is_finite() {
-            return Err(not_a_number(""));
+            return Err(not_finite(row, column, ""));
         }
         if inside.abs() <= column.meaning.most() {
             return Ok(inside);
@@ -182,6 +166,28 @@ impl Table {
             _ => "is far too large for a muscle; check the number and the unit of its column",
         };
         Err(self.impossible(at, column, expected))
+    }
+
+    /// A value with the unit behind it, or that of its column, in the unit used inside.
+    fn inside(
+        &self,
+        row: &TableRow,
+        column: &Column,
+        (value, said): (f64, &str),
+    ) -> Result<f64, TableError> {
+        match (said, column.unit, column.meaning.words().dimension) {
+            ("", Some(unit), Some(_)) => Ok(unit.inside(value)),
+            ("", _, None) | ("", None, Some(Dimension::Ratio)) => Ok(value),
+            ("", None, _) => Err(self.no_unit(column)),
+            (_, stated, dimension) => match dimension.and_then(|d| d.heading_unit(said)) {
+                Some(unit) if stated.is_none_or(|s| s == unit) => Ok(unit.inside(value)),
+                Some(_) => {
+                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
+                    Err(self.wrong_unit(row.line, column, said, clash))
+                }
+                None => Err(not_finite(row, column, "")),
+            },
+        }
     }
 
     /// The line and the word of a row in a column, where there is one.
@@ -289,4 +295,9 @@ impl Table {
             format!("\"{unit}\" is not a unit of {name}{clash}; its units are {units}"),
         )
     }
+}
+
+fn not_finite(row: &TableRow, column: &Column, hint: &str) -> TableError {
+    let text = short(row.field(column.index));
+    column.refused(row.line, format!("\"{text}\" is not a finite number{hint}"))
 }
