@@ -83,11 +83,10 @@ impl Table {
         }
         table.take_units()?;
         table.check_lengths()?;
-        let numeric = || table.columns.iter().filter(|c| c.meaning.is_number());
-        let cells = table
-            .rows
-            .iter()
-            .flat_map(|row| numeric().map(|c| row.field(c.index)));
+        let numeric = table.columns.iter().filter(|c| c.meaning.is_number());
+        let numeric: Vec<usize> = numeric.map(|c| c.index).collect();
+        let rows = table.rows.iter();
+        let cells = rows.flat_map(|row| numeric.iter().map(|&i| row.field(i)));
         table.decimal = number::decimal(cells, separator);
         let constants = search.choices.iter().map(Choice::constant);
         let constants: Vec<String> = constants
