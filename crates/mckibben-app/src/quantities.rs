@@ -122,7 +122,7 @@ pub struct KindOfQuantity {
     /// Its name.
     pub kind: Dimension,
     /// What a user may write.
-    pub expectation: &'static str,
+    pub expectation: String,
     /// Its units; the one inside has the factor 1.
     pub units: Vec<UnitOfKind>,
 }

@@ -13,13 +13,6 @@ pub mod parquet;
 pub mod table;
 pub mod template;
 pub mod units;
+mod word;
 
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
-
-/// The value that serde writes as a word, such as a variant of an enum.
-pub fn named<'w, T: Deserialize<'w>>(word: &'w str) -> Option<T> {
-    let word: StrDeserializer<'w, Error> = word.into_deserializer();
-    T::deserialize(word).ok()
-}
+pub use word::named;

@@ -1,15 +1,14 @@
 //! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
 
 use crate::curve::Frame;
-use crate::font::Metrics;
+use crate::figure::{Axis, FigureError, Panel, Result, Series, Style};
+use crate::font::{Metrics, PANEL_TITLE};
 use crate::labels::{self, Label};
-use crate::layout::{PANEL_TITLE, PER_MM};
 use crate::legend::{self, Legend};
 use crate::line_labels::{self, Ended};
-use crate::rect::Rect;
+use crate::rect::{PER_MM, Rect};
 use crate::room::Room;
 use crate::ticks::{self, Scale};
-use crate::{Axis, FigureError, Panel, Result, Style, palette};
 
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;
@@ -19,24 +18,12 @@ const LABEL_ROW: f64 = 13.5;
 
 /// Plot, scales and axis texts of a panel.
 pub(crate) struct Axes {
-    pub plot: Rect,
-    pub x: Scale,
-    pub y: Scale,
+    pub frame: Frame,
     /// Axis label in lines.
     pub x_label: Vec<String>,
     pub y_label: Vec<String>,
     /// Middle of the first line of the (upright, turned) label of the vertical axis.
     pub y_label_x: f64,
-}
-
-impl Axes {
-    pub fn frame(&self) -> Frame<'_> {
-        Frame {
-            plot: self.plot,
-            x: &self.x,
-            y: &self.y,
-        }
-    }
 }
 
 /// A panel in its place.
@@ -101,23 +88,24 @@ struct Gutters {
 
 /// The drawn parts of a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
-    let frame = axes.frame();
-    let mut room = Room::new(axes.plot);
+    let frame = &axes.frame;
+    let mut room = Room::new(frame.plot);
     for series in &panel.series {
-        if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
-            frame
-                .line(&series.points)
-                .iter()
-                .for_each(|line| room.add_line(line));
-        }
-        if series.style == Style::Points {
-            frame
-                .markers(&series.points)
-                .into_iter()
-                .for_each(|spot| room.add_marker(spot));
+        match series.style {
+            Style::Points => {
+                for spot in frame.markers(&series.points) {
+                    room.add_marker(spot);
+                }
+            }
+            Style::Band => {}
+            _ => {
+                for line in frame.line(&series.points) {
+                    room.add_line(&line);
+                }
+            }
         }
     }
-    labels::add_rings(&panel.marks, &frame, &mut room);
+    labels::add_rings(&panel.marks, frame, &mut room);
     room
 }
 
@@ -156,13 +144,8 @@ impl<'a> Grid<'a, '_> {
         let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
         loop {
             let scale = ticks::scale(&panel.x, data, wanted)?;
-            let widest = scale
-                .labels
-                .iter()
-                .map(|l| self.metrics.width(l, TICK))
-                .fold(0.0, f64::max);
             let between = width / (scale.ticks.len().max(2) - 1) as f64;
-            if widest + 8.0 <= between || wanted == 1 {
+            if self.metrics.widest(&scale.labels, TICK) + 8.0 <= between || wanted == 1 {
                 return Ok(scale);
             }
             wanted -= 1;
@@ -187,9 +170,7 @@ impl<'a> Grid<'a, '_> {
         let x_label = self.wrapped(&panel.x.label, plot.w);
         let y_label = self.wrapped(&panel.y.label, plot.h);
         Ok(Axes {
-            plot,
-            x,
-            y,
+            frame: Frame { plot, x, y },
             x_label,
             y_label,
             y_label_x: cell.x + LABEL_ROW / 2.0,
@@ -214,31 +195,26 @@ impl<'a> Grid<'a, '_> {
             top: 6.0 + title,
             bottom: 40.0,
         };
-        let widest = |labels: &[String]| {
-            labels
-                .iter()
-                .map(|l| self.metrics.width(l, TICK))
-                .fold(0.0, f64::max)
-        };
         // twice: the scales depend on the room, the room on the texts of the scales
         for _ in 0..2 {
             let axes = self.axes(i, gutters)?;
             let last = axes
+                .frame
                 .x
                 .labels
                 .last()
                 .map_or(0.0, |l| self.metrics.width(l, TICK));
             gutters.top = 6.0
                 + title
-                + if axes.y.exponent == 0 {
+                + if axes.frame.y.exponent == 0 {
                     0.0
                 } else {
                     TICK + 2.0
                 };
-            gutters.left =
-                axes.y_label.len() as f64 * LABEL_ROW + widest(&axes.y.labels) + TICK_LENGTH + 8.0;
+            let widest = self.metrics.widest(&axes.frame.y.labels, TICK);
+            gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
             gutters.right = (last / 2.0 + 2.0).max(8.0);
-            let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() {
+            let power_alone = if axes.frame.x.exponent != 0 && axes.x_label.is_empty() {
                 LABEL_ROW
             } else {
                 0.0
@@ -252,7 +228,7 @@ impl<'a> Grid<'a, '_> {
 
     /// Room for the texts of lines that end at the right edge.
     fn end_room(&self, i: usize, axes: &Axes) -> f64 {
-        let frame = axes.frame();
+        let frame = &axes.frame;
         let at_edge = self.panels[i]
             .series
             .iter()
@@ -261,9 +237,9 @@ impl<'a> Grid<'a, '_> {
                 frame
                     .line(&s.points)
                     .last()
-                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
+                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.frame.plot))
             });
-        let width = |s: &crate::Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
+        let width = |s: &Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
     }
 
@@ -273,7 +249,7 @@ impl<'a> Grid<'a, '_> {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
-        Ok(self.legend(i, (0.0, 0.0), axes.plot.w).frame.h + 4.0)
+        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).frame.h + 4.0)
     }
 
     fn legend(&self, i: usize, (x, y): (f64, f64), width: f64) -> Legend {
@@ -305,43 +281,39 @@ impl<'a> Grid<'a, '_> {
         let legend = (below > 0.0).then(|| {
             self.legend(
                 index,
-                (axes.plot.x, cell.bottom() - below + 4.0),
-                axes.plot.w,
+                (axes.frame.plot.x, cell.bottom() - below + 4.0),
+                axes.frame.plot.w,
             )
         });
-        if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
+        if axes.frame.plot.w < 8.0 * PER_MM || axes.frame.plot.h < 8.0 * PER_MM {
             return Err(FigureError::Drawing(format!(
                 "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure \
                  larger or use fewer columns",
                 index + 1,
                 self.title,
-                axes.plot.w / PER_MM,
-                axes.plot.h / PER_MM
+                axes.frame.plot.w / PER_MM,
+                axes.frame.plot.h / PER_MM
             )));
         }
-        let mut labels = labels::for_marks(&panel.marks, &axes.frame(), metrics, &mut room);
-        let ended = panel
-            .series
-            .iter()
-            .enumerate()
+        let mut labels = labels::for_marks(&panel.marks, &axes.frame, metrics, &mut room);
+        let is_explained = |number: usize| {
+            panel
+                .numbered()
+                .any(|(other, s)| other == number && !s.label.trim().is_empty())
+        };
+        let named = panel
+            .numbered()
             .filter(|(_, s)| !s.end_label.trim().is_empty());
-        let ended = ended.filter_map(|(i, s)| {
-            let line = axes.frame().line(&s.points).pop()?;
-            let number = s.number(i);
-            let explained = |(k, other): (usize, &crate::Series)| {
-                !other.label.trim().is_empty() && other.number(k) == number
-            };
-            let has_meaning = s.neutral || panel.series.iter().enumerate().any(explained);
-            let colour = (!has_meaning).then_some(number);
+        let ended = named.filter_map(|(number, s)| {
             Some(Ended {
                 text: s.end_label.trim().to_owned(),
-                colour,
-                line,
+                colour: (!s.neutral && !is_explained(number)).then_some(number),
+                line: axes.frame.line(&s.points).pop()?,
             })
         });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
-        let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
+        let title = (axes.frame.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
         Ok(Placed {
             panel,
             axes,
@@ -355,7 +327,6 @@ impl<'a> Grid<'a, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Series;
 
     /// The frame cuts a band that is wider than its line: half of the line's height lies above and
     /// below.

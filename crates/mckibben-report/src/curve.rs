@@ -2,16 +2,16 @@
 
 use std::collections::HashSet;
 
-use crate::rect::{Rect, Spot};
+use crate::figure::Mark;
+use crate::rect::{Rect, Spot, between};
 use crate::smooth::smooth;
 use crate::ticks::Scale;
 
 /// Maps values of two axes onto a rectangle.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame<'a> {
+pub(crate) struct Frame {
     pub plot: Rect,
-    pub x: &'a Scale,
-    pub y: &'a Scale,
+    pub x: Scale,
+    pub y: Scale,
 }
 
 /// Series longer than this are thinned.
@@ -19,7 +19,15 @@ const MANY: usize = 2000;
 /// Width of the columns (and cells) in which a long series is thinned, units of the drawing.
 const CELL: f64 = 0.5;
 
-impl Frame<'_> {
+impl Frame {
+    pub fn at_x(&self, value: f64) -> f64 {
+        self.plot.x + self.x.part(value) * self.plot.w
+    }
+
+    pub fn at_y(&self, value: f64) -> f64 {
+        self.plot.bottom() - self.y.part(value) * self.plot.h
+    }
+
     /// Place of a point; `None` if a coordinate is not finite.
     pub fn spot(&self, (x, y): (f64, f64)) -> Option<Spot> {
         if !(x.is_finite() && y.is_finite()) {
@@ -33,6 +41,12 @@ impl Frame<'_> {
             self.plot.bottom() - up * self.plot.h,
         );
         (spot.0.is_finite() && spot.1.is_finite()).then_some(spot)
+    }
+
+    /// Place of a mark within the frame.
+    pub fn mark(&self, mark: &Mark) -> Option<Spot> {
+        let spot = self.spot((mark.x, mark.y))?;
+        self.plot.grown(0.01).has(spot).then_some(spot)
     }
 
     /// The visible pieces of a line. A piece of one spot is a point without neighbours.
@@ -78,8 +92,7 @@ impl Frame<'_> {
                 let from = &spots[(i + spots.len() - 1) % spots.len()];
                 let (a, b) = (inside(from), inside(to));
                 if (a < 0.0) != (b < 0.0) {
-                    let t = a / (a - b);
-                    kept.push((from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1)));
+                    kept.push(between(*from, *to, a / (a - b)));
                 }
                 if b >= 0.0 {
                     kept.push(*to);
@@ -178,9 +191,8 @@ fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
     if from > to {
         return None;
     }
-    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
     Some((
-        if from == 0.0 { a } else { at(from) },
-        if to == 1.0 { b } else { at(to) },
+        if from == 0.0 { a } else { between(a, b, from) },
+        if to == 1.0 { b } else { between(a, b, to) },
     ))
 }

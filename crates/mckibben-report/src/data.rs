@@ -1,8 +1,9 @@
 //! The numbers of a figure as a table.
 
+use crate::document::head;
+use crate::figure::{Figure, Panel, Result};
 use crate::ticks::number;
 use crate::xml::escape;
-use crate::{Figure, Panel, Result};
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu \
@@ -18,14 +19,7 @@ impl Figure {
         } else {
             self.title.trim()
         };
-        let mut out = format!(
-            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src \
-             'unsafe-inline'\">\n\
-             <title>{}</title><style>{STYLE}</style></head>\n<body>\n{}",
-            escape(title),
-            self.to_svg()?,
-        );
+        let mut out = head(title, STYLE, "", "") + &self.to_svg()?;
         for panel in &self.panels {
             table(&mut out, panel);
         }

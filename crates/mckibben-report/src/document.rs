@@ -1,7 +1,7 @@
 //! A report: headings, texts, tables, figures and a body, as one page that needs no network.
 
+use crate::figure::{Figure, Result};
 use crate::xml::escape;
-use crate::{Figure, Result};
 use mckibben_io::clean;
 use std::fmt::Write as _;
 
@@ -48,25 +48,32 @@ pub enum Part {
 
 const STYLE: &str = include_str!("document.css");
 
-/// What every page begins with: it loads nothing.
-const HEAD: &str = concat!(
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n",
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
-    "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
-);
+/// What every page begins with; it loads nothing. `more` is in the head, and the policy allows
+/// `also`.
+pub(crate) fn head(title: &str, style: &str, more: &str, also: &str) -> String {
+    let policy = format!("default-src 'none'; style-src 'unsafe-inline'{also}");
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n{more}\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
+         <title>{}</title><style>{style}</style></head>\n<body>\n",
+        escape(title)
+    )
+}
+
+/// Phones show a report at the width of their screen.
+const VIEWPORT: &str = "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
 
 impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each
     /// body's data in an element `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String> {
-        let title = escape(&self.title);
-        let mut out = HEAD.to_owned();
-        let (block, lead) = (title_block(&self.title_block), escape(&self.lead));
+        let scripts = "; script-src 'unsafe-inline'; img-src data:";
+        let mut out = head(&self.title, STYLE, VIEWPORT, scripts);
+        let (title, lead) = (escape(&self.title), escape(&self.lead));
+        let block = title_block(&self.title_block);
         let _ = writeln!(
             out,
-            "<title>{title}</title><style>{STYLE}</style></head>\n<body>\n\
-             <header><h1>{title}</h1>{block}</header>\n<p class=\"lead\">{lead}</p>"
+            "<header><h1>{title}</h1>{block}</header>\n<p class=\"lead\">{lead}</p>"
         );
         for part in &self.parts {
             part.write(&mut out)?;

@@ -196,6 +196,13 @@ impl Panel {
         }
     }
 
+    /// The series with their colour numbers.
+    pub(crate) fn numbered(&self) -> impl Iterator<Item = (usize, &Series)> {
+        let number = |(i, series): (usize, &Series)| series.colour.unwrap_or(i);
+        let numbered = move |entry| (number(entry), entry.1);
+        self.series.iter().enumerate().map(numbered)
+    }
+
     /// Sets the title above the axes.
     pub fn title(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
@@ -261,11 +268,6 @@ impl Series {
         let upper = edges.iter().map(|(x, _, high)| (*x, *high));
         let lower = edges.iter().rev().map(|(x, low, _)| (*x, *low));
         Self::new("", upper.chain(lower).collect::<Vec<_>>()).style(Style::Band)
-    }
-
-    /// Its colour number, at a position in its panel.
-    pub(crate) fn number(&self, index: usize) -> usize {
-        self.colour.unwrap_or(index)
     }
 
     /// Sets how the series is drawn.
@@ -336,4 +338,13 @@ pub enum FigureError {
     /// The file name ends in something no writer is known for.
     #[error("unknown format of {}: use a name ending in .svg, .png, .pdf or .html", .0.display())]
     UnknownExtension(PathBuf),
+}
+
+#[cfg(feature = "png")]
+impl FigureError {
+    pub(crate) fn image(reason: impl std::fmt::Display) -> Self {
+        Self::Drawing(format!(
+            "the figure cannot be turned into an image: {reason}"
+        ))
+    }
 }

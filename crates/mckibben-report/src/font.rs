@@ -2,11 +2,16 @@
 
 use ttf_parser::Face;
 
-use crate::{FigureError, Result};
+use crate::figure::{FigureError, Result};
 
 /// Families named in the drawing: the embedded one first, then what readers have at hand
 /// (all of them narrower, so nothing overlaps when one of them is taken).
 pub(crate) const FAMILY: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
+
+/// Font sizes of title, panel title and caption.
+pub(crate) const TITLE: f64 = 14.0;
+pub(crate) const PANEL_TITLE: f64 = 11.5;
+pub(crate) const CAPTION: f64 = 8.8;
 
 /// Measures texts in the embedded font.
 pub(crate) struct Metrics {
@@ -26,6 +31,14 @@ impl Metrics {
     /// Width of a text at a font size, both in units of the drawing.
     pub fn width(&self, text: &str, size: f64) -> f64 {
         text.chars().map(|c| self.advance(c, size)).sum()
+    }
+
+    /// Width of the widest of some texts.
+    pub fn widest(&self, texts: &[String], size: f64) -> f64 {
+        texts
+            .iter()
+            .map(|text| self.width(text, size))
+            .fold(0.0, f64::max)
     }
 
     /// How far a character moves the pen; one that the font lacks takes 0.7 of the size.

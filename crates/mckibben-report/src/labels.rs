@@ -1,7 +1,7 @@
 //! Texts beside marks, kept clear of the data and of each other.
 
-use crate::Mark;
 use crate::curve::Frame;
+use crate::figure::Mark;
 use crate::font::Metrics;
 use crate::rect::{Rect, Spot};
 use crate::room::Room;
@@ -54,37 +54,28 @@ pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
 }
 
 /// Notes the rings of the marks, so that texts keep away from all of them.
-pub(crate) fn add_rings(marks: &[Mark], frame: &Frame<'_>, room: &mut Room) {
+pub(crate) fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
     for spot in marks
         .iter()
         .filter_map(|m| frame.spot((m.x, m.y)))
         .filter(|s| frame.plot.has(*s))
     {
-        let r = RING + 1.0;
-        room.add_box(Rect {
-            x: spot.0 - r,
-            y: spot.1 - r,
-            w: 2.0 * r,
-            h: 2.0 * r,
-        });
+        room.add_box(Rect::about(spot, RING + 1.0));
     }
 }
 
 /// Places the texts of the marks.
 pub(crate) fn for_marks(
     marks: &[Mark],
-    frame: &Frame<'_>,
+    frame: &Frame,
     metrics: &Metrics,
     room: &mut Room,
 ) -> Vec<Label> {
     let within = frame.plot.grown(-2.0);
     let mut labels = Vec::new();
     for mark in marks {
-        let spot = frame
-            .spot((mark.x, mark.y))
-            .filter(|s| frame.plot.grown(0.01).has(*s));
         let text = metrics.fit(mark.label.trim(), SIZE, within.w);
-        let Some(spot) = spot.filter(|_| !text.is_empty()) else {
+        let Some(spot) = frame.mark(mark).filter(|_| !text.is_empty()) else {
             continue;
         };
         let w = metrics.width(&text, SIZE);

@@ -1,10 +1,11 @@
 //! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
 
 use crate::axes::{Grid, Placed};
-use crate::font::Metrics;
+use crate::figure::{Figure, FigureError, Panel, Result};
+use crate::font::{CAPTION, Metrics, TITLE};
 use crate::legend::{self, Entry, Legend};
-use crate::rect::Rect;
-use crate::{Figure, FigureError, Result};
+use crate::palette::Colours;
+use crate::rect::{PER_MM, Rect};
 
 const MARGIN: f64 = 16.0;
 /// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over
@@ -28,13 +29,14 @@ pub(crate) struct Page<'a> {
     pub legend: Option<Legend>,
 }
 
-/// Number of different colours of a figure.
-pub(crate) fn colour_count(figure: &Figure) -> usize {
-    let numbers = figure
-        .panels
-        .iter()
-        .flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.number(i)));
-    numbers.max().map_or(1, |last| last.saturating_add(1))
+/// The colours of a figure.
+pub(crate) fn colours(figure: &Figure) -> Colours {
+    let series = figure.panels.iter().flat_map(Panel::numbered);
+    let last = series.map(|(number, _)| number).max();
+    Colours {
+        palette: figure.palette,
+        count: last.map_or(1, |last| last.saturating_add(1)),
+    }
 }
 
 /// Columns and rows of the grid of panels.
@@ -62,9 +64,8 @@ pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
     {
         return Ok(());
     }
-    let paper = format!("{width_mm} mm × {height_mm} mm");
     Err(FigureError::Drawing(format!(
-        "a figure of {paper} cannot be drawn (20 to 2000 mm a side)"
+        "a figure of {width_mm} mm × {height_mm} mm cannot be drawn (20 to 2000 mm a side)"
     )))
 }
 
@@ -75,20 +76,11 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         return Err(FigureError::Drawing(message));
     }
     let (columns, rows) = grid(figure);
-    let single = figure.panels.len() == 1;
-    let usual = if single {
-        (160.0, 100.0)
-    } else {
-        (
-            (84.0 * columns as f64).max(160.0),
-            64.0 * rows as f64 + 20.0,
-        )
-    };
-    let (width_mm, height_mm) = figure.size_mm.unwrap_or(usual);
-    let grows = figure.size_mm.is_none_or(|(_, height)| height == 0.0);
+    let (single, panels_mm) = (figure.panels.len() == 1, 64.0 * rows as f64);
+    let usual_mm = if single { 0.0 } else { 84.0 * columns as f64 };
+    let width_mm = figure.size_mm.map_or(usual_mm.max(160.0), |size| size.0);
     let width = width_mm * PER_MM;
     let inner = width - 2.0 * MARGIN;
-
     let title = metrics.wrap(&figure.title, TITLE, inner);
     let top = 10.0 + title.len() as f64 * (TITLE + 4.0) + if title.is_empty() { 2.0 } else { 5.0 };
     let caption = metrics.wrap(&figure.caption, CAPTION, inner);
@@ -97,68 +89,48 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     } else {
         caption.len() as f64 * CAPTION_ROW + 5.0
     };
-    let height_mm = if height_mm == 0.0 {
-        let panels_mm = if single {
-            PANEL_SHARE * width_mm
-        } else {
-            64.0 * rows as f64
-        };
-        panels_mm + (top + caption_room) / PER_MM
-    } else {
-        height_mm
+    let texts_mm = (top + caption_room) / PER_MM;
+    let height_mm = match figure.size_mm {
+        None if single => 100.0,
+        None => panels_mm + 20.0,
+        Some((_, 0.0)) if single => PANEL_SHARE * width_mm + texts_mm,
+        Some((_, 0.0)) => panels_mm + texts_mm,
+        Some((_, height_mm)) => height_mm,
     };
     check_paper(width_mm, height_mm)?;
-    let mut height = height_mm * PER_MM;
-    let mut bottom = height - 9.0 - caption_room;
     let common = if single {
         Some(legend::entries(&figure.panels[0]))
     } else {
         legend::shared(&figure.panels)
     };
     let has_legends = common.is_none();
-    let under = common.filter(|entries| !entries.is_empty());
-    let legend = under.map(|entries| {
+    let entries = common.filter(|entries| !entries.is_empty());
+    let mut legend = entries.map(|entries| {
         let entries = legend::fitted(entries, metrics, inner);
-        let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
-        if grows {
-            // many entries make the paper longer, not the plot smaller
-            let more = (placed.frame.h - 3.0 * legend::ROW).max(0.0);
-            height += more;
-            bottom += more;
-        }
-        let y = bottom - placed.frame.h - if caption.is_empty() { 0.0 } else { 3.0 };
-        placed.frame.y = y;
-        placed.entries.iter_mut().for_each(|e| e.1 += y);
-        // rows narrower than the paper are centred
-        let right = placed
-            .entries
-            .iter()
-            .map(|e| entry_end(e, metrics))
-            .fold(MARGIN, f64::max);
-        let shift = ((MARGIN + inner - right) / 2.0).max(0.0);
-        placed.entries.iter_mut().for_each(|e| e.0 += shift);
-        bottom = y - 8.0;
-        placed
+        legend::rows(&entries, metrics, MARGIN, 0.0, inner)
     });
-    let caption_y = height - 9.0 - caption_room + 5.0 + CAPTION_ROW / 2.0;
-
-    let (gap_x, gap_y) = (18.0, 12.0);
-    let cell_w = (inner + 8.0 - gap_x * (columns - 1) as f64) / columns as f64;
-    let cell_h = (bottom - top - gap_y * (rows - 1) as f64) / rows as f64;
-    let cell = |i: usize| Rect {
-        x: MARGIN - 4.0 + (i % columns) as f64 * (cell_w + gap_x),
-        y: top + (i / columns) as f64 * (cell_h + gap_y),
-        w: cell_w,
-        h: cell_h,
-    };
-    let Figure {
-        title: name,
-        panels,
-        ..
-    } = figure;
+    let mut height = height_mm * PER_MM;
+    if let Some(legend) = &legend
+        && figure.size_mm.is_none_or(|(_, height_mm)| height_mm == 0.0)
+    {
+        // many entries make the paper longer, not the plot smaller
+        height += (legend.frame.h - 3.0 * legend::ROW).max(0.0);
+    }
+    let mut bottom = height - 9.0 - caption_room;
+    let caption_y = bottom + 5.0 + CAPTION_ROW / 2.0;
+    if let Some(legend) = &mut legend {
+        let gap = if caption.is_empty() { 0.0 } else { 3.0 };
+        let y = bottom - legend.frame.h - gap;
+        // rows narrower than the paper are centred
+        let ends = legend.entries.iter().map(|entry| entry_end(entry, metrics));
+        let right = ends.fold(MARGIN, f64::max);
+        legend.shift(((MARGIN + inner - right) / 2.0).max(0.0), y);
+        bottom = y - 8.0;
+    }
+    let cell = cell(figure, top, bottom, inner);
     let panels = Grid {
-        title: name,
-        panels,
+        title: &figure.title,
+        panels: &figure.panels,
         columns,
         cell: &cell,
         has_legends,
@@ -177,13 +149,19 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     })
 }
 
+/// Where the panels of a grid lie between two heights.
+fn cell(figure: &Figure, top: f64, bottom: f64, inner: f64) -> impl Fn(usize) -> Rect {
+    let ((columns, rows), (gap_x, gap_y)) = (grid(figure), (18.0, 12.0));
+    let w = (inner + 8.0 - gap_x * (columns - 1) as f64) / columns as f64;
+    let h = (bottom - top - gap_y * (rows - 1) as f64) / rows as f64;
+    move |i| Rect {
+        x: MARGIN - 4.0 + (i % columns) as f64 * (w + gap_x),
+        y: top + (i / columns) as f64 * (h + gap_y),
+        w,
+        h,
+    }
+}
+
 fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {
     x + legend::SAMPLE + 6.0 + metrics.width(&entry.label, legend::SIZE)
 }
-
-/// Units of the drawing for a millimetre.
-pub(crate) const PER_MM: f64 = 4.0;
-/// Font sizes of title, panel title and caption.
-pub(crate) const TITLE: f64 = 14.0;
-pub(crate) const PANEL_TITLE: f64 = 11.5;
-pub(crate) const CAPTION: f64 = 8.8;

@@ -1,8 +1,8 @@
 //! The legend: its entries, and rows of them below what they explain.
 
+use crate::figure::{Panel, Style};
 use crate::font::Metrics;
 use crate::rect::Rect;
-use crate::{Panel, Style};
 
 /// Font size of the entries.
 pub(crate) const SIZE: f64 = 10.0;
@@ -27,14 +27,25 @@ pub(crate) struct Legend {
     pub entries: Vec<(f64, f64, Entry)>,
 }
 
+impl Legend {
+    /// Moves it to the right and down; its frame is as wide as its paper.
+    pub fn shift(&mut self, right: f64, down: f64) {
+        self.frame.y += down;
+        for (x, y, _) in &mut self.entries {
+            *x += right;
+            *y += down;
+        }
+    }
+}
+
 /// The entries of a panel, each once.
 pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
     let mut all = Vec::new();
-    for (i, series) in panel.series.iter().enumerate() {
+    for (colour, series) in panel.numbered() {
         let entry = Entry {
             label: series.label.clone(),
             style: series.style,
-            colour: series.number(i),
+            colour,
         };
         if !entry.label.trim().is_empty() && !all.contains(&entry) {
             all.push(entry);

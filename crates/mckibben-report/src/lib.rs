@@ -39,7 +39,6 @@ mod ticks;
 mod xml;
 
 pub use document::{Document, Part};
-pub(crate) use figure::Result;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;

@@ -3,18 +3,18 @@
 use std::fmt::Write as _;
 
 use resvg::usvg::roxmltree::{Document, Node};
+use resvg::usvg::{Options, Tree};
 use ttf_parser::{GlyphId, OutlineBuilder};
 
-use crate::Result;
+use crate::figure::{FigureError, Result};
 use crate::font::Metrics;
-use crate::png::raster;
 
 /// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element
 /// replaced by a `path`: the outlines of its characters in the embedded font. The n-th one, from 0,
 /// has the id `text-n`.
 pub fn texts_as_outlines(svg: &str) -> Result<String> {
     let metrics = Metrics::new()?;
-    let document = Document::parse(svg).map_err(raster)?;
+    let document = Document::parse(svg).map_err(FigureError::image)?;
     let texts = document
         .descendants()
         .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
@@ -29,10 +29,15 @@ pub fn texts_as_outlines(svg: &str) -> Result<String> {
     Ok(out)
 }
 
+/// The paths of a drawing.
+pub(crate) fn tree(svg: &str) -> Result<Tree> {
+    Tree::from_str(&texts_as_outlines(svg)?, &Options::default()).map_err(FigureError::image)
+}
+
 fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<()> {
     let number_of = |name: &str| {
         let value = text.attribute(name).and_then(|v| v.parse::<f64>().ok());
-        value.ok_or_else(|| raster(format!("a text has no {name}")))
+        value.ok_or_else(|| FigureError::image(format!("a text has no {name}")))
     };
     let (x, y, size) = (number_of("x")?, number_of("y")?, number_of("font-size")?);
     let words = text.text().unwrap_or_default();

@@ -1,6 +1,6 @@
 //! Colours, dash patterns and marker shapes.
 
-use crate::{Palette, Style};
+use crate::figure::{Palette, Style};
 
 /// Okabe & Ito 2008 \[okabe2008\], without the yellow, which is lost on white.
 const CATEGORICAL: [[u8; 3]; 7] = [
@@ -33,13 +33,38 @@ const DASHES: [&[f64]; 6] = [
     &[6.0, 1.8, 1.2, 1.8, 1.2, 1.8],
 ];
 
-/// The colour of a number; `count` is the number of different colours in the figure.
-fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {
-    match palette {
-        Palette::Categorical => CATEGORICAL[number % CATEGORICAL.len()],
-        Palette::Sequential => {
-            let last = count.max(2) - 1;
-            ramp(number.min(last) as f64 / last as f64)
+/// The colours of the series of a figure.
+pub(crate) struct Colours {
+    pub palette: Palette,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl Colours {
+    /// The colour of a number as `#rrggbb`.
+    pub fn hex(&self, number: usize) -> String {
+        let last = self.count.max(2) - 1;
+        let [r, g, b] = match self.palette {
+            Palette::Categorical => CATEGORICAL[number % CATEGORICAL.len()],
+            Palette::Sequential => ramp(number.min(last) as f64 / last as f64),
+        };
+        format!("#{r:02x}{g:02x}{b:02x}")
+    }
+
+    /// Dash pattern of a line in units of its width; empty: solid.
+    pub fn dashes(&self, style: Style, number: usize) -> &'static [f64] {
+        // a solid line whose colour repeats takes the next pattern
+        let round = match self.palette {
+            Palette::Categorical => number / CATEGORICAL.len(),
+            Palette::Sequential => 0,
+        };
+        match style {
+            Style::Auto => DASHES[number % DASHES.len()],
+            Style::Line => DASHES[round % DASHES.len()],
+            Style::Dashed => DASHES[1],
+            Style::Dotted => DASHES[2],
+            Style::DashDot => DASHES[3],
+            Style::Points | Style::Band => &[],
         }
     }
 }
@@ -51,29 +76,6 @@ fn ramp(part: f64) -> [u8; 3] {
     let part = at - left as f64;
     let (a, b) = (RAMP[left], RAMP[left + 1]);
     std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
-}
-
-/// The same as `#rrggbb`.
-pub(crate) fn hex(palette: Palette, number: usize, count: usize) -> String {
-    let [r, g, b] = rgb(palette, number, count);
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// Dash pattern of a series in units of the line width (empty: solid); `None`: no line.
-pub(crate) fn dash(style: Style, number: usize, palette: Palette) -> Option<&'static [f64]> {
-    // a solid line whose colour repeats takes the next pattern
-    let round = match palette {
-        Palette::Categorical => number / CATEGORICAL.len(),
-        Palette::Sequential => 0,
-    };
-    match style {
-        Style::Auto => Some(DASHES[number % DASHES.len()]),
-        Style::Line => Some(DASHES[round % DASHES.len()]),
-        Style::Dashed => Some(DASHES[1]),
-        Style::Dotted => Some(DASHES[2]),
-        Style::DashDot => Some(DASHES[3]),
-        Style::Points | Style::Band => None,
-    }
 }
 
 /// The shape of a marker.

@@ -11,8 +11,8 @@ use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, TextStr};
 use resvg::tiny_skia::{PathSegment, Point};
 use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
 
-use crate::png::raster;
-use crate::{Figure, Result, texts_as_outlines};
+use crate::figure::{Figure, FigureError, Result};
+use crate::outlines::tree;
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
 const POINTS: f32 = 0.75;
@@ -26,8 +26,7 @@ impl Figure {
 
 /// A drawing as a PDF page of its size.
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
-    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
-        .map_err(raster)?;
+    let tree = tree(svg)?;
     let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
     let mut drawn = Drawn {
         content: Content::new(),
@@ -42,7 +41,7 @@ pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     let content = stream
         .write_all(&drawn.content.finish())
         .and_then(|()| stream.finish());
-    let content = content.map_err(raster)?;
+    let content = content.map_err(FigureError::image)?;
     let [info, catalog, pages, sheet, body] = [1, 2, 3, 4, 5].map(Ref::new);
     let mut pdf = Pdf::new();
     pdf.document_info(info)
@@ -87,7 +86,9 @@ impl Drawn {
                 Node::Path(path) if path.is_visible() => self.path(path)?,
                 Node::Path(_) => {}
                 Node::Group(_) | Node::Image(_) | Node::Text(_) => {
-                    return Err(raster("it has pictures, texts or layers inside"));
+                    return Err(FigureError::image(
+                        "it has pictures, texts or layers inside",
+                    ));
                 }
             }
         }
@@ -208,7 +209,7 @@ fn colour(paint: &Paint) -> Result<[f32; 3]> {
         Paint::Color(c) => {
             Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0)))
         }
-        _ => Err(raster("it has gradients or patterns")),
+        _ => Err(FigureError::image("it has gradients or patterns")),
     }
 }
 

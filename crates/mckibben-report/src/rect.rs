@@ -1,7 +1,18 @@
 //! Places and rectangles of the drawing.
 
+/// Units of the drawing for a millimetre.
+pub(crate) const PER_MM: f64 = 4.0;
+
 /// A point of the drawing, in its units, y downward.
 pub(crate) type Spot = (f64, f64);
+
+/// The spot a part of the way from one to another.
+pub(crate) fn between(from: Spot, to: Spot, part: f64) -> Spot {
+    (
+        from.0 + part * (to.0 - from.0),
+        from.1 + part * (to.1 - from.1),
+    )
+}
 
 /// A rectangle of the drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,6 +24,16 @@ pub(crate) struct Rect {
 }
 
 impl Rect {
+    /// A square about its middle.
+    pub fn about((x, y): Spot, half: f64) -> Self {
+        let (w, h) = (0.0, 0.0);
+        Self { x, y, w, h }.grown(half)
+    }
+
+    pub fn middle(&self) -> Spot {
+        (self.x + self.w / 2.0, self.y + self.h / 2.0)
+    }
+
     pub fn right(&self) -> f64 {
         self.x + self.w
     }

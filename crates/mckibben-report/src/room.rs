@@ -1,6 +1,6 @@
 //! Where in a plot something is drawn already, so that texts can keep away from it.
 
-use crate::rect::{Rect, Spot};
+use crate::rect::{Rect, Spot, between};
 
 /// Side of a cell, units of the drawing.
 const CELL: f64 = 3.0;
@@ -29,6 +29,16 @@ impl Room {
         }
     }
 
+    fn column(&self, x: f64) -> usize {
+        let column = ((x - self.plot.x) / CELL).floor();
+        column.clamp(0.0, (self.columns - 1) as f64) as usize
+    }
+
+    fn row(&self, y: f64) -> usize {
+        let row = ((y - self.plot.y) / CELL).floor();
+        row.clamp(0.0, (self.rows - 1) as f64) as usize
+    }
+
     /// Notes a drawn line.
     pub fn add_line(&mut self, line: &[Spot]) {
         for pair in line.windows(2) {
@@ -37,8 +47,7 @@ impl Room {
                 .ceil()
                 .max(1.0);
             for i in 0..=steps as usize {
-                let t = i as f64 / steps;
-                self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+                self.add_spot(between(a, b, i as f64 / steps));
             }
         }
         if let [only] = line {
@@ -48,12 +57,7 @@ impl Room {
 
     /// Notes a drawn point.
     pub fn add_spot(&mut self, (x, y): Spot) {
-        let column = ((x - self.plot.x) / CELL)
-            .floor()
-            .clamp(0.0, (self.columns - 1) as f64) as usize;
-        let row = ((y - self.plot.y) / CELL)
-            .floor()
-            .clamp(0.0, (self.rows - 1) as f64) as usize;
+        let (column, row) = (self.column(x), self.row(y));
         self.cells[row * self.columns + column] = true;
     }
 
@@ -78,23 +82,18 @@ impl Room {
 
     /// Whether the way from `a` to `b` runs through a noted box that does not hold `a`.
     pub fn crosses_box(&self, a: Spot, b: Spot) -> bool {
-        let way = (1..=24)
-            .map(|i| f64::from(i) / 24.0)
-            .map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
         let others: Vec<_> = self.boxes.iter().filter(|taken| !taken.has(a)).collect();
-        way.into_iter()
-            .any(|spot| others.iter().any(|taken| taken.has(spot)))
+        let is_taken = |spot| others.iter().any(|taken| taken.has(spot));
+        (1..=24).any(|i| is_taken(between(a, b, f64::from(i) / 24.0)))
     }
 
     /// How many cells with something drawn lie under a rectangle.
     pub fn drawn_under(&self, rect: &Rect) -> usize {
-        let index = |v: f64, last: usize| (v / CELL).floor().clamp(0.0, (last - 1) as f64) as usize;
-        let columns = index(rect.x - self.plot.x, self.columns)
-            ..=index(rect.right() - self.plot.x, self.columns);
-        let rows =
-            index(rect.y - self.plot.y, self.rows)..=index(rect.bottom() - self.plot.y, self.rows);
-        let drawn = |row: usize, column: usize| self.cells[row * self.columns + column];
-        rows.map(|row| columns.clone().filter(|column| drawn(row, *column)).count())
+        let columns = self.column(rect.x)..=self.column(rect.right());
+        let rows = self.cells.chunks(self.columns);
+        rows.take(self.row(rect.bottom()) + 1)
+            .skip(self.row(rect.y))
+            .map(|row| row[columns.clone()].iter().filter(|drawn| **drawn).count())
             .sum()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{Figure, FigureError, Result};
+use crate::figure::{Figure, FigureError, Result};
 
 impl Figure {
     /// The bytes of a file of this name; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the

@@ -4,12 +4,12 @@
 //! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO
 //! 128-2: outlines twice as wide as all others.
 
-use crate::layout::{PER_MM, check_paper};
-use crate::rect::Spot;
-use crate::strokes::through;
+use crate::figure::{FigureError, Result};
+use crate::layout::check_paper;
+use crate::rect::{PER_MM, Spot};
+use crate::strokes::{self, END, MIDDLE, through, upwards};
 use crate::svg::{INK, head};
-use crate::xml::{escape, length as n};
-use crate::{FigureError, Result};
+use crate::xml::length as n;
 use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.
@@ -138,25 +138,19 @@ impl Sheet {
         at: [f64; 2],
         height_mm: f64,
         anchor: Anchor,
-        (text, upwards): (&str, bool),
+        (text, is_upwards): (&str, bool),
     ) {
-        let (x, y) = self.place(at);
-        let (x, y, size, text) = (n(x), n(y), n(height_mm * PER_MM / CAPITALS), escape(text));
-        let anchor = match anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
+        let at = self.place(at);
+        let mut attributes = match anchor {
+            Anchor::Start => String::new(),
+            Anchor::Middle => MIDDLE.to_owned(),
+            Anchor::End => END.to_owned(),
         };
-        let turn = if upwards {
-            format!(" transform=\"rotate(-90 {x} {y})\"")
-        } else {
-            String::new()
-        };
-        let _ = writeln!(
-            self.drawn,
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" \
-             fill=\"{INK}\"{anchor}{turn}>{text}</text>"
-        );
+        if is_upwards {
+            attributes += &upwards(at);
+        }
+        let size = height_mm * PER_MM / CAPITALS;
+        strokes::text(&mut self.drawn, at, size, INK, &attributes, text);
     }
 
     /// The drawing as SVG of the sheet's size.

@@ -2,33 +2,26 @@
 
 use std::fmt::Write as _;
 
-use crate::palette::{self, Shape};
+use crate::figure::Style;
+use crate::palette::{self, Colours, Shape};
 use crate::rect::Spot;
-use crate::xml::length as n;
-use crate::{Palette, Style};
+use crate::xml::{escape, length as n};
 
 const LINE_WIDTH: f64 = 1.7;
 const MARKER: f64 = 3.1;
 /// Opacity of an area.
 const PALE: f64 = 0.14;
 
-/// The brush of a series.
-pub(crate) struct Brush {
-    /// Colour number; dash pattern and marker shape follow from it.
-    pub number: usize,
-    pub hex: String,
-    pub palette: Palette,
-}
-
 /// Draws the runs of a series: lines, or markers.
-pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: &Brush) {
-    let Brush {
-        number,
-        hex: colour,
-        palette,
-    } = brush;
+pub(crate) fn series(
+    out: &mut String,
+    runs: &[Vec<Spot>],
+    (style, number): (Style, usize),
+    colour: &str,
+    colours: &Colours,
+) {
     if style == Style::Points {
-        let (shape, mut shapes) = (palette::shape(*number), String::new());
+        let (shape, mut shapes) = (palette::shape(number), String::new());
         runs.iter()
             .flatten()
             .for_each(|spot| marker(&mut shapes, shape, *spot));
@@ -57,7 +50,7 @@ pub(crate) fn series(out: &mut String, runs: &[Vec<Spot>], style: Style, brush: 
         through(&mut path, line);
     }
     if !path.is_empty() {
-        let pattern = palette::dash(style, *number, *palette).unwrap_or(&[]);
+        let pattern = colours.dashes(style, number);
         let _ = writeln!(
             out,
             "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{LINE_WIDTH}\" \
@@ -88,6 +81,39 @@ fn dashes(pattern: &[f64]) -> String {
     }
     let list: Vec<String> = pattern.iter().map(|p| n(p * LINE_WIDTH)).collect();
     format!(" stroke-dasharray=\"{}\"", list.join(" "))
+}
+
+/// A thin line along a path.
+pub(crate) fn thin(out: &mut String, path: &str, colour: &str, width: f64) {
+    let _ = writeln!(
+        out,
+        "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"{width}\" fill=\"none\"/>"
+    );
+}
+
+/// Attributes of a text that does not start at its place.
+pub(crate) const MIDDLE: &str = " text-anchor=\"middle\"";
+pub(crate) const END: &str = " text-anchor=\"end\"";
+
+/// Attribute of a text that reads upwards.
+pub(crate) fn upwards((x, y): Spot) -> String {
+    format!(" transform=\"rotate(-90 {} {})\"", n(x), n(y))
+}
+
+/// A text with its base line at a place.
+pub(crate) fn text(
+    out: &mut String,
+    (x, y): Spot,
+    size: f64,
+    fill: &str,
+    attributes: &str,
+    content: &str,
+) {
+    let (x, y, size, content) = (n(x), n(y), n(size), escape(content));
+    let _ = writeln!(
+        out,
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{fill}\"{attributes}>{content}</text>"
+    );
 }
 
 /// Adds a line through spots to a path.

@@ -3,14 +3,17 @@
 use std::fmt::Write as _;
 
 use crate::axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH};
-use crate::font::{FAMILY, Metrics};
+use crate::curve::Frame;
+use crate::figure::{Figure, Result, Style};
+use crate::font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE};
 use crate::labels::{self, Label};
-use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, TITLE};
+use crate::layout::{self, Page};
 use crate::legend::{self, Legend};
-use crate::rect::Spot;
-use crate::strokes::{Brush, area, series as draw_series, through};
+use crate::palette::Colours;
+use crate::rect::{PER_MM, Spot};
+use crate::strokes::{self, END, MIDDLE, area, series as draw_series, thin, through, upwards};
+use crate::ticks;
 use crate::xml::{escape, length as n};
-use crate::{Figure, Result, Style, palette, ticks};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";
@@ -26,26 +29,6 @@ impl Figure {
         let metrics = Metrics::new()?;
         let page = layout::page(self, &metrics)?;
         Ok(draw(self, &page))
-    }
-}
-
-/// The colours of the series of a figure.
-struct Pen<'a> {
-    figure: &'a Figure,
-    colours: usize,
-}
-
-impl Pen<'_> {
-    fn brush(&self, number: usize) -> Brush {
-        Brush {
-            number,
-            hex: self.hex(number),
-            palette: self.figure.palette,
-        }
-    }
-
-    fn hex(&self, number: usize) -> String {
-        palette::hex(self.figure.palette, number, self.colours)
     }
 }
 
@@ -65,10 +48,7 @@ pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
 
 /// Writes a laid-out page.
 pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
-    let pen = Pen {
-        figure,
-        colours: layout::colour_count(figure),
-    };
+    let colours = &layout::colours(figure);
     let mut out = head(&figure.title, page.width, page.height);
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
@@ -77,10 +57,10 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
         text(&mut out, (page.left, y), TITLE, INK, &outline, line);
     }
     for placed in &page.panels {
-        draw_panel(&mut out, placed, &pen);
+        draw_panel(&mut out, placed, colours);
     }
     if let Some(legend) = &page.legend {
-        draw_legend(&mut out, legend, &pen);
+        draw_legend(&mut out, legend, colours);
     }
     for (i, line) in page.caption.iter().enumerate() {
         text(
@@ -96,23 +76,19 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
     out
 }
 
-/// Attributes of a text that does not start at its place.
-const MIDDLE: &str = " text-anchor=\"middle\"";
-const END: &str = " text-anchor=\"end\"";
-
 /// A text whose middle line runs through `at`.
 fn text(out: &mut String, at: Spot, size: f64, fill: &str, attributes: &str, content: &str) {
-    let _ = writeln!(
+    strokes::text(
         out,
-        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{fill}\"{attributes}>{}</text>",
-        n(at.0),
-        n(at.1 + 0.36 * size),
-        n(size),
-        escape(content)
+        (at.0, at.1 + 0.36 * size),
+        size,
+        fill,
+        attributes,
+        content,
     );
 }
 
-fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
+fn draw_panel(out: &mut String, placed: &Placed<'_>, colours: &Colours) {
     out.push_str("<g>\n");
     draw_axes(out, &placed.axes);
     let (x, y, title) = &placed.title;
@@ -120,165 +96,115 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         let outline = format!(" stroke=\"{INK}\" stroke-width=\"0.2\"");
         text(out, (*x, *y), PANEL_TITLE, INK, &outline, title);
     }
-    let frame = placed.axes.frame();
+    let frame = &placed.axes.frame;
     let mut anything = false;
-    let bands = |s: &&crate::Series| s.style == Style::Band;
-    for (i, band) in placed
-        .panel
-        .series
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| bands(s))
-    {
-        area(out, &frame.area(&band.points), &pen.hex(band.number(i)));
+    let series = placed.panel.numbered();
+    let (bands, others): (Vec<_>, Vec<_>) = series.partition(|(_, s)| s.style == Style::Band);
+    for (number, band) in bands {
+        area(out, &frame.area(&band.points), &colours.hex(number));
     }
-    for (i, series) in placed
-        .panel
-        .series
-        .iter()
-        .enumerate()
-        .filter(|(_, s)| !bands(s))
-    {
+    for (number, series) in others {
         let runs = match series.style {
             Style::Points => vec![frame.markers(&series.points)],
             _ => frame.line(&series.points),
         };
         anything |= runs.iter().any(|run| !run.is_empty());
-        let brush = pen.brush(series.number(i));
-        let brush = if series.neutral {
-            Brush {
-                hex: INK.into(),
-                ..brush
-            }
+        let hex = if series.neutral {
+            INK.to_owned()
         } else {
-            brush
+            colours.hex(number)
         };
-        draw_series(out, &runs, series.style, &brush);
+        draw_series(out, &runs, (series.style, number), &hex, colours);
     }
     anything |= draw_marks(out, placed);
     if !anything {
-        let plot = placed.axes.plot;
-        let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
+        let middle = placed.axes.frame.plot.middle();
         text(out, middle, LABEL, SOFT, MIDDLE, "no data in this range");
     }
     if let Some(legend) = &placed.legend {
-        draw_legend(out, legend, pen);
+        draw_legend(out, legend, colours);
     }
     for label in &placed.labels {
-        draw_label(out, label, pen);
+        draw_label(out, label, colours);
     }
     out.push_str("</g>\n");
 }
 
 fn draw_axes(out: &mut String, axes: &Axes) {
-    let plot = axes.plot;
-    let at_x = |v: f64| plot.x + axes.x.part(v) * plot.w;
-    let at_y = |v: f64| plot.bottom() - axes.y.part(v) * plot.h;
-    let (mut grid, mut small) = (String::new(), String::new());
-    for v in &axes.x.ticks {
-        through(&mut grid, &[(at_x(*v), plot.y), (at_x(*v), plot.bottom())]);
-        through(
-            &mut small,
-            &[
-                (at_x(*v), plot.bottom()),
-                (at_x(*v), plot.bottom() + TICK_LENGTH),
-            ],
-        );
-    }
-    for v in &axes.y.ticks {
-        through(&mut grid, &[(plot.x, at_y(*v)), (plot.right(), at_y(*v))]);
-        through(
-            &mut small,
-            &[(plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v))],
-        );
-    }
-    let _ = writeln!(
-        out,
-        "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>"
-    );
-    let mut zero = String::new();
-    if axes.y.low < 0.0 && axes.y.high > 0.0 {
-        through(&mut zero, &[(plot.x, at_y(0.0)), (plot.right(), at_y(0.0))]);
-    }
-    if axes.x.low < 0.0 && axes.x.high > 0.0 {
-        through(
-            &mut zero,
-            &[(at_x(0.0), plot.y), (at_x(0.0), plot.bottom())],
-        );
-    }
-    if !zero.is_empty() {
-        let _ = writeln!(
-            out,
-            "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>"
-        );
-    }
-    let _ = writeln!(
-        out,
-        "<path d=\"{small}M{} {}V{}H{}\" stroke=\"{INK}\" stroke-width=\"1\" fill=\"none\" \
-         stroke-linecap=\"square\"/>",
-        n(plot.x),
-        n(plot.y),
-        n(plot.bottom()),
-        n(plot.right())
-    );
+    let frame = &axes.frame;
+    let plot = frame.plot;
+    draw_grid(out, frame);
+    let (x, y) = plot.middle();
     let below = plot.bottom() + TICK_LENGTH + 3.0 + TICK / 2.0;
-    for (v, label) in axes.x.ticks.iter().zip(&axes.x.labels) {
-        text(out, (at_x(*v), below), TICK, INK, MIDDLE, label);
+    for (v, label) in frame.x.ticks.iter().zip(&frame.x.labels) {
+        text(out, (frame.at_x(*v), below), TICK, INK, MIDDLE, label);
     }
-    for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
-        text(
-            out,
-            (plot.x - TICK_LENGTH - 3.0, at_y(*v)),
-            TICK,
-            INK,
-            END,
-            label,
-        );
+    let before = plot.x - TICK_LENGTH - 3.0;
+    for (v, label) in frame.y.ticks.iter().zip(&frame.y.labels) {
+        text(out, (before, frame.at_y(*v)), TICK, INK, END, label);
     }
     let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
-    if axes.x.exponent != 0 {
-        text(
-            out,
-            (plot.right(), row),
-            TICK,
-            INK,
-            END,
-            &ticks::power_text(axes.x.exponent),
-        );
+    if frame.x.exponent != 0 {
+        let power = ticks::power_text(frame.x.exponent);
+        text(out, (plot.right(), row), TICK, INK, END, &power);
     }
-    if axes.y.exponent != 0 {
-        text(
-            out,
-            (plot.x, plot.y - 8.0),
-            TICK,
-            INK,
-            "",
-            &ticks::power_text(axes.y.exponent),
-        );
+    if frame.y.exponent != 0 {
+        let power = ticks::power_text(frame.y.exponent);
+        text(out, (plot.x, plot.y - 8.0), TICK, INK, "", &power);
     }
     for (i, line) in axes.x_label.iter().enumerate() {
-        let at = (plot.x + plot.w / 2.0, row + i as f64 * (LABEL + 2.5));
+        let at = (x, row + i as f64 * (LABEL + 2.5));
         text(out, at, LABEL, INK, MIDDLE, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
-        let at = (
-            axes.y_label_x + i as f64 * (LABEL + 2.5),
-            plot.y + plot.h / 2.0,
-        );
-        let turned = format!("{MIDDLE} transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
+        let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), y);
+        let turned = format!("{MIDDLE}{}", upwards(at));
         text(out, at, LABEL, INK, &turned, line);
     }
 }
 
+/// Lines at the ticks, through zero, and the axes themselves.
+fn draw_grid(out: &mut String, frame: &Frame) {
+    let (plot, bottom) = (frame.plot, frame.plot.bottom());
+    let (mut grid, mut small, mut zero) = (String::new(), String::new(), String::new());
+    let upright = |v: f64| [(frame.at_x(v), plot.y), (frame.at_x(v), bottom)];
+    let level = |v: f64| [(plot.x, frame.at_y(v)), (plot.right(), frame.at_y(v))];
+    for v in &frame.x.ticks {
+        let [_, foot] = upright(*v);
+        through(&mut grid, &upright(*v));
+        through(&mut small, &[foot, (foot.0, bottom + TICK_LENGTH)]);
+    }
+    for v in &frame.y.ticks {
+        let [foot, _] = level(*v);
+        through(&mut grid, &level(*v));
+        through(&mut small, &[(plot.x - TICK_LENGTH, foot.1), foot]);
+    }
+    thin(out, &grid, GRID, 0.8);
+    if frame.y.low < 0.0 && frame.y.high > 0.0 {
+        through(&mut zero, &level(0.0));
+    }
+    if frame.x.low < 0.0 && frame.x.high > 0.0 {
+        through(&mut zero, &upright(0.0));
+    }
+    if !zero.is_empty() {
+        thin(out, &zero, "#9a9a9a", 0.9);
+    }
+    let [x, y, bottom, right] = [plot.x, plot.y, bottom, plot.right()].map(n);
+    let _ = writeln!(
+        out,
+        "<path d=\"{small}M{x} {y}V{bottom}H{right}\" stroke=\"{INK}\" stroke-width=\"1\" \
+         fill=\"none\" stroke-linecap=\"square\"/>"
+    );
+}
+
 /// Draws the operating points; tells whether there was one to draw.
 fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
-    let frame = placed.axes.frame();
+    let frame = &placed.axes.frame;
     let mut any = false;
     for mark in &placed.panel.marks {
-        let spot = frame
-            .spot((mark.x, mark.y))
-            .filter(|s| placed.axes.plot.grown(0.01).has(*s));
-        let Some((x, y)) = spot else { continue };
+        let Some((x, y)) = frame.mark(mark) else {
+            continue;
+        };
         any = true;
         let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
         let _ = writeln!(
@@ -291,17 +217,14 @@ fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
     any
 }
 
-fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
+fn draw_label(out: &mut String, label: &Label, colours: &Colours) {
     let colour = label
         .colour
-        .map_or_else(|| INK.to_owned(), |number| pen.hex(number));
+        .map_or_else(|| INK.to_owned(), |number| colours.hex(number));
     if let Some((a, b)) = label.leader {
         let mut path = String::new();
         through(&mut path, &[a, b]);
-        let _ = writeln!(
-            out,
-            "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>"
-        );
+        thin(out, &path, &colour, 0.7);
     }
     // A white outline below keeps the text readable over a line.
     let halo =
@@ -310,14 +233,15 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     text(out, label.at, labels::SIZE, &colour, "", &label.text);
 }
 
-fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
+fn draw_legend(out: &mut String, legend: &Legend, colours: &Colours) {
     out.push_str("<g>\n");
     for (x, y, entry) in &legend.entries {
         let run = match entry.style {
             Style::Points => vec![(x + legend::SAMPLE / 2.0, *y)],
             _ => vec![(*x, *y), (x + legend::SAMPLE, *y)],
         };
-        draw_series(out, &[run], entry.style, &pen.brush(entry.colour));
+        let hex = colours.hex(entry.colour);
+        draw_series(out, &[run], (entry.style, entry.colour), &hex, colours);
         text(
             out,
             (x + legend::SAMPLE + 6.0, *y),

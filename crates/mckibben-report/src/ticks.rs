@@ -1,6 +1,6 @@
 //! Axis ranges and ticks at 1, 2 or 5 times a power of ten, and how numbers are written.
 
-use crate::{Axis, FigureError, Result};
+use crate::figure::{Axis, FigureError, Result};
 
 /// The drawn range of an axis with its ticks.
 #[derive(Debug, Clone, PartialEq)]

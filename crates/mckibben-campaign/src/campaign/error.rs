@@ -3,11 +3,13 @@
 use mckibben::cancel::Cancelled;
 use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
+use mckibben_io::files::ReadError;
+#[cfg(feature = "store")]
 use std::path::Path;
 use std::path::PathBuf;
 use thiserror::Error;
 
-pub(super) type Result<T, E = CampaignError> = std::result::Result<T, E>;
+pub(crate) type Result<T, E = CampaignError> = std::result::Result<T, E>;
 
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]
@@ -40,7 +42,7 @@ pub enum CampaignError {
     /// A file that is not read.
     #[cfg(feature = "store")]
     #[error("{path} {1}", path = .0.display())]
-    Read(PathBuf, mckibben_io::files::ReadError),
+    Read(PathBuf, ReadError),
     /// A file in the place of one of the campaign that is of something else, and of what.
     #[error("{path} is not a file of a campaign ({1}) and would be overwritten", path = .0.display())]
     Foreign(PathBuf, String),
@@ -70,7 +72,7 @@ impl CampaignError {
                 "move it away, and the same command continues from here; `overwrite` replaces it"
             }
             #[cfg(feature = "store")]
-            Self::Read(_, mckibben_io::files::ReadError::System(error))
+            Self::Read(_, ReadError::System(error))
                 if error.kind() != std::io::ErrorKind::NotFound =>
             {
                 "the operating system refused to read it; it is not necessarily damaged"
@@ -103,15 +105,10 @@ impl CampaignError {
         move |error| Self::Write(path, error)
     }
 
-    /// A folder or file that the system does not read.
-    pub(super) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
-        let unread = Self::unread(path);
-        move |error| unread(error.into())
-    }
-
-    pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_io::files::ReadError) -> Self {
+    /// A folder or file that is not read.
+    pub(super) fn read<E: Into<ReadError>>(path: &Path) -> impl FnOnce(E) -> Self {
         let path = path.to_path_buf();
-        move |error| Self::Read(path, error)
+        move |error| Self::Read(path, error.into())
     }
 
     pub(super) fn other_format(path: &Path) -> Self {

@@ -17,7 +17,6 @@ mod store;
 mod tests;
 
 pub use error::CampaignError;
-use error::Result;
 pub use plan::{Inputs, Plan, PlanKeys, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]

@@ -1,16 +1,14 @@
 //! The rows of one muscle. They depend on the plan and the muscle's number alone.
 
-use super::plan::{constants, rounded};
-use super::{Inputs, Plan, Result};
-use crate::PointRow;
+use super::error::Result;
+use super::plan::{Inputs, Plan, constants, rounded};
+use crate::columns::PointRow;
 use mckibben::cancel::Cancelled;
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben::size::TooLarge;
 use mckibben::status::Status;
 use mckibben::threads;
 use mckibben_fem::FemError;
-use mckibben_fem::elements::Elements;
 use mckibben_fem::simulation::Detail;
 use mckibben_fem::solver::curve::CurvePoint;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -19,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// are no files.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
-    let one = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
+    let rows_of = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
         progress.check()?;
         let rows = rows(plan, number);
         progress.check()?;
@@ -27,7 +25,7 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one)
+    let all: Vec<Vec<PointRow>> = threads::map(&numbers, rows_of)
         .into_iter()
         .collect::<Result<_, Cancelled>>()?;
     Ok(all.concat())
@@ -149,49 +147,5 @@ fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
                 ..row
             }
         }
-    }
-}
-
-/// Muscles of a plan whose meshes are looked at.
-const LOOKED_AT: u64 = 64;
-
-impl Plan {
-    /// Points that one thread solves in a good second with the usual mesh; between curves that pull
-    /// and walls that fold there is a factor of ten. The size of the parts follows from it: it
-    /// depends on the plan alone.
-    pub(super) fn points_per_second(&self) -> u64 {
-        match self.testing.elements {
-            // Time grows with the elements along and with the square of those through the wall.
-            Elements::Axisymmetric(mesh) => {
-                let (through, along) = (mesh.through.unwrap_or(1), mesh.along.unwrap_or(6));
-                let most = if self.testing.sensitivities {
-                    512
-                } else {
-                    4096
-                };
-                6 * most / ((through * through * along) as u64).max(6)
-            }
-            // A hundred points of 600 bricks.
-            Elements::ThreeDimensional(spec) => {
-                let through = spec.through.unwrap_or(1);
-                let sheet = spec.around.unwrap_or(14) * spec.along.unwrap_or(45);
-                60_000 / ((through * through * sheet) as u64).max(60)
-            }
-        }
-    }
-
-    /// Refuses meshes that do not fit into memory, of some of the muscles.
-    pub fn admit(&self) -> Result<(), TooLarge> {
-        let step = (self.muscles() / LOOKED_AT).max(1);
-        for number in (0..LOOKED_AT.min(self.muscles())).map(|i| i * step) {
-            let Ok(muscle) = self.inputs(number).muscle() else {
-                continue;
-            };
-            // What is no mesh is a row without an answer.
-            if let Err(FemError::Large(large)) = self.testing.elements.admit(&muscle) {
-                return Err(large);
-            }
-        }
-        Ok(())
     }
 }

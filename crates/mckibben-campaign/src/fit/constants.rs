@@ -11,7 +11,7 @@
 //! 3. Both held, (11): n.
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same};
-use super::{FitError, Result};
+use super::error::{FitError, Result};
 use mckibben::formula::Coefficients;
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
@@ -78,7 +78,7 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
         wall_mm: Some(s),
         ..Section::default()
     };
-    let one = |contraction: f64, pressure_mpa: f64| {
+    let point = |contraction: f64, pressure_mpa: f64| {
         let (force_n, branch) = (force(pressure_mpa, contraction)?, Some(Direction::Mean));
         let at = MeasuredPoint {
             pressure_mpa,
@@ -94,7 +94,7 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
     };
     CONTRACTIONS
         .iter()
-        .flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p)))
+        .flat_map(|&e| PRESSURES.iter().filter_map(move |&p| point(e, p)))
         .collect()
 }
 
@@ -114,33 +114,32 @@ fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
 }
 
-type Values<'a> = &'a [(Target, f64)];
-
-/// Values of the free targets.
-fn values(
-    free: Values<'_>,
-    fixed: Values<'_>,
+/// Values of the free targets, which begin at a start.
+fn values<const N: usize>(
+    free: [(Target, f64); N],
+    fixed: &[(Target, f64)],
     points: &[DataPoint],
     loss: Loss,
-) -> Result<Vec<f64>> {
+) -> Result<[f64; N]> {
     let failed =
         |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
     let (d, s) = TABLE_1_SECTION;
     let muscle = Muscle::prototype()
         .with_section(d, s)
         .map_err(|e| failed(&e))?;
-    let parameter = |&(target, start): &(Target, f64)| Parameter {
+    let free = free.map(|(target, start)| Parameter {
         start: Some(start),
         ..Parameter::free(target)
-    };
-    let free: Vec<Parameter> = free.iter().map(parameter).collect();
+    });
     let request = Request {
         fixed,
         loss,
         ..Request::new(&muscle, &free, points, &elements)
     };
-    let result = identify(&request).map_err(|e| failed(&e))?;
-    Ok(result.parameters.iter().map(|p| p.value).collect())
+    let found = identify(&request).map_err(|e| failed(&e))?.parameters;
+    let values: Vec<f64> = found.iter().map(|p| p.value).collect();
+    let missing = |_| FitError::singular("the constants of the paper");
+    values.try_into().map_err(missing)
 }
 
 /// The constants with which our finite elements come nearest to Table 1 and (11).
@@ -148,22 +147,12 @@ pub fn fit_constants() -> Result<Constants> {
     let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
     let (table, formula) = (points(TABLE_1_SECTION, table_1), formula_points());
     let both = [table.clone(), formula.clone()].concat();
-    let all = values(
-        &[(c10, 0.1), (k, 600.0), (n, 1.0)],
-        &[],
-        &both,
-        Loss::Squares,
-    )?;
-    let &[c10_mpa, ..] = all.as_slice() else {
-        return Err(FitError::singular("the constants of the paper"));
-    };
-    let stiffness: f64 = values(&[(k, 600.0)], &[(c10, c10_mpa)], &table, Loss::Largest)?
-        .iter()
-        .sum();
+    let free = [(c10, 0.1), (k, 600.0), (n, 1.0)];
+    let [c10_mpa, ..] = values(free, &[], &both, Loss::Squares)?;
+    let held = [(c10, c10_mpa)];
+    let [stiffness] = values([(k, 600.0)], &held, &table, Loss::Largest)?;
     let held = [(c10, c10_mpa), (k, stiffness)];
-    let exponent: f64 = values(&[(n, 1.0)], &held, &formula, Loss::Squares)?
-        .iter()
-        .sum();
+    let [exponent] = values([(n, 1.0)], &held, &formula, Loss::Squares)?;
     let ratio: f64 = 40.0 / TABLE_1_SECTION.0;
     let stiffness_at_40_n_per_mm = stiffness * ratio.powf(exponent);
     Ok(Constants {

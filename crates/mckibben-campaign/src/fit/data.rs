@@ -1,6 +1,6 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
-use crate::PointRow;
+use crate::columns::PointRow;
 use mckibben::formula::{Coefficients, Formula};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;

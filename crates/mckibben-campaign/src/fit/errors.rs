@@ -1,7 +1,7 @@
 //! Errors of forces against reference forces, and where they are.
 
 use super::data::{FitPoint, distinct, same};
-use super::{FitError, Result};
+use super::error::{FitError, Result};
 use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 
@@ -46,7 +46,7 @@ pub fn compared(
             }
         }
     }
-    let one = |p: &FitPoint| {
+    let compare = |p: &FitPoint| {
         let (outer_diameter_mm, wall_mm) = (p.outer_diameter_mm, p.wall_mm);
         let missing = FitError::Refused(format!(
             "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
@@ -64,7 +64,7 @@ pub fn compared(
             isobar_n,
         })
     };
-    points.iter().map(one).collect()
+    points.iter().map(compare).collect()
 }
 
 /// Numbers that agree to nine digits have the same key.

@@ -14,8 +14,8 @@
 //! outermost the formula would have to extrapolate, which it refuses to do later.
 
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
+use super::error::{FitError, Result};
 use super::errors::{Compared, compared};
-use super::{FitError, Result};
 use mckibben::cancel;
 use mckibben::formula::{GlobalTerms, Scales, Term};
 use nalgebra::{DMatrix, DVector};
@@ -211,11 +211,11 @@ fn nested(
     let (r, turned) = (qr.r(), qr.q().transpose() * &problem.values);
     let mut left = problem.values.norm_squared();
     let rows = problem.values.len() as f64;
-    let one = |v: &f64| {
+    let rms_of = |v: &f64| {
         left -= v * v;
         (left.max(0.0) / rows).sqrt()
     };
-    let rms = turned.iter().map(one).collect();
+    let rms = turned.iter().map(rms_of).collect();
     let solve = move |n: usize| {
         let square = r.view((0, 0), (n, n)).into_owned();
         square

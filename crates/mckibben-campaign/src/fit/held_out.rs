@@ -4,7 +4,8 @@
 
 use super::data::{FitPoint, Grid};
 use super::errors::{compared, errors};
-use super::{Method, Rules, fitted};
+use super::make::{Method, fitted};
+use super::paper_method::Rules;
 use mckibben::muscle::Muscle;
 use mckibben_fem::verification::VerificationRow;
 

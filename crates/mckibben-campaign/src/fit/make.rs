@@ -1,12 +1,12 @@
 //! From points to a formula with its range, errors and provenance.
 
 use super::data::{FitPoint, PRESSURES, distinct, same};
+use super::error::{FitError, Result};
 use super::errors::{Compared, compared, errors, regions};
-use super::global::MOST_TERMS;
-use super::{
-    FitError, GlobalFit, PaperMethod, Result, Rules, SlackRule, ThinRule, global, paper_method,
-};
-use crate::{PointRow, hash};
+use super::global::{GlobalFit, MOST_TERMS, global};
+use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+use crate::columns::PointRow;
+use crate::hash;
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,
     NamedBraid, Provenance,
@@ -202,23 +202,14 @@ fn range(points: &[FitPoint]) -> FormulaRange {
 /// All numbers of the points, in their order.
 fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
     points.iter().flat_map(|p| {
-        let FitPoint {
-            outer_diameter_mm,
-            wall_mm,
-            length_mm,
-            angle_deg,
-            pressure_mpa,
-            contraction,
-            force_n,
-        } = *p;
         [
-            outer_diameter_mm,
-            wall_mm,
-            length_mm,
-            angle_deg,
-            pressure_mpa,
-            contraction,
-            force_n,
+            p.outer_diameter_mm,
+            p.wall_mm,
+            p.length_mm,
+            p.angle_deg,
+            p.pressure_mpa,
+            p.contraction,
+            p.force_n,
         ]
     })
 }
@@ -231,14 +222,13 @@ pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<F
     } else {
         "global"
     };
-    let (name, from) = (name.into(), Provenance::default());
     let request = Request {
         points,
         made_for,
         method,
         hold_out,
-        name,
-        from,
+        name: name.into(),
+        from: Provenance::default(),
     };
     Ok(make(&request)?.formula)
 }

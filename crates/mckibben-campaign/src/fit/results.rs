@@ -6,9 +6,12 @@
 
 use super::constants::{fit_constants, table_1};
 use super::data::{FitPoint, Grid, pressure_steps, same};
+use super::error::{FitError, Result};
 use super::errors::{Errors, compared, errors};
+use super::make::{Method, fitted};
+use super::paper_method::{Rules, SlackRule, ThinRule};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
-use super::{FitError, Method, Result, Rules, SlackRule, ThinRule, fitted};
+use mckibben::formula::Formula;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use serde::Serialize;
@@ -42,240 +45,190 @@ const STEPS: usize = 6;
 /// Random muscles of the last table, and their seed.
 const RANDOM: (usize, u64) = (500, 7);
 
-/// Points with their errors, and the share that was set as a goal.
-fn add<'a>(
-    out: &mut Vec<Finding>,
-    comparison: impl Into<String>,
-    at_most: Option<f64>,
-    points: impl IntoIterator<Item = &'a FitPoint>,
-    difference_n: impl Fn(&FitPoint) -> f64,
-) -> Result<()> {
-    let points: Vec<FitPoint> = points.into_iter().copied().collect();
-    let errors = errors(&compared(&points, difference_n)?, |_| true);
-    let errors = errors.ok_or_else(|| FitError::empty(" to compare"))?;
-    let ok = at_most.is_none_or(|most| errors.summary.max <= most);
-    out.push(Finding {
-        comparison: comparison.into(),
-        at_most,
-        ok,
-        errors,
-    });
-    Ok(())
-}
-
 /// Computes everything anew.
 pub fn results(progress: &dyn Progress) -> Result<Results> {
-    let base = Muscle::prototype();
-    let campaign = &Grid::PAPER.points(&base);
     let step = |done: usize| {
         progress.report(done, STEPS);
         progress.check()
     };
     step(0)?;
-    let out = &mut vec![];
-    let is_table = |p: &&FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
-    let to_table = |p: &FitPoint| {
-        table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n)
-    };
+    let mut findings = Findings::default();
+    let base = Muscle::prototype();
+    let campaign = Grid::PAPER.points(&base);
     let constants = fit_constants()?;
     step(1)?;
-    let good = Grid::PAPER.compute(|d, s| constants.muscle(d, s));
-    let name = "FE with fitted constants vs Table 1 (D0 50, s 1)";
-    add(
-        out,
-        name,
+    let tuned = |grid: Grid<'_>| grid.compute(|d, s| constants.muscle(d, s));
+    let good = tuned(Grid::PAPER);
+    findings.table_1(
+        "FE with fitted constants vs Table 1 (D0 50, s 1)",
         Some(0.015),
-        good.iter().filter(is_table),
-        to_table,
+        &good,
     )?;
-    add(
-        out,
-        "FE as shipped vs Table 1",
-        None,
-        campaign.iter().filter(is_table),
-        to_table,
-    )?;
-
+    findings.table_1("FE as shipped vs Table 1", None, &campaign)?;
     let held = Grid::HELD_OUT.points(&base);
-    let all = [campaign.clone(), held.clone()].concat();
     step(2)?;
-    let wide = |p: &&FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
-    let slim = |p: &&FitPoint| p.outer_diameter_mm < 34.0;
-    let variants = [
-        ("", Rules::default()),
-        (
-            " (.05 MPa curves of thick walls: straight line)",
-            Rules {
-                thin: ThinRule::Line,
-                ..Rules::default()
-            },
-        ),
-        (
-            " (.05 MPa curves of thick walls: whole)",
-            Rules {
-                thin: ThinRule::Whole,
-                ..Rules::default()
-            },
-        ),
-        (
-            " (points that pull only)",
-            Rules {
-                slack: SlackRule::PullOnly,
-                ..Rules::default()
-            },
-        ),
-        (
-            " (zero where it would push)",
-            Rules {
-                slack: SlackRule::Zero,
-                ..Rules::default()
-            },
-        ),
-    ];
-    for (i, (text, rules)) in variants.into_iter().enumerate() {
-        let f = fitted(campaign, Method::Paper(rules), &[])?;
-        let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
-        let goal = |v| (i == 0).then_some(v);
-        let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
-        add(out, name, goal(0.025), all.iter().filter(wide), difference)?;
-        add(
-            out,
-            format!("the same, D0 30, s 1-5{text}"),
-            goal(0.09),
-            all.iter().filter(slim),
-            difference,
-        )?;
+    let all = [campaign.clone(), held.clone()].concat();
+    for (reading, rules) in readings() {
+        findings.published("", reading, rules, &campaign, &all)?;
     }
-
     // With the constants of the first line, so that one set of constants answers both questions.
-    let f = fitted(&good, Method::Paper(Rules::default()), &[])?;
-    let difference = |p: &FitPoint| p.formula_n(&f) - p.published_n();
-    let name = "paper's method on our FE with fitted constants vs published, D0 35-50, s 1-4";
-    let all_good = [
-        good.clone(),
-        Grid::HELD_OUT.compute(|d, s| constants.muscle(d, s)),
-    ]
-    .concat();
-    add(
-        out,
-        name,
-        Some(0.025),
-        all_good.iter().filter(wide),
-        difference,
-    )?;
-    add(
-        out,
-        "the same, D0 30, s 1-5",
-        Some(0.09),
-        all_good.iter().filter(slim),
-        difference,
-    )?;
-
+    let all = [good.clone(), tuned(Grid::HELD_OUT)].concat();
+    findings.published(" with fitted constants", "", Rules::default(), &good, &all)?;
     step(3)?;
-    let steps = pressure_steps(1);
+    let pressures = pressure_steps(1);
     let full = Grid {
-        pressures: &steps,
+        pressures: &pressures,
         ..Grid::PAPER
-    }
-    .points(&base);
-    let global = fitted(&full, Method::Global, &[])?;
-    let held_by_steps = Grid {
-        pressures: &steps,
-        ..Grid::HELD_OUT
-    }
-    .points(&base);
-    let by_global = |p: &FitPoint| p.difference_n(&global);
-    add(
-        out,
-        "global vs FE, all of the range (P by .01 MPa)",
-        Some(0.004),
-        &full,
-        by_global,
-    )?;
-    add(
-        out,
-        "global vs FE, D0 35 held out",
-        Some(0.004),
-        &held_by_steps,
-        by_global,
-    )?;
-
+    };
+    let global = findings.global(full, &base)?;
     step(4)?;
-    // Between the points: half steps of D0, s and ε.
-    let half = |low: f64, step: f64, n: u32| {
-        (0..=n)
-            .map(|i| low + step * f64::from(i))
-            .collect::<Vec<f64>>()
-    };
-    let (diameters, walls, contractions) =
-        (half(30.0, 2.5, 8), half(1.0, 0.5, 8), half(0.0, 0.025, 8));
-    let finer = Grid {
-        contractions: &contractions,
-        pressures: &steps,
-        ..Grid::PAPER
-    };
-    let between = Grid {
-        diameters: &diameters,
-        walls: &walls,
-        ..finer
-    }
-    .points(&base);
-    add(
-        out,
-        "global vs FE between the points too (half steps)",
-        None,
-        &between,
-        by_global,
-    )?;
-    let of_finer = fitted(&finer.points(&base), Method::Global, &[])?;
-    let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
-    add(out, name, Some(0.004), &between, |p| {
-        p.difference_n(&of_finer)
-    })?;
-
+    let between = findings.global_between(full, &base, &global)?;
     let published = |p: &FitPoint| p.published_n() - p.force_n;
-    add(
-        out,
+    findings.add(
         "published formula vs FE, the campaign",
         None,
-        campaign,
+        &campaign,
         published,
     )?;
     let in_range = between.iter().filter(|p| p.pressure_mpa > 0.045);
-    add(
-        out,
-        "published formula vs FE, between the points too",
-        None,
-        in_range,
-        published,
-    )?;
-    add(
-        out,
-        "published formula vs FE, D0 35",
-        None,
-        &held,
-        published,
-    )?;
-    let ours = fitted(campaign, Method::Paper(Rules::default()), &[])?;
-    add(
-        out,
-        "paper's method on our FE vs FE, the campaign",
-        None,
-        campaign,
-        |p| p.difference_n(&ours),
-    )?;
-    add(
-        out,
+    let name = "published formula vs FE, between the points too";
+    findings.add(name, None, in_range, published)?;
+    findings.add("published formula vs FE, D0 35", None, &held, published)?;
+    let ours = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
+    let by_ours = |p: &FitPoint| p.difference_n(&ours);
+    let name = "paper's method on our FE vs FE, the campaign";
+    findings.add(name, None, &campaign, by_ours)?;
+    findings.add(
         "paper's method on our FE vs FE, D0 35",
         None,
         &held,
-        |p| p.difference_n(&ours),
+        by_ours,
     )?;
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
     step(STEPS)?;
     Ok(Results {
-        findings: std::mem::take(out),
+        findings: findings.0,
         random_muscles,
     })
+}
+
+/// Readings of what the paper leaves open, the default first.
+fn readings() -> [(&'static str, Rules); 5] {
+    let default = Rules::default();
+    let thin = |thin| Rules { thin, ..default };
+    let slack = |slack| Rules { slack, ..default };
+    [
+        ("", default),
+        (
+            " (.05 MPa curves of thick walls: straight line)",
+            thin(ThinRule::Line),
+        ),
+        (
+            " (.05 MPa curves of thick walls: whole)",
+            thin(ThinRule::Whole),
+        ),
+        (" (points that pull only)", slack(SlackRule::PullOnly)),
+        (" (zero where it would push)", slack(SlackRule::Zero)),
+    ]
+}
+
+/// The comparisons one after another.
+#[derive(Default)]
+struct Findings(Vec<Finding>);
+
+impl Findings {
+    /// Points with their errors, and the share that was set as a goal.
+    fn add<'a>(
+        &mut self,
+        comparison: impl Into<String>,
+        at_most: Option<f64>,
+        points: impl IntoIterator<Item = &'a FitPoint>,
+        difference_n: impl Fn(&FitPoint) -> f64,
+    ) -> Result<()> {
+        let points: Vec<FitPoint> = points.into_iter().copied().collect();
+        let errors = errors(&compared(&points, difference_n)?, |_| true)
+            .ok_or_else(|| FitError::empty(" to compare"))?;
+        self.0.push(Finding {
+            comparison: comparison.into(),
+            at_most,
+            ok: at_most.is_none_or(|most| errors.summary.max <= most),
+            errors,
+        });
+        Ok(())
+    }
+
+    /// Finite elements against the paper's Table 1.
+    fn table_1(&mut self, name: &str, at_most: Option<f64>, points: &[FitPoint]) -> Result<()> {
+        let of_table = |p: &&FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
+        self.add(name, at_most, points.iter().filter(of_table), |p| {
+            table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n)
+        })
+    }
+
+    /// The paper's method on a campaign against the published formula; its default reading has
+    /// goals.
+    fn published(
+        &mut self,
+        elements: &str,
+        reading: &str,
+        rules: Rules,
+        campaign: &[FitPoint],
+        all: &[FitPoint],
+    ) -> Result<()> {
+        let formula = fitted(campaign, Method::Paper(rules), &[])?;
+        let difference = |p: &FitPoint| p.formula_n(&formula) - p.published_n();
+        let goal = |share| reading.is_empty().then_some(share);
+        let name =
+            format!("paper's method on our FE{elements} vs published, D0 35-50, s 1-4{reading}");
+        let wide = |p: &&FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
+        self.add(name, goal(0.025), all.iter().filter(wide), difference)?;
+        let name = format!("the same, D0 30, s 1-5{reading}");
+        let slim = |p: &&FitPoint| p.outer_diameter_mm < 34.0;
+        self.add(name, goal(0.09), all.iter().filter(slim), difference)
+    }
+
+    /// The global method against the finite elements it is fitted to, and on the diameter held out.
+    fn global(&mut self, full: Grid<'_>, base: &Muscle) -> Result<Formula> {
+        let points = full.points(base);
+        let global = fitted(&points, Method::Global, &[])?;
+        let by_global = |p: &FitPoint| p.difference_n(&global);
+        let name = "global vs FE, all of the range (P by .01 MPa)";
+        self.add(name, Some(0.004), &points, by_global)?;
+        let held = Grid {
+            diameters: Grid::HELD_OUT.diameters,
+            ..full
+        };
+        let name = "global vs FE, D0 35 held out";
+        self.add(name, Some(0.004), &held.points(base), by_global)?;
+        Ok(global)
+    }
+
+    /// The global method between the points: half steps of D0, s and ε, which are the answer.
+    fn global_between(
+        &mut self,
+        full: Grid<'_>,
+        base: &Muscle,
+        global: &Formula,
+    ) -> Result<Vec<FitPoint>> {
+        let halves = |low: f64, step: f64| (0..=8).map(|i| low + step * f64::from(i)).collect();
+        let [diameters, walls, contractions]: [Vec<f64>; 3] =
+            [halves(30.0, 2.5), halves(1.0, 0.5), halves(0.0, 0.025)];
+        let finer = Grid {
+            contractions: &contractions,
+            ..full
+        };
+        let between = Grid {
+            diameters: &diameters,
+            walls: &walls,
+            ..finer
+        };
+        let between = between.points(base);
+        let name = "global vs FE between the points too (half steps)";
+        self.add(name, None, &between, |p| p.difference_n(global))?;
+        let of_finer = fitted(&finer.points(base), Method::Global, &[])?;
+        let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
+        self.add(name, Some(0.004), &between, |p| p.difference_n(&of_finer))?;
+        Ok(between)
+    }
 }

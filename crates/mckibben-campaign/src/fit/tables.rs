@@ -1,7 +1,8 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
-use super::PaperMethod;
+use super::paper_method::PaperMethod;
 use super::signs::signs;
+use mckibben::formula::Coefficients;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -47,105 +48,79 @@ impl Table {
 
 const FAMILIES: [&str; 3] = ["A", "B", "C"];
 
+/// The cells of a row; those of lists in it stand one after another.
+fn cells(row: Value) -> Vec<Value> {
+    match row {
+        Value::Array(list) => list.into_iter().flat_map(cells).collect(),
+        cell => vec![cell],
+    }
+}
+
 /// Steps 1–2, 3, 4–5, 6–7, and the signs.
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
-        let abc = |k: usize| {
-            c.abc
-                .map_or(Value::Null, |f| Value::from(f.coefficients[k]))
-        };
-        let r2 = c.abc.map_or(Value::Null, |f| Value::from(f.r2));
-        let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
-        vec![
-            json!(d),
-            json!(s),
-            json!(p),
-            abc(0),
-            abc(1),
-            abc(2),
-            r2,
-            json!(c.points.len()),
-            json!(c.rule),
-        ]
+        let abc = [0, 1, 2].map(|k| c.abc.map(|f| f.coefficients[k]));
+        let (d, s, p, r2) = (
+            c.outer_diameter_mm,
+            c.wall_mm,
+            c.pressure_mpa,
+            c.abc.map(|f| f.r2),
+        );
+        json!([d, s, p, abc, r2, c.points.len(), c.rule])
     });
     let lines = m.lines.iter().map(|l| {
-        let mut row = vec![
-            json!(l.outer_diameter_mm),
-            json!(l.wall_mm),
-            json!(l.pressures),
-        ];
-        row.extend(
-            l.lines
-                .iter()
-                .flat_map(|f| [f.coefficients[0], f.coefficients[1], f.r2].map(Value::from)),
-        );
-        row
+        let fits = l.lines.map(|f| (f.coefficients, f.r2));
+        json!([l.outer_diameter_mm, l.wall_mm, l.pressures, fits])
     });
     let walls = m.walls.iter().flat_map(|w| {
-        (0..3).map(move |k| {
-            let mut row = vec![Value::from(w.outer_diameter_mm), Value::from(FAMILIES[k])];
-            row.extend(w.x(k).map(Value::from));
-            row.extend(w.parabolas[k].iter().map(|f| Value::from(f.r2)));
-            row
-        })
+        let row = |k: usize| {
+            let r2 = w.parabolas[k].map(|f| f.r2);
+            json!([w.outer_diameter_mm, FAMILIES[k], w.x(k), r2])
+        };
+        [0, 1, 2].map(row)
     });
-    let c = &m.coefficients;
-    let diameters = [&c.a, &c.b, &c.c]
-        .into_iter()
-        .enumerate()
-        .flat_map(|(f, block)| {
-            block.iter().enumerate().map(move |(k, x)| {
-                let numbers = [x[0], x[1], x[2], m.r2[f][k]].map(Value::from);
-                [json!(FAMILIES[f]), json!(k + 1)]
-                    .into_iter()
-                    .chain(numbers)
-                    .collect()
-            })
-        });
+    let Coefficients { a, b, c } = &m.coefficients;
+    let families = FAMILIES.iter().zip([a, b, c]).zip(&m.r2);
+    let diameters = families.flat_map(|((family, block), r2)| {
+        let rows = (1..).zip(block).zip(r2);
+        rows.map(move |((k, x), r2)| json!([family, k, x, r2]))
+    });
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        let statement = [
-            json!(s.outer_diameter_mm),
-            json!(s.coefficient),
-            json!(s.with),
-            json!(way),
-        ];
-        statement
-            .into_iter()
-            .chain([json!(s.holding), json!(s.pairs), json!(verdict)])
-            .collect()
+        let (d, holding, pairs) = (s.outer_diameter_mm, s.holding, s.pairs);
+        json!([d, s.coefficient, s.with, way, holding, pairs, verdict])
     });
-    let table = |name, header: &'static str, rows| {
-        let header = header.split_whitespace().collect();
-        Table { name, header, rows }
-    };
     vec![
         table(
             "steps_1_2_abc",
             "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points rule",
-            curves.collect(),
+            curves,
         ),
         table(
             "step_3_m_q",
             "outer_diameter_mm wall_mm pressures m_a_mm2 q_a_n r2_a m_b_mm2 q_b_n r2_b m_c_mm2 \
              q_c_n r2_c",
-            lines.collect(),
+            lines,
         ),
         table(
             "steps_4_5_x",
             "outer_diameter_mm family x1 x2 x3 x4 x5 x6 r2_m r2_q",
-            walls.collect(),
+            walls,
         ),
-        table(
-            "steps_6_7_table2",
-            "family row d2 d1 d0 r2",
-            diameters.collect(),
-        ),
+        table("steps_6_7_table2", "family row d2 d1 d0 r2", diameters),
         table(
             "signs",
             "outer_diameter_mm coefficient with paper_says holding pairs verdict",
-            signs.collect(),
+            signs,
         ),
     ]
+}
+
+fn table(name: &'static str, header: &'static str, rows: impl Iterator<Item = Value>) -> Table {
+    Table {
+        name,
+        header: header.split_whitespace().collect(),
+        rows: rows.map(cells).collect(),
+    }
 }

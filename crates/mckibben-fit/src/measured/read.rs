@@ -214,7 +214,7 @@ fn contractions(
             let ratios: Option<Vec<f64>> = free.into_iter().enumerate().map(one).collect();
             let needs = "the length of the muscle at that pressure without load, from which it \
                 counts, and L0: free_length=250mm in `set`, or a column free_length_mm";
-            let ratios = ratios.ok_or_else(|| TableError::needs(column, needs))?;
+            let ratios = ratios.ok_or_else(|| column.needs(needs))?;
             (ratios, Some("from the free length at its pressure".into()))
         }
         meaning => {
@@ -223,7 +223,7 @@ fn contractions(
             if rest.len() != raw.len() {
                 let needs = "the length L0 at rest: give the muscle with its `length_mm`, or a \
                     column rest_length_mm";
-                return Err(TableError::needs(column, needs));
+                return Err(column.needs(needs));
             }
             let l0 = match muscle {
                 Some(l0) if !in_rows => format!("L0 {l0} mm"),

@@ -49,7 +49,7 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
     } else {
         const NEEDS: &str = "the second stretch of the specimen: a column `stretch_2`";
         if stress.meaning == Meaning::TrueStressDifference {
-            return Err(TableError::needs(stress, NEEDS));
+            return Err(stress.needs(NEEDS));
         }
         for (row, (stretch, measured)) in
             lengths.into_iter().zip(table.numbers(stress)?).enumerate()
@@ -57,7 +57,7 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
             let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
             let mode = tests.mode(row)?.unwrap_or_default();
             if mode == Mode::General {
-                return Err(TableError::needs(stress, NEEDS));
+                return Err(stress.needs(NEEDS));
             }
             points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
         }
@@ -97,7 +97,7 @@ fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Res
         "is not a dimension of a specimen; it must be above zero",
     )?;
     rows.into_iter()
-        .map(|row| row.ok_or_else(|| TableError::needs(of, needs)))
+        .map(|row| row.ok_or_else(|| of.needs(needs)))
         .collect()
 }
 

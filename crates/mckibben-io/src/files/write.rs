@@ -155,7 +155,7 @@ impl Unfinished {
     /// Begins the file at `path`; where that is a link, at the file that it points to. The mode of
     /// an older file is kept, a new one gets the usual one.
     pub fn beside(path: &Path) -> Result<Self> {
-        Self::at(Destination::new(behind_links(path)?)?)
+        Self::begun(Destination::new(behind_links(path)?)?)
     }
 
     /// Begins a file of a folder, in which no link is followed.
@@ -167,10 +167,10 @@ impl Unfinished {
         if !overwrite && std::fs::symlink_metadata(path).is_ok_and(|m| !m.is_dir()) {
             return Err(exists());
         }
-        Self::at(Destination::new(path.into())?)
+        Self::begun(Destination::new(path.into())?)
     }
 
-    fn at(place: Destination) -> Result<Self> {
+    fn begun(place: Destination) -> Result<Self> {
         let prefix = prefix(&place.target);
         let mut builder = tempfile::Builder::new();
         builder.prefix(&prefix);

@@ -1,39 +1,28 @@
 //! Parquet → tables.
 
-use crate::parquet::TableError;
-use crate::parquet::column::Column;
-use crate::parquet::write::GROUP;
+use super::column::Column;
+use super::error::TableError;
+use super::write::GROUP;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::{DataType, DoubleType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::FileMetaData;
-use parquet::file::reader::{ChunkReader, FileReader};
+use parquet::file::reader::FileReader;
 use parquet::file::serialized_reader::SerializedFileReader;
 use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A file whose metadata are read.
 pub struct Reader {
-    file: Box<dyn FileReader>,
+    file: SerializedFileReader<File>,
 }
 
 impl Reader {
-    pub fn file(file: File) -> std::result::Result<Self, TableError> {
-        Self::open(file)
-    }
-
-    /// Opens what was just written to memory.
-    pub fn bytes(bytes: Vec<u8>) -> std::result::Result<Self, TableError> {
-        Self::open(bytes::Bytes::from(bytes))
-    }
-
-    fn open(source: impl ChunkReader + 'static) -> std::result::Result<Self, TableError> {
-        Ok(guarded(|| {
-            Ok(Self {
-                file: Box::new(SerializedFileReader::new(source)?),
-            })
-        })?)
+    /// Reads the metadata of a file.
+    pub fn new(file: File) -> std::result::Result<Self, TableError> {
+        let file = guarded(|| SerializedFileReader::new(file))?;
+        Ok(Self { file })
     }
 
     fn metadata(&self) -> &FileMetaData {
@@ -150,12 +139,18 @@ fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
 
 fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
     Ok(match (kind, reader) {
-        (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
-        (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
-        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => {
-            Column::Double(values(r, rows)?)
+        (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => {
+            Column::Int64(values(r, rows, None)?)
         }
-        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(values(r, rows)?),
+        (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => {
+            Column::Int32(values(r, rows, None)?)
+        }
+        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => {
+            Column::Double(values(r, rows, None)?)
+        }
+        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => {
+            Column::Text(values(r, rows, None)?)
+        }
         (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => {
             Column::Optional(optional(r, rows)?)
         }
@@ -163,44 +158,26 @@ fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
     })
 }
 
-fn ended(read: usize, rows: usize) -> Result<()> {
-    if read == rows {
-        Ok(())
-    } else {
-        wrong(format!("{read} rows instead of {rows}"))
-    }
-}
-
-fn values<T: DataType>(mut reader: ColumnReaderImpl<T>, rows: usize) -> Result<Vec<T::T>> {
-    let mut out = Vec::with_capacity(rows);
-    while out.len() < rows {
-        if reader
-            .read_records(rows - out.len(), None, None, &mut out)?
-            .0
-            == 0
-        {
-            break;
+/// So many values of a column; where some may be missing, whether each is there goes to `levels`.
+fn values<T: DataType>(
+    mut reader: ColumnReaderImpl<T>,
+    rows: usize,
+    mut levels: Option<&mut Vec<i16>>,
+) -> Result<Vec<T::T>> {
+    let (mut out, mut read) = (Vec::with_capacity(rows), 0);
+    while read < rows {
+        let levels = levels.as_deref_mut();
+        match reader.read_records(rows - read, levels, None, &mut out)?.0 {
+            0 => return wrong(format!("{read} rows instead of {rows}")),
+            more => read += more,
         }
     }
-    ended(out.len(), rows)?;
     Ok(out)
 }
 
-fn optional(mut reader: ColumnReaderImpl<DoubleType>, rows: usize) -> Result<Vec<Option<f64>>> {
-    let (mut there, mut out) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
-    while there.len() < rows {
-        if reader
-            .read_records(rows - there.len(), Some(&mut there), None, &mut out)?
-            .0
-            == 0
-        {
-            break;
-        }
-    }
-    ended(there.len(), rows)?;
-    let mut left = out.into_iter();
-    Ok(there
-        .into_iter()
-        .map(|d| if d == 1 { left.next() } else { None })
-        .collect())
+fn optional(reader: ColumnReaderImpl<DoubleType>, rows: usize) -> Result<Vec<Option<f64>>> {
+    let mut levels = Vec::with_capacity(rows);
+    let mut there = values(reader, rows, Some(&mut levels))?.into_iter();
+    let value = |level| if level == 1 { there.next() } else { None };
+    Ok(levels.into_iter().map(value).collect())
 }

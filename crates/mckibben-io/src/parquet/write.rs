@@ -1,7 +1,7 @@
 //! Tables → Parquet.
 
-use crate::parquet::TableError;
-use crate::parquet::column::{Column, Field, Packing};
+use super::column::{Column, Field, Packing};
+use super::error::TableError;
 use parquet::basic::{Compression, Encoding};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};

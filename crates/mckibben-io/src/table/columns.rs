@@ -1,10 +1,10 @@
 //! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`;
 //! and what is the same in all rows of a table.
 
-use super::error::{TableError, short};
-use super::find::Column;
-use super::heading::{self, Heading, MINUS, plain};
-use super::vocabulary::{Entry, Meaning, Vocabulary};
+use super::error::{TableError, listed, short};
+use super::heading::{self, Column, MINUS, plain};
+use super::vocabulary::{Meaning, Vocabulary};
+use crate::units::Unit;
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -127,20 +127,28 @@ fn in_name(file: &str, before: &str, after: &str) -> Option<String> {
 #[derive(Debug, Clone)]
 pub(crate) struct Choice {
     vocabulary: &'static Vocabulary,
-    entry: &'static Entry,
+    pub(crate) meaning: Meaning,
     text: String,
 }
 
 impl Vocabulary {
     /// The choices, each for a quantity of this kind of table.
     pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
+        let named = |name: &str| {
+            let (word, all) = (plain(name), &self.quantities);
+            let by_word = || {
+                all.iter()
+                    .find(|m| m.words().all().any(|known| known == word))
+            };
+            all.iter()
+                .find(|m| m.words().name == word)
+                .or_else(by_word)
+                .copied()
+        };
         let choice = |(name, text): (&String, &String)| {
-            let word = plain(name);
-            let by_name = self.entries().find(|e| e.name == word);
-            let by_word = || self.entries().find(|e| e.all().any(|known| known == word));
-            let entry = by_name.or_else(by_word).ok_or_else(|| {
-                let names: Vec<&str> = self.entries().map(|e| e.name.as_str()).collect();
-                let meant = meant(nearest(name, names.iter().copied()));
+            let meaning = named(name).ok_or_else(|| {
+                let names = self.quantities.iter().map(|m| m.words().name.as_str());
+                let meant = meant(nearest(name, names.clone()));
                 TableError::Refused(format!(
                     "`{field}`: {what} have no quantity \"{name}\"{meant}; they have {known}",
                     field = if text.starts_with('=') {
@@ -150,12 +158,12 @@ impl Vocabulary {
                     },
                     what = self.what,
                     name = short(name),
-                    known = names.join(", ")
+                    known = names.collect::<Vec<_>>().join(", ")
                 ))
             })?;
             Ok(Choice {
                 vocabulary: self,
-                entry,
+                meaning,
                 text: text.clone(),
             })
         };
@@ -164,10 +172,6 @@ impl Vocabulary {
 }
 
 impl Choice {
-    pub(crate) fn meaning(&self) -> Meaning {
-        self.entry.meaning
-    }
-
     /// Whether the column is selected by its number.
     pub(crate) fn by_number(&self) -> Option<usize> {
         let (heading, _) = self.split();
@@ -199,18 +203,25 @@ impl Choice {
         headings: &[&str],
         place: usize,
     ) -> Result<Option<Column>, TableError> {
-        let vocabulary = self.vocabulary;
-        if self.constant().is_some() {
-            let heading = format!("{}{}", self.entry.name, self.text);
-            let known = Heading::of(self.entry.meaning, None);
-            return Ok(Some(Column::new(usize::MAX - place, &heading, known, true)));
-        }
-        let exact = || {
-            headings
-                .iter()
-                .any(|h| [self.text.trim(), self.split().0].contains(h))
+        let chosen = |index, heading: &str, known| Column {
+            index,
+            chosen: true,
+            ..Column::new(heading, known)
         };
-        if let Some(rest) = self.text.trim().strip_prefix(MINUS).filter(|_| !exact()) {
+        if self.constant().is_some() {
+            let heading = format!("{}{}", self.meaning.words().name, self.text);
+            return Ok(Some(chosen(
+                usize::MAX - place,
+                &heading,
+                (self.meaning, None),
+            )));
+        }
+        let text = self.text.trim();
+        let is_exact = |heading: &&str| [text, self.split().0].contains(heading);
+        if let Some(rest) = text
+            .strip_prefix(MINUS)
+            .filter(|_| !headings.iter().any(is_exact))
+        {
             let plus = Self {
                 text: rest.trim().to_owned(),
                 ..self.clone()
@@ -221,69 +232,61 @@ impl Choice {
                 ..c
             }));
         }
-        let whole = self.place(headings, &self.text)?;
-        let (heading, unit) = if whole.is_some() {
-            (self.text.as_str(), None)
-        } else {
-            self.split()
-        };
-        let index = match (whole, self.by_number()) {
-            (Some(index), _) => Some(index),
-            (None, Some(n)) => Some(n).filter(|n| *n < headings.len()),
-            (None, None) => self.place(headings, heading)?,
+        let (index, unit) = match (self.heading_place(headings, text)?, self.split()) {
+            (Some(index), _) => (Some(index), None),
+            (None, (heading, unit)) => match self.by_number() {
+                Some(n) => (Some(n).filter(|n| *n < headings.len()), unit),
+                None => (self.heading_place(headings, heading)?, unit),
+            },
         };
         let Some(index) = index else { return Ok(None) };
-        let stated = vocabulary.unit_in(self.entry, headings[index]);
-        let given = match unit.filter(|u| !u.is_empty()) {
-            Some(unit) => {
-                let typed = vocabulary.unit_of(self.entry, unit).ok_or_else(|| {
-                    let (unit, name, units) =
-                        (short(unit), &self.entry.name, vocabulary.units(self.entry));
-                    TableError::Refused(format!(
-                        "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
-                    ))
-                })?;
-                let other = match stated {
-                    Some(stated) => Some(stated.1.name).filter(|_| stated.1 != typed.1),
-                    None => heading::other_unit(headings[index]),
-                };
-                if let Some(other) = other {
-                    return Err(TableError::Refused(format!(
-                        "`columns`: the heading \"{heading}\" says {other}, and \"{text}\" says \
-                         {unit}: leave the unit out, or correct the heading",
-                        heading = short(headings[index]),
-                        text = short(&self.text)
-                    )));
-                }
-                Some(typed)
-            }
-            None => stated,
-        };
-        let (meaning, unit) = given.map_or((self.entry.meaning, None), |(meaning, unit)| {
+        let unit = self.unit(headings[index], unit.unwrap_or_default())?;
+        let known = unit.map_or((self.meaning, None), |(meaning, unit)| {
             (meaning, Some(unit))
         });
-        Ok(Some(Column::new(
-            index,
-            headings[index],
-            Heading::of(meaning, unit),
-            true,
-        )))
+        Ok(Some(chosen(index, headings[index], known)))
+    }
+
+    /// The unit of a heading, or the one that was `given`, which must not be another.
+    fn unit(&self, heading: &str, given: &str) -> Result<Option<(Meaning, Unit)>, TableError> {
+        let stated = self.vocabulary.unit_in(self.meaning, heading);
+        if given.is_empty() {
+            return Ok(stated);
+        }
+        let typed = self.vocabulary.unit_of(self.meaning, given);
+        let (unit, text) = (short(given), short(&self.text));
+        let Some(typed) = typed else {
+            let (name, units) = (
+                &self.meaning.words().name,
+                self.vocabulary.units(self.meaning),
+            );
+            return Err(TableError::Refused(format!(
+                "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
+            )));
+        };
+        let other = match stated {
+            Some(stated) => Some(stated.1.name).filter(|_| stated.1 != typed.1),
+            None => heading::other_unit(heading),
+        };
+        match other {
+            Some(other) => Err(TableError::Refused(format!(
+                "`columns`: the heading \"{heading}\" says {other}, and \"{text}\" says {unit}: \
+                 leave the unit out, or correct the heading",
+                heading = short(heading)
+            ))),
+            None => Ok(Some(typed)),
+        }
     }
 
     /// The heading that is meant: letter by letter, then without regard to case and marks, then
     /// without its unit.
-    fn place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
-        let wanted = wanted.trim();
+    fn heading_place(&self, headings: &[&str], wanted: &str) -> Result<Option<usize>, TableError> {
         let simple = plain(wanted);
-        let without_unit = |h: &str| {
-            self.vocabulary
-                .without_unit_of(self.entry, h)
-                .is_some_and(|l| l == simple)
-        };
+        let without_unit = |h: &str| self.vocabulary.without_unit_of(self.meaning, h);
         let tests: [&dyn Fn(&str) -> bool; 3] = [
             &|h| h == wanted,
             &|h| !simple.is_empty() && plain(h) == simple,
-            &without_unit,
+            &|h| without_unit(h).is_some_and(|label| label == simple),
         ];
         for test in tests {
             let places: Vec<usize> = (0..headings.len()).filter(|&i| test(headings[i])).collect();
@@ -291,13 +294,9 @@ impl Choice {
                 [] => {}
                 [one] => return Ok(Some(one)),
                 [first, ..] => {
-                    return Err(TableError::Refused(format!(
-                        "the columns {columns} could all be {name}: select one with `columns` \
-                         {name}=\"#{example}\"",
-                        name = self.entry.name,
-                        columns = listed(places.iter().map(|&i| headings[i])),
-                        example = first + 1
-                    )));
+                    let headings = places.iter().map(|&i| headings[i]);
+                    let example = format!("#{}", first + 1);
+                    return Err(TableError::ambiguous(self.meaning, headings, &example));
                 }
             }
         }
@@ -312,20 +311,6 @@ impl Choice {
             columns = listed(headings.iter().copied())
         ))
     }
-}
-
-pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
-    const MOST: usize = 25;
-    let all: Vec<String> = headings.map(short).collect();
-    let more = if all.len() > MOST { ", …" } else { "" };
-    format!(
-        "{}{more}",
-        all.iter()
-            .take(MOST)
-            .map(String::as_str)
-            .collect::<Vec<_>>()
-            .join(", ")
-    )
 }
 
 #[cfg(test)]

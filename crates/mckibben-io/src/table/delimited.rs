@@ -1,9 +1,12 @@
 //! From text to rows of fields: separators, comments, blank lines, and the line of each row as an
 //! editor counts it.
 
-use super::TableError;
+use super::error::TableError;
 use crate::cancel;
 use csv::{ReaderBuilder, StringRecord, Trim};
+
+/// The largest table that is read, in bytes: about a million lines.
+pub const MAX_BYTES: usize = 32 << 20;
 
 /// What is between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,9 +96,9 @@ impl Sheet {
             .replace("\r\n", "\n")
             .replace('\r', "\n");
         let text = &text.chars().map(narrow).collect::<String>();
-        let said = said(text);
-        let separator = said.unwrap_or_else(|| separator(text));
-        let skip = usize::from(said.is_some());
+        let stated = stated_separator(text);
+        let separator = stated.unwrap_or_else(|| separator(text));
+        let skip = usize::from(stated.is_some());
         let rows = match separator {
             Separator::Spaces => {
                 let count = columns(text);
@@ -182,7 +185,7 @@ fn spaced(line: &str, count: usize) -> Vec<&str> {
 }
 
 /// Excel's first line.
-fn said(text: &str) -> Option<Separator> {
+fn stated_separator(text: &str) -> Option<Separator> {
     let first = text
         .lines()
         .next()?

@@ -1,7 +1,6 @@
 //! Why a table cannot be read.
 
-use super::Column;
-use super::vocabulary::Need;
+use super::vocabulary::{Meaning, Need};
 use crate::cancel::Cancelled;
 use thiserror::Error;
 
@@ -24,11 +23,6 @@ impl TableError {
         Self::Refused("no points: nothing follows the heading".into())
     }
 
-    /// A column that needs a number which no table carries.
-    pub fn needs(column: &Column, needs: &str) -> Self {
-        Self::Refused(format!("column {} needs {needs}", column.heading))
-    }
-
     /// A word that is not known.
     pub fn word(line: u64, name: &str, text: &str, known: impl std::fmt::Display) -> Self {
         Self::Refused(format!(
@@ -36,6 +30,29 @@ impl TableError {
             short(text)
         ))
     }
+
+    /// Columns of which one must be chosen.
+    pub(crate) fn ambiguous<'a>(
+        meaning: Meaning,
+        headings: impl Iterator<Item = &'a str>,
+        example: &str,
+    ) -> Self {
+        let (name, columns) = (&meaning.words().name, listed(headings));
+        Self::Refused(format!(
+            "the columns {columns} could all be {name}: select one with `columns` \
+             {name}=\"{example}\""
+        ))
+    }
+
+    /// A line with more or fewer fields than the heading.
+    pub(crate) fn fields(line: u64, count: usize, expected: usize, hint: &str) -> Self {
+        Self::Refused(format!(
+            "line {line} has {count} fields and the heading {expected}; {hint}"
+        ))
+    }
+
+    /// What a line needs whose fields are not as many.
+    pub(crate) const AS_MANY: &str = "every line needs as many fields as the heading";
 
     pub(crate) fn missing_column(need: &Need, columns: &str, empty: &str, example: &str) -> Self {
         let Need { wanted, names, .. } = need;
@@ -48,6 +65,17 @@ impl TableError {
              it with `columns` {example}"
         ))
     }
+}
+
+/// Some headings.
+pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
+    const MOST: usize = 25;
+    let mut all: Vec<String> = headings.map(short).collect();
+    if all.len() > MOST {
+        all.truncate(MOST);
+        all.push("…".into());
+    }
+    all.join(", ")
 }
 
 /// Somebody else's text, cut where it gets long.

@@ -1,69 +1,27 @@
 //! The line of the heading, and the column of each quantity.
 
-use super::Table;
-use super::columns::{Choice, Columns, listed};
+use super::columns::{Choice, Columns};
 use super::delimited::{Separator, Sheet, TableRow};
-use super::error::{TableError, short};
-use super::heading::{self, Heading};
+use super::error::{TableError, listed};
+use super::heading::Column;
 use super::number::{self, Decimal};
 use super::vocabulary::{Meaning, Need, Vocabulary};
-use crate::units::Unit;
 
-/// A column with its meaning.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Column {
-    pub meaning: Meaning,
-    /// Its place in a row, from 0.
-    pub index: usize,
-    /// The heading as written.
-    pub heading: String,
-    /// Its unit, where the heading or the line of units states one.
-    pub unit: Option<Unit>,
-    /// Whether something else is in place of a unit.
-    pub(super) unknown_unit: bool,
-    /// Whether a minus precedes its heading, or before the heading that was chosen: the values have
-    /// the opposite sign.
-    pub(super) negated: bool,
-    /// Whether somebody said that it is this one.
-    pub chosen: bool,
-    /// Words of a heading that was not chosen, without the unit, and how well they name the
-    /// quantity: the lower, the better.
-    pub(super) label: String,
-    pub(super) rank: usize,
-}
-
-impl Column {
-    pub(super) fn new(index: usize, text: &str, known: Heading, chosen: bool) -> Self {
-        let Heading {
-            meaning,
-            unit,
-            unknown_unit,
-            label,
-            rank,
-        } = known;
-        let (heading, negated) = (short(text), heading::is_negated(text));
-        Self {
-            meaning,
-            index,
-            heading,
-            unit,
-            unknown_unit,
-            negated,
-            chosen,
-            label,
-            rank,
-        }
-    }
-
-    /// Whether it is no column of the file.
-    pub(super) fn is_constant(&self) -> bool {
-        self.index > usize::MAX / 2
-    }
-
-    /// What is wrong with its value in a line.
-    pub(super) fn refused(&self, line: u64, what: String) -> TableError {
-        TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
-    }
+/// A table whose columns are known.
+#[derive(Debug)]
+pub struct Table {
+    pub(super) rows: Vec<TableRow>,
+    /// Lines that their status leaves out.
+    pub(super) left_out: usize,
+    /// Lines in which what was measured is blank.
+    pub(super) not_filled: usize,
+    pub(super) columns: Vec<Column>,
+    pub(super) headings: Vec<String>,
+    /// `None` where there is no heading.
+    pub(super) heading_line: Option<u64>,
+    pub(super) separator: Separator,
+    pub(super) decimal: Decimal,
+    pub(super) vocabulary: &'static Vocabulary,
 }
 
 /// The heading lies within so many lines.
@@ -121,30 +79,22 @@ impl Table {
             vocabulary,
         };
         if let Some(heading) = line {
-            above(&rows, heading)?;
+            refuse_numbers_above(&rows, heading)?;
         }
         table.take_units()?;
         table.check_lengths()?;
-        let numeric: Vec<usize> = table
-            .columns
-            .iter()
-            .filter(|c| vocabulary.is_number(c.meaning))
-            .map(|c| c.index)
-            .collect();
-        let cells = table
-            .rows
-            .iter()
-            .flat_map(|r| numeric.iter().map(|&i| r.field(i)));
+        let numeric = table.columns.iter().filter(|c| c.meaning.is_number());
+        let numeric: Vec<usize> = numeric.map(|c| c.index).collect();
+        let rows = table.rows.iter();
+        let cells = rows.flat_map(|row| numeric.iter().map(|&i| row.field(i)));
         table.decimal = number::decimal(cells, separator);
-        let constants = search
-            .choices
-            .iter()
-            .map(|c| c.constant().unwrap_or_default().to_owned());
-        let constants: Vec<String> = constants.collect();
-        table
-            .rows
-            .iter_mut()
-            .for_each(|row| row.added.clone_from(&constants));
+        let constants = search.choices.iter().map(Choice::constant);
+        let constants: Vec<String> = constants
+            .map(|constant| constant.unwrap_or_default().to_owned())
+            .collect();
+        for row in &mut table.rows {
+            row.added.clone_from(&constants);
+        }
         Ok(table)
     }
 
@@ -153,52 +103,30 @@ impl Table {
         let (Some(_), Some(row)) = (self.heading_line, self.rows.first()) else {
             return Ok(());
         };
-        let mut units = vec![];
-        for (at, column) in self
-            .columns
-            .iter()
-            .enumerate()
-            .filter(|(_, c)| self.vocabulary.is_number(c.meaning))
-        {
-            let text = row.field(column.index);
-            if number::number(text, Decimal::Point) != Err(number::NoNumber::Text) {
-                return Ok(());
-            }
-            if text.is_empty()
-                || self
-                    .vocabulary
-                    .entry(column.meaning)
-                    .is_none_or(|e| e.dimension.is_none())
-            {
-                continue;
-            }
-            let entry = self.vocabulary.entry(column.meaning);
-            units.push((
-                at,
-                text,
-                entry.and_then(|e| self.vocabulary.unit_of(e, text)),
-            ));
-        }
-        let dash = |text: &str| ["-", "–", "[-]", "[ ]", "[]"].contains(&text);
-        if !units
-            .iter()
-            .any(|(_, text, unit)| unit.is_some() && !dash(text))
-        {
+        let mut columns = self.columns.clone();
+        let numeric = || self.columns.iter().filter(|c| c.meaning.is_number());
+        let unit_of = |c: &Column| self.vocabulary.unit_of(c.meaning, row.field(c.index));
+        let is_dash = |text: &str| ["-", "–", "[-]", "[ ]", "[]"].contains(&text);
+        let is_unit = |c: &Column| unit_of(c).is_some() && !is_dash(row.field(c.index));
+        if numeric().any(|c| is_number(row.field(c.index))) || !numeric().any(is_unit) {
             return Ok(());
         }
-        let mut columns = self.columns.clone();
-        for (at, text, unit) in units {
-            let column = &mut columns[at];
-            match (unit, column.unit) {
+        let stated = |c: &&mut Column| {
+            c.meaning.words().dimension.is_some() && !row.field(c.index).is_empty()
+        };
+        for column in columns.iter_mut().filter(stated) {
+            let text = row.field(column.index);
+            match (unit_of(column), column.unit) {
                 (Some((_, unit)), Some(before)) if unit != before => {
                     let clash = format!(", or not the one above ({})", before.name);
                     return Err(self.wrong_unit(row.line, column, text, clash));
                 }
                 (Some((meaning, unit)), None) => {
-                    (column.meaning, column.unit, column.unknown_unit) =
-                        (meaning, Some(unit), false);
+                    column.meaning = meaning;
+                    column.unit = Some(unit);
+                    column.unknown_unit = false;
                 }
-                (None, None) if !dash(text) => {
+                (None, None) if !is_dash(text) => {
                     return Err(self.wrong_unit(row.line, column, text, String::new()));
                 }
                 _ => {}
@@ -217,21 +145,17 @@ impl Table {
         };
         let hint = match self.separator {
             Separator::Mark(',') => {
-                "; if commas are decimal ones, separate the fields by semicolons or tabs, or put \
+                "if commas are decimal ones, separate the fields by semicolons or tabs, or put \
                  numbers into quotes"
             }
-            _ => "; every line needs as many fields as the heading",
+            _ => TableError::AS_MANY,
         };
-        Err(TableError::Refused(format!(
-            "line {line} has {count} fields and the heading {expected}{hint}",
-            line = row.line,
-            count = row.len()
-        )))
+        Err(TableError::fields(row.line, row.len(), expected, hint))
     }
 }
 
 /// Numbers above the heading would be lost.
-fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
+fn refuse_numbers_above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
     let data = |r: &&TableRow| {
         r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number)
     };
@@ -267,97 +191,80 @@ impl Search {
     /// The first line from which all that is needed can be understood; a comment above the data
     /// where no line is one.
     fn find(&self, rows: &[TableRow], comments: &[TableRow]) -> Result<Head, TableError> {
-        let vocabulary = self.vocabulary;
         if let Some(head) = self.by_numbers(rows)? {
             return Ok(head);
         }
-        let lines = rows
-            .iter()
-            .take(MOST_LINES_ABOVE)
-            .enumerate()
-            .map(|(i, row)| (row, i + 1));
-        let lines = lines.chain(
-            comments
-                .iter()
-                .rev()
-                .take(MOST_LINES_ABOVE)
-                .map(|row| (row, 0)),
-        );
-        let mut best: Option<(usize, Guess, &TableRow)> = None;
+        let lines = rows.iter().take(MOST_LINES_ABOVE).zip(1..);
+        let above = comments.iter().rev().take(MOST_LINES_ABOVE);
+        let mut best: Option<(Guess, Vec<&str>)> = None;
         let mut empty = vec![];
-        for (row, first) in lines {
+        for (row, first) in lines.chain(above.map(|row| (row, 0))) {
             let headings: Vec<&str> = row.fields().collect();
             let mut guess = self.guess(&headings, &[])?;
             let data = rows.get(first..).unwrap_or_default();
             if guess.is_complete() && data.len() > 1 {
-                let dead = guess
-                    .columns
-                    .iter()
-                    .filter(|c| self.is_dead(c, &guess.columns, data));
-                let dead: Vec<usize> = dead.map(|c| c.index).collect();
-                guess = self.guess(&headings, &dead)?;
-                empty = dead;
+                let columns = guess.columns.iter();
+                let dead = columns.filter(|c| self.is_dead(c, &guess.columns, data));
+                empty = dead.map(|c| c.index).collect();
+                guess = self.guess(&headings, &empty)?;
             }
             if guess.is_complete() {
-                let columns = unambiguous(&guess.columns, vocabulary)?;
-                let headings = headings.into_iter().map(str::to_owned).collect();
                 return Ok(Head {
                     line: Some(row.line),
-                    headings,
-                    columns,
+                    columns: unambiguous(&guess.columns)?,
+                    headings: headings.into_iter().map(str::to_owned).collect(),
                     first,
                 });
             }
-            let understood = guess.columns.len();
-            if best.as_ref().is_none_or(|b| b.0 < understood) {
-                best = Some((understood, guess, row));
+            if best
+                .as_ref()
+                .is_none_or(|best| best.0.columns.len() < guess.columns.len())
+            {
+                best = Some((guess, headings));
             }
         }
-        let (guess, headings) = match &best {
-            Some((_, guess, row)) => (guess, row.fields().collect()),
-            None => (&self.guess(&[], &[])?, vec![]),
+        let (guess, headings) = match best {
+            Some(best) => best,
+            None => (self.guess(&[], &[])?, vec![]),
         };
+        Err(self.not_found(rows.first(), &guess, &headings, &empty))
+    }
+
+    /// Why no line is the heading: of the best one what it lacks, and its columns without a number.
+    fn not_found(
+        &self,
+        first: Option<&TableRow>,
+        guess: &Guess,
+        headings: &[&str],
+        empty: &[usize],
+    ) -> TableError {
         if let Some(&choice) = guess.missing.first() {
-            return Err(self.choices[choice].missing(&headings));
+            return self.choices[choice].missing(headings);
         }
+        let needed = &self.vocabulary.needed;
         let example = |need: &Need, heading: &str| {
-            let entry = need.any_of.first().and_then(|m| vocabulary.entry(*m));
-            let unit = entry
-                .and_then(|e| e.dimension)
-                .map_or("", |d| d.unit_inside().name);
+            let words = need.any_of[0].words();
+            let unit = words.dimension.map_or("", |d| d.unit_inside().name);
             let colon = if unit.is_empty() { "" } else { ":" };
-            format!(
-                "{name}=\"{heading}{colon}{unit}\"",
-                name = entry.map_or("", |e| &e.name)
-            )
+            format!("{name}=\"{heading}{colon}{unit}\"", name = words.name)
         };
-        if let Some(first) = rows
-            .first()
-            .filter(|row| row.len() > 0 && row.fields().all(is_number))
-        {
-            let numbered = vocabulary
-                .needed
+        let is_numbers = |row: &&TableRow| row.len() > 0 && row.fields().all(is_number);
+        if let Some(first) = first.filter(is_numbers) {
+            let numbered = needed
                 .iter()
-                .enumerate()
-                .map(|(i, n)| example(n, &format!("#{}", i + 1)));
-            return Err(TableError::Refused(format!(
+                .zip(1..)
+                .map(|(n, i)| example(n, &format!("#{i}")));
+            return TableError::Refused(format!(
                 "the table has no heading (line {line} holds numbers): write one above it, or \
                  choose columns by their numbers with `columns` {columns}",
                 line = first.line,
                 columns = numbered.collect::<Vec<_>>().join(",")
-            )));
+            ));
         }
-        let need = guess
-            .lacking
-            .first()
-            .map_or(&vocabulary.needed[0], |&i| &vocabulary.needed[i]);
+        let need = &needed[guess.lacking.first().copied().unwrap_or_default()];
         let empty = listed(empty.iter().filter_map(|&i| headings.get(i).copied()));
-        Err(TableError::missing_column(
-            need,
-            &listed(headings.iter().copied()),
-            &empty,
-            &example(need, "HEADING"),
-        ))
+        let columns = listed(headings.iter().copied());
+        TableError::missing_column(need, &columns, &empty, &example(need, "HEADING"))
     }
 
     /// A table without a heading, whose columns are chosen by number.
@@ -391,7 +298,7 @@ impl Search {
     /// take the place of one that varies: of the same quantity, or zeros beside another way to
     /// state it.
     fn is_dead(&self, column: &Column, columns: &[Column], data: &[TableRow]) -> bool {
-        if column.chosen || !self.vocabulary.is_number(column.meaning) {
+        if column.chosen || !column.meaning.is_number() {
             return false;
         }
         let numbers = |index: usize| {
@@ -443,22 +350,15 @@ impl Search {
                 None => missing.push(i),
             }
         }
-        let decided: Vec<Meaning> = columns
-            .iter()
-            .map(|c| c.meaning)
-            .chain(self.choices.iter().map(Choice::meaning))
-            .collect();
+        let chosen = self.choices.iter().map(|choice| choice.meaning);
+        let decided: Vec<Meaning> = columns.iter().map(|c| c.meaning).chain(chosen).collect();
         for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
             if dead.contains(&index) || columns.iter().any(|c| c.index == index && c.chosen) {
                 continue;
             }
-            let Some(known) = vocabulary.understand(text) else {
-                continue;
-            };
-            if decided.contains(&known.meaning) {
-                continue;
-            }
-            columns.push(Column::new(index, text, known, false));
+            let known = vocabulary.understand(text);
+            let known = known.filter(|known| !decided.contains(&known.meaning));
+            columns.extend(known.map(|known| Column { index, ..known }));
         }
         // Volts beside bar are no second column of pressures.
         let understood: Vec<Meaning> = columns
@@ -480,7 +380,7 @@ impl Search {
 
 /// One column for each quantity: the preferred heading before those of people; the same words in
 /// two units are the same quantity.
-fn unambiguous(columns: &[Column], vocabulary: &Vocabulary) -> Result<Vec<Column>, TableError> {
+fn unambiguous(columns: &[Column]) -> Result<Vec<Column>, TableError> {
     let mut out: Vec<Column> = vec![];
     for column in columns {
         let alike = || {
@@ -495,18 +395,13 @@ fn unambiguous(columns: &[Column], vocabulary: &Vocabulary) -> Result<Vec<Column
         match best.split_first() {
             Some((first, _)) if first.index != column.index => {}
             Some((first, others)) if !others.iter().all(is_same) => {
-                let numbered = others.iter().any(|c| c.heading == first.heading);
-                return Err(TableError::Refused(format!(
-                    "the columns {columns} could all be {name}: select one with `columns` \
-                     {name}=\"{example}\"",
-                    name = vocabulary.entry(column.meaning).map_or("", |e| &e.name),
-                    columns = listed(best.iter().map(|c| c.heading.as_str())),
-                    example = if numbered {
-                        format!("#{}", first.index + 1)
-                    } else {
-                        first.heading.clone()
-                    }
-                )));
+                let example = if others.iter().any(|c| c.heading == first.heading) {
+                    &format!("#{}", first.index + 1)
+                } else {
+                    &first.heading
+                };
+                let headings = best.iter().map(|c| c.heading.as_str());
+                return Err(TableError::ambiguous(column.meaning, headings, example));
             }
             _ => out.push(column.clone()),
         }

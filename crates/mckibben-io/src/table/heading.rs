@@ -1,31 +1,61 @@
 //! What a heading says: a quantity and its unit, in whatever spelling.
 
-use super::vocabulary::{Entry, Meaning, Vocabulary, is_spoken};
+use super::error::{TableError, short};
+use super::vocabulary::{Meaning, Vocabulary, Words, is_spoken};
 use crate::units::{Dimension, Unit};
 
-/// What a heading means.
+/// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Heading {
-    pub(crate) meaning: Meaning,
-    pub(crate) unit: Option<Unit>,
+pub struct Column {
+    pub meaning: Meaning,
+    /// Its place in a row, from 0.
+    pub index: usize,
+    /// The heading as written.
+    pub heading: String,
+    /// Its unit, where the heading or the line of units states one.
+    pub unit: Option<Unit>,
     /// Whether something else is in brackets in place of a unit.
-    pub(crate) unknown_unit: bool,
-    /// Its words without the unit, in plain form.
-    pub(crate) label: String,
-    /// Small for the preferred headings, then those of people, then those with omitted words.
-    pub(crate) rank: usize,
+    pub(super) unknown_unit: bool,
+    /// Whether a minus precedes its heading, or before the heading that was chosen: the values have
+    /// the opposite sign.
+    pub(super) negated: bool,
+    /// Whether somebody said that it is this one.
+    pub chosen: bool,
+    /// Words of a heading that was not chosen, without the unit, in plain form.
+    pub(super) label: String,
+    /// How well they name the quantity: small for the preferred headings, then those of people,
+    /// then those with omitted words.
+    pub(super) rank: usize,
 }
 
-impl Heading {
-    /// Of a column that somebody chose.
-    pub(crate) fn of(meaning: Meaning, unit: Option<Unit>) -> Self {
+impl Column {
+    pub(super) fn new(heading: &str, (meaning, unit): (Meaning, Option<Unit>)) -> Self {
         Self {
             meaning,
+            index: 0,
+            heading: short(heading),
             unit,
             unknown_unit: false,
+            negated: is_negated(heading),
+            chosen: false,
             label: String::new(),
             rank: 0,
         }
+    }
+
+    /// Whether it is no column of the file.
+    pub(super) fn is_constant(&self) -> bool {
+        self.index > usize::MAX / 2
+    }
+
+    /// What is wrong with its value in a line.
+    pub(super) fn refused(&self, line: u64, what: String) -> TableError {
+        TableError::Refused(format!("line {line}, column {}: {what}", self.heading))
+    }
+
+    /// That it needs a number which no table carries.
+    pub fn needs(&self, needs: &str) -> TableError {
+        TableError::Refused(format!("column {} needs {needs}", self.heading))
     }
 }
 
@@ -159,15 +189,15 @@ fn label(words: &str) -> String {
 }
 
 /// How well a heading with a plain label names a quantity; `None` where it does not.
-fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
-    if let Some(place) = entry
+fn rank(heading: &str, label: &str, words: &Words) -> Option<usize> {
+    if let Some(place) = words
         .preferred
         .iter()
         .position(|word| word.eq_ignore_ascii_case(heading))
     {
         return Some(place);
     }
-    if entry.knows(label) {
+    if words.knows(label) {
         return Some(WORD);
     }
     let kept: Vec<&str> = label
@@ -175,107 +205,101 @@ fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
         .filter(|w| !is_spoken("fillers", w))
         .collect();
     let kept = kept.join("_");
-    if kept != label && entry.knows(&kept) {
+    if kept != label && words.knows(&kept) {
         return Some(WITH_FILLERS);
     }
-    entry.knows_last(label).then_some(LAST)
+    words.knows_last(label).then_some(LAST)
 }
 
 impl Vocabulary {
     /// What a heading means, if it means anything here.
-    pub(crate) fn understand(&self, heading: &str) -> Option<Heading> {
+    pub(crate) fn understand(&self, heading: &str) -> Option<Column> {
         let heading = heading.trim();
         if heading.is_empty() || heading.chars().count() > 200 {
             return None;
         }
-        let known = |entry: &Entry, behind: &str| {
-            let (meaning, unit) = self.unit_of(entry, behind)?;
+        let unknown = |meaning: Meaning, behind: &str| {
+            let is_bracketed = unbracketed(behind).is_some_and(|unit| !unit.is_empty());
+            (is_bracketed && meaning.words().dimension.is_some()).then_some((meaning, None))
+        };
+        let known = |meaning: Meaning, behind: &str| {
+            let (meaning, unit) = self.unit_of(meaning, behind)?;
             Some((meaning, Some(unit)))
         };
-        let unknown = |entry: &Entry, behind: &str| {
-            let is_bracketed = unbracketed(behind).is_some_and(|unit| !unit.is_empty());
-            (is_bracketed && entry.dimension.is_some()).then_some((entry.meaning, None))
-        };
-        let with_unit = self
-            .cut(heading, known)
-            .or_else(|| self.without_unit(heading));
-        with_unit.or_else(|| {
-            Some(Heading {
-                unknown_unit: true,
-                ..self.cut(heading, unknown)?
+        self.cut(heading, known)
+            .or_else(|| {
+                let (label, meanings) = (plain(heading), self.quantities.iter());
+                let column = |meaning: &Meaning| {
+                    Some(Column {
+                        rank: rank(heading, &label, meaning.words())?,
+                        label: label.clone(),
+                        ..Column::new(heading, (*meaning, None))
+                    })
+                };
+                let columns = meanings.filter_map(column);
+                columns.min_by_key(|column| column.rank)
             })
-        })
+            .or_else(|| {
+                Some(Column {
+                    unknown_unit: true,
+                    ..self.cut(heading, unknown)?
+                })
+            })
     }
 
     /// A heading cut into words for a quantity and what is behind them, which `meant` tells.
     fn cut(
         &self,
         heading: &str,
-        meant: impl Fn(&Entry, &str) -> Option<(Meaning, Option<Unit>)>,
-    ) -> Option<Heading> {
+        meant: impl Fn(Meaning, &str) -> Option<(Meaning, Option<Unit>)>,
+    ) -> Option<Column> {
         cuts(heading).find_map(|(words, behind)| {
             let label = label(words);
-            self.entries().find_map(|entry| {
-                let rank = rank(heading, &label, entry)?;
-                let (meaning, unit) = meant(entry, behind)?;
-                Some(Heading {
-                    meaning,
-                    unit,
-                    unknown_unit: false,
+            self.quantities.iter().find_map(|meaning| {
+                let rank = rank(heading, &label, meaning.words())?;
+                Some(Column {
                     label: label.clone(),
                     rank,
+                    ..Column::new(heading, meant(*meaning, behind)?)
                 })
             })
         })
     }
 
-    fn without_unit(&self, heading: &str) -> Option<Heading> {
-        let label = plain(heading);
-        let headings = self.entries().filter_map(|entry| {
-            let rank = rank(heading, &label, entry)?;
-            let (meaning, label) = (entry.meaning, label.clone());
-            Some(Heading {
-                meaning,
-                unit: None,
-                unknown_unit: false,
-                label,
-                rank,
-            })
-        });
-        headings.min_by_key(|h| h.rank)
+    /// The quantity, and what the same words mean with a unit of another dimension.
+    fn readings(&self, meaning: Meaning) -> impl Iterator<Item = (Meaning, Dimension)> {
+        let other = meaning.words().otherwise;
+        let other = other.filter(|other| self.quantities.contains(other));
+        let reading = |meaning: Meaning| Some((meaning, meaning.words().dimension?));
+        [Some(meaning), other]
+            .into_iter()
+            .flatten()
+            .filter_map(reading)
     }
 
     /// The unit of a text for a quantity, and the quantity that it then is.
-    pub(crate) fn unit_of(&self, entry: &Entry, text: &str) -> Option<(Meaning, Unit)> {
-        let other = entry.otherwise.and_then(|m| self.entry(m));
-        [Some(entry), other]
-            .into_iter()
-            .flatten()
-            .find_map(|e| Some((e.meaning, unit(text, e.dimension?)?)))
+    pub(crate) fn unit_of(&self, meaning: Meaning, text: &str) -> Option<(Meaning, Unit)> {
+        let mut readings = self.readings(meaning);
+        readings.find_map(|(meaning, dimension)| Some((meaning, unit(text, dimension)?)))
     }
 
     /// The words before a unit of a quantity, in plain form.
-    pub(crate) fn without_unit_of(&self, entry: &Entry, heading: &str) -> Option<String> {
-        let cut = cuts(heading.trim()).find(|(_, behind)| self.unit_of(entry, behind).is_some());
+    pub(crate) fn without_unit_of(&self, meaning: Meaning, heading: &str) -> Option<String> {
+        let cut = cuts(heading.trim()).find(|(_, behind)| self.unit_of(meaning, behind).is_some());
         cut.map(|(words, _)| label(words))
     }
 
     /// Units of a quantity, for messages.
-    pub(crate) fn units(&self, entry: &Entry) -> String {
-        let other = entry.otherwise.and_then(|m| self.entry(m));
-        let dimensions = [Some(entry), other]
-            .into_iter()
-            .flatten()
-            .filter_map(|e| e.dimension);
-        dimensions
-            .flat_map(Dimension::unit_names)
-            .collect::<Vec<_>>()
-            .join(", ")
+    pub(crate) fn units(&self, meaning: Meaning) -> String {
+        let names = self
+            .readings(meaning)
+            .flat_map(|(_, dimension)| dimension.unit_names());
+        names.collect::<Vec<_>>().join(", ")
     }
 
     /// The unit that is in a heading, whatever its words.
-    pub(crate) fn unit_in(&self, entry: &Entry, heading: &str) -> Option<(Meaning, Unit)> {
-        cuts(heading.trim()).find_map(|(_, behind)| self.unit_of(entry, behind))
+    pub(crate) fn unit_in(&self, meaning: Meaning, heading: &str) -> Option<(Meaning, Unit)> {
+        cuts(heading.trim()).find_map(|(_, behind)| self.unit_of(meaning, behind))
     }
 }
 

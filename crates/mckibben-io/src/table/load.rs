@@ -1,7 +1,9 @@
 //! Loads from people's tables.
 
-use super::vocabulary::LOADS;
-use super::{Columns, Meaning, Table, TableError};
+use super::columns::Columns;
+use super::error::TableError;
+use super::find::Table;
+use super::vocabulary::{LOADS, Meaning};
 
 /// Groups of [`LOADS`].
 const SHORTENING: usize = 0;

@@ -32,28 +32,7 @@ pub use over_time::{Log, OverTime, Series, read_log, read_over_time};
 pub use text::read_text;
 pub use understood::{Understood, UnderstoodColumn};
 
-use delimited::{Separator, TableRow};
-pub use find::Column;
-pub use heading::is_absolute;
-use number::Decimal;
+pub use delimited::MAX_BYTES;
+pub use find::Table;
+pub use heading::{Column, is_absolute};
 pub use vocabulary::{HISTORIES, Meaning, POINTS, RECORDED, TESTS, Vocabulary, spoken};
-
-/// The largest table that is read, in bytes: about a million lines.
-pub const MAX_BYTES: usize = 32 << 20;
-
-/// A table whose columns are known.
-#[derive(Debug)]
-pub struct Table {
-    rows: Vec<TableRow>,
-    /// Lines that their status leaves out.
-    left_out: usize,
-    /// Lines in which what was measured is blank.
-    not_filled: usize,
-    columns: Vec<Column>,
-    headings: Vec<String>,
-    /// `None` where there is no heading.
-    heading_line: Option<u64>,
-    separator: Separator,
-    decimal: Decimal,
-    vocabulary: &'static vocabulary::Vocabulary,
-}

@@ -1,6 +1,6 @@
 //! Numbers as people write them: `1.5`, `1,5`, `1 234,5`, `1'234.5`, `−3`, `15 %`.
 
-use super::Separator;
+use super::delimited::Separator;
 
 /// Which mark is before the decimals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

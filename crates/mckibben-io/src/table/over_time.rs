@@ -1,7 +1,9 @@
 //! Tables of times and values.
 
-use super::vocabulary::OVER_TIME;
-use super::{Columns, Meaning, Table, TableError};
+use super::columns::Columns;
+use super::error::TableError;
+use super::find::Table;
+use super::vocabulary::{Meaning, OVER_TIME};
 
 type Result<T> = std::result::Result<T, TableError>;
 

@@ -1,7 +1,8 @@
 //! What was understood of a table, for people to check.
 
-use super::Table;
-use super::find::Column;
+use super::error::short;
+use super::find::Table;
+use super::heading::Column;
 use super::number::Decimal;
 use crate::units::tidy;
 use serde::{Deserialize, Serialize};
@@ -59,32 +60,26 @@ impl Understood {
     /// One line for people: `45 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm)`.
     pub fn line(&self) -> String {
         let column = |c: &UnderstoodColumn| {
-            let about: Vec<&str> = [Some(c.unit.as_str()), c.note.as_deref()]
-                .into_iter()
-                .flatten()
-                .filter(|t| !t.is_empty())
-                .collect();
-            let about = if about.is_empty() {
-                String::new()
-            } else {
-                format!(" ({})", about.join(", "))
+            let about = match (c.unit.as_str(), c.note.as_deref()) {
+                ("", None | Some("")) => String::new(),
+                (about, None | Some("")) | ("", Some(about)) => format!(" ({about})"),
+                (unit, Some(note)) => format!(" ({unit}, {note})"),
             };
             format!("{} → {}{about}", c.column, c.quantity)
         };
         let columns: Vec<String> = self.columns.iter().map(column).collect();
         let mut out = format!("{} points; {}", self.rows, columns.join(", "));
-        match self.heading_line {
-            Some(line) if line > 1 => out.push_str(&format!("; heading in line {line}")),
-            _ => {}
+        if let Some(line) = self.heading_line.filter(|line| *line > 1) {
+            out += &format!("; heading in line {line}");
         }
         if self.left_out > 0 {
-            out.push_str(&format!("; {} left out by their status", self.left_out));
+            out += &format!("; {} left out by their status", self.left_out);
         }
         if self.not_filled > 0 {
-            out.push_str(&format!("; {} not filled in and left out", self.not_filled));
+            out += &format!("; {} not filled in and left out", self.not_filled);
         }
         if !self.not_used.is_empty() {
-            out.push_str(&format!("; not used: {}", self.not_used.join(", ")));
+            out += &format!("; not used: {}", self.not_used.join(", "));
         }
         out
     }
@@ -96,34 +91,16 @@ impl Table {
         let mut used: Vec<_> = used.iter().collect();
         used.sort_by_key(|u| u.0.index);
         let columns = used.iter().map(|(column, note)| {
-            let dimension = self
-                .vocabulary
-                .entry(column.meaning)
-                .and_then(|e| e.dimension);
-            let values = self
-                .some_numbers(column.meaning)
-                .unwrap_or_default()
-                .into_iter()
-                .flatten();
-            let range = dimension.and_then(|d| {
-                let (low, high) = (
-                    values.clone().reduce(f64::min)?,
-                    values.clone().reduce(f64::max)?,
-                );
-                Some(format!(
-                    "{}..{}{}",
-                    tidy(low, 7),
-                    tidy(high, 7),
-                    d.unit_inside().name
-                ))
+            let words = column.meaning.words();
+            let values = self.some_numbers(column.meaning).unwrap_or_default();
+            let end = |of: fn(f64, f64) -> f64| values.iter().copied().flatten().reduce(of);
+            let range = words.dimension.and_then(|dimension| {
+                let (low, high) = (tidy(end(f64::min)?, 7), tidy(end(f64::max)?, 7));
+                Some(format!("{low}..{high}{}", dimension.unit_inside().name))
             });
             UnderstoodColumn {
                 column: column.heading.clone(),
-                quantity: self
-                    .vocabulary
-                    .entry(column.meaning)
-                    .map_or("", |e| &e.name)
-                    .to_owned(),
+                quantity: words.name.clone(),
                 unit: column.unit.map_or("", |u| u.name).to_owned(),
                 range,
                 note: self.noted(column, note.as_deref()),
@@ -148,20 +125,16 @@ impl Table {
             }
             .into(),
             columns: columns.collect(),
-            not_used: others.map(|(_, h)| super::error::short(h)).collect(),
+            not_used: others.map(|(_, h)| short(h)).collect(),
         }
     }
 
     /// What was done with a column, or is odd of it.
     fn noted(&self, column: &Column, note: Option<&str>) -> Option<String> {
         let percent = column.unit.is_some_and(|unit| unit.name == "%");
-        let values = || {
-            self.some_numbers(column.meaning)
-                .unwrap_or_default()
-                .into_iter()
-                .flatten()
-        };
-        let small = percent && values().any(|v| v != 0.0) && values().all(|v| v.abs() < SMALL);
+        let values = self.some_numbers(column.meaning).unwrap_or_default();
+        let mut values = values.into_iter().flatten().map(f64::abs);
+        let small = percent && values.clone().any(|v| v > 0.0) && values.all(|v| v < SMALL);
         let notes = [
             note,
             column.negated.then_some("with the opposite sign"),

@@ -1,11 +1,11 @@
 //! Numbers and words of a table's columns.
 
-use super::Table;
+use super::delimited::TableRow;
 use super::error::{TableError, short};
-use super::find::Column;
-use super::heading::{self, plain};
+use super::find::Table;
+use super::heading::{self, Column, plain};
 use super::number::{self, Decimal, NoNumber};
-use super::vocabulary::{Entry, Meaning, Need};
+use super::vocabulary::{Meaning, Need};
 use crate::cancel;
 use crate::units::Dimension;
 
@@ -120,65 +120,41 @@ impl Table {
         }
     }
 
-    fn entry(&self, column: &Column) -> Option<&'static Entry> {
-        self.vocabulary.entry(column.meaning)
-    }
-
     fn number(&self, at: usize, column: &Column) -> Result<f64, TableError> {
         cancel::check()?;
         let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
-            let (line, count, expected) = (row.line, row.width(), self.headings.len());
-            return Err(TableError::Refused(format!(
-                "line {line} has {count} fields and the heading {expected}; every line needs as \
-                 many fields as the heading"
-            )));
+            let (expected, hint) = (self.headings.len(), TableError::AS_MANY);
+            return Err(TableError::fields(row.line, row.width(), expected, hint));
         }
-        let not_a_number = |hint| {
-            column.refused(
-                row.line,
-                format!("\"{}\" is not a finite number{hint}", short(text)),
-            )
-        };
         let decimal = if column.is_constant() {
             Decimal::Point
         } else {
             self.decimal
         };
-        let (value, unit) = number::number(text, decimal).map_err(|why| {
-            match why {
-            NoNumber::Text if text.is_empty() => {
-                not_a_number("; the field is empty: leave the whole line out")
-            }
-            NoNumber::Text => not_a_number(""),
-            NoNumber::Ambiguous => column.refused(row.line, format!(
-                "\"{}\" can be read in two ways: is its mark a decimal mark, or does it separate \
-                 thousands? Write numbers without separators of thousands, with the same decimal \
-                 mark in all lines",
-                short(text)
-            )),
-        }
-        })?;
-        let dimension = self.entry(column).and_then(|e| e.dimension);
-        let value = if column.negated { -value } else { value };
-        let inside = match (unit, column.unit, dimension) {
-            ("", _, None) => value,
-            ("", Some(unit), _) => unit.inside(value),
-            ("", None, Some(Dimension::Ratio)) => value,
-            ("", None, _) => return Err(self.no_unit(column)),
-            (_, _, None) => return Err(not_a_number("")),
-            (said, stated, Some(dimension)) => match dimension.heading_unit(said) {
-                Some(unit) if stated.is_none_or(|s| s == unit) => unit.inside(value),
-                Some(_) => {
-                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
-                    return Err(self.wrong_unit(row.line, column, said, clash));
-                }
-                None => return Err(not_a_number("")),
-            },
+        let wrong = |why| match why {
+            NoNumber::Text if text.is_empty() => not_finite(
+                row,
+                column,
+                "; the field is empty: leave the whole line out",
+            ),
+            NoNumber::Text => not_finite(row, column, ""),
+            NoNumber::Ambiguous => column.refused(
+                row.line,
+                format!(
+                    "\"{}\" can be read in two ways: is its mark a decimal mark, or does it \
+                     separate thousands? Write numbers without separators of thousands, with the \
+                     same decimal mark in all lines",
+                    short(text)
+                ),
+            ),
         };
+        let (value, unit) = number::number(text, decimal).map_err(wrong)?;
+        let value = if column.negated { -value } else { value };
+        let inside = self.inside(row, column, (value, unit))?;
         if !inside.is_finite() {
-            return Err(not_a_number(""));
+            return Err(not_finite(row, column, ""));
         }
         if inside.abs() <= column.meaning.most() {
             return Ok(inside);
@@ -190,6 +166,28 @@ impl Table {
             _ => "is far too large for a muscle; check the number and the unit of its column",
         };
         Err(self.impossible(at, column, expected))
+    }
+
+    /// A value with the unit behind it, or that of its column, in the unit used inside.
+    fn inside(
+        &self,
+        row: &TableRow,
+        column: &Column,
+        (value, said): (f64, &str),
+    ) -> Result<f64, TableError> {
+        match (said, column.unit, column.meaning.words().dimension) {
+            ("", Some(unit), Some(_)) => Ok(unit.inside(value)),
+            ("", _, None) | ("", None, Some(Dimension::Ratio)) => Ok(value),
+            ("", None, _) => Err(self.no_unit(column)),
+            (_, stated, dimension) => match dimension.and_then(|d| d.heading_unit(said)) {
+                Some(unit) if stated.is_none_or(|s| s == unit) => Ok(unit.inside(value)),
+                Some(_) => {
+                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
+                    Err(self.wrong_unit(row.line, column, said, clash))
+                }
+                None => Err(not_finite(row, column, "")),
+            },
+        }
     }
 
     /// The line and the word of a row in a column, where there is one.
@@ -214,7 +212,7 @@ impl Table {
             return Ok(None);
         }
         let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
-        let name = self.entry(column).map_or("", |e| &e.name);
+        let name = &meaning.words().name;
         word.map(Some)
             .ok_or_else(|| TableError::word(line, name, text, known))
     }
@@ -240,9 +238,9 @@ impl Table {
     }
 
     fn no_unit(&self, column: &Column) -> TableError {
-        let entry = self.entry(column);
+        let has_pressure = self.vocabulary.quantities.contains(&Meaning::Pressure);
         let example = |d: Dimension| match d {
-            Dimension::Pressure if self.vocabulary.entry(Meaning::Pressure).is_some() => "kPa",
+            Dimension::Pressure if has_pressure => "kPa",
             d => d.unit_inside().name,
         };
         let stated = if column.unknown_unit {
@@ -250,7 +248,7 @@ impl Table {
         } else {
             ""
         };
-        let unit = entry.and_then(|e| e.dimension).map_or("", example);
+        let unit = column.meaning.words().dimension.map_or("", example);
         let (name, units) = self.units_of(column);
         if column.is_constant() {
             let text = &column.heading;
@@ -279,9 +277,8 @@ impl Table {
 
     /// Name and units of what a column holds.
     fn units_of(&self, column: &Column) -> (&str, String) {
-        self.entry(column).map_or(("", String::new()), |e| {
-            (e.name.as_str(), self.vocabulary.units(e))
-        })
+        let meaning = column.meaning;
+        (&meaning.words().name, self.vocabulary.units(meaning))
     }
 
     pub(super) fn wrong_unit(
@@ -298,4 +295,9 @@ impl Table {
             format!("\"{unit}\" is not a unit of {name}{clash}; its units are {units}"),
         )
     }
+}
+
+fn not_finite(row: &TableRow, column: &Column, hint: &str) -> TableError {
+    let text = short(row.field(column.index));
+    column.refused(row.line, format!("\"{text}\" is not a finite number{hint}"))
 }

@@ -5,15 +5,14 @@
 //! an underscore ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other
 //! spelling (`ue`) is beside them.
 
-use crate::named;
 use crate::units::Dimension;
+use crate::word::named;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Deref;
 use std::sync::LazyLock;
 
 /// What a column means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Meaning {
     Pressure,
@@ -97,6 +96,16 @@ impl Meaning {
             _ => f64::INFINITY,
         }
     }
+
+    /// Its words, with its name and dimension.
+    pub(crate) fn words(self) -> &'static Words {
+        QUANTITIES.get(&self).unwrap_or(&&*NO_WORDS)
+    }
+
+    /// Whether a column of it holds numbers.
+    pub(crate) fn is_number(self) -> bool {
+        self == Meaning::Weight || self.words().dimension.is_some()
+    }
 }
 
 /// The words of a quantity, and what they mean.
@@ -121,40 +130,25 @@ pub(crate) struct Words {
     joined: BTreeSet<String>,
 }
 
-/// A quantity with its words.
-#[derive(Debug)]
-pub(crate) struct Entry {
-    pub(crate) meaning: Meaning,
-    words: &'static Words,
-}
-
-impl Deref for Entry {
-    type Target = Words;
-
-    fn deref(&self) -> &Words {
-        self.words
-    }
-}
-
 /// The quantities of one kind of table.
-#[derive(Debug)]
+#[derive(Debug, Default, Deserialize)]
 pub struct Vocabulary {
-    meanings: Vec<Meaning>,
+    pub(crate) quantities: Vec<Meaning>,
     /// What a table of this kind is called, for messages.
-    pub(crate) what: &'static str,
+    pub(crate) what: String,
     /// What there must be: any one of each group. Messages name the group by the first.
     pub(crate) needed: Vec<Need>,
 }
 
 /// A group of quantities of which one must be there.
-#[derive(Debug)]
+#[derive(Debug, Deserialize)]
 pub(crate) struct Need {
     /// In the plural, for messages.
-    pub(crate) wanted: &'static str,
+    pub(crate) wanted: String,
     /// The first that is there is taken.
     pub(crate) any_of: Vec<Meaning>,
     /// Headings that would do.
-    pub(crate) names: &'static str,
+    pub(crate) names: String,
 }
 
 /// As in `ContractionRatio` and `restlength`.
@@ -175,15 +169,12 @@ static WORDS: LazyLock<BTreeMap<String, Words>> = LazyLock::new(|| {
     all
 });
 
-static ENTRIES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let entry = |(key, words): (&String, &'static Words)| {
-        Some(Entry {
-            meaning: named(key)?,
-            words,
-        })
-    };
-    WORDS.iter().filter_map(entry).collect()
+static QUANTITIES: LazyLock<BTreeMap<Meaning, &'static Words>> = LazyLock::new(|| {
+    let quantity = |(key, words): (&String, &'static Words)| Some((named(key)?, words));
+    WORDS.iter().filter_map(quantity).collect()
 });
+
+static NO_WORDS: LazyLock<Words> = LazyLock::new(Words::default);
 
 /// Words for a value of a column of words, such as `branch_contraction`, in plain form.
 pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
@@ -222,71 +213,28 @@ impl Words {
     }
 }
 
-impl Vocabulary {
-    /// A kind of `data/tables.txt`.
-    fn named(kind: &str) -> Self {
-        let mut lines = include_str!("../../data/tables.txt").lines().map(cells);
-        let head = lines
-            .find(|(_, cells)| cells[0] == kind)
-            .unwrap_or_default()
-            .1;
-        let needed = lines.map_while(|(below, [wanted, any_of, names])| {
-            below.then(|| Need {
-                wanted,
-                any_of: meanings(any_of),
-                names,
-            })
-        });
-        Self {
-            what: head[1],
-            meanings: meanings(head[2]),
-            needed: needed.collect(),
-        }
-    }
-
-    pub(crate) fn entries(&self) -> impl Iterator<Item = &'static Entry> {
-        self.meanings
-            .iter()
-            .filter_map(|m| ENTRIES.iter().find(|e| e.meaning == *m))
-    }
-
-    /// Whether a column of this meaning holds numbers.
-    pub(crate) fn is_number(&self, meaning: Meaning) -> bool {
-        meaning == Meaning::Weight || self.entry(meaning).is_some_and(|e| e.dimension.is_some())
-    }
-
-    pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
-        self.entries().find(|e| e.meaning == meaning)
-    }
-}
-
-/// Whether a line belongs to the kind above it, and its cells.
-fn cells(line: &'static str) -> (bool, [&'static str; 3]) {
-    let mut cells = line.split(" | ").map(str::trim);
-    (
-        line.starts_with(' '),
-        [(); 3].map(|()| cells.next().unwrap_or_default()),
-    )
-}
-
-fn meanings(words: &str) -> Vec<Meaning> {
-    words.split(' ').filter_map(named).collect()
+/// A kind of `data/tables.toml`.
+fn kind(name: &str) -> Vocabulary {
+    let text = include_str!("../../data/tables.toml");
+    let all: Result<BTreeMap<String, Vocabulary>, _> = toml_edit::de::from_str(text);
+    all.ok()
+        .and_then(|mut all| all.remove(name))
+        .unwrap_or_default()
 }
 
 /// A rubber strip over time.
-pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("histories"));
+pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| kind("histories"));
 /// Measured points of a muscle.
-pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("points"));
+pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| kind("points"));
 /// Points of a muscle over time, whose pressures another instrument may have recorded.
-pub static RECORDED: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("recorded"));
+pub static RECORDED: LazyLock<Vocabulary> = LazyLock::new(|| kind("recorded"));
 /// Tension tests of a rubber.
-pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("tests"));
+pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| kind("tests"));
 /// A load over the shortening of the muscle that meets it.
-pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::named("loads"));
+pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| kind("loads"));
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
-pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> = LazyLock::new(|| {
-    ["pressures", "openings", "volumes", "contractions", "angles"].map(Vocabulary::named)
-});
+pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> =
+    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(kind));
 
 #[cfg(test)]
 mod tests {
@@ -297,18 +245,15 @@ mod tests {
     fn words_are_plain_and_mean_one_thing() {
         for vocabulary in [&POINTS, &TESTS, &HISTORIES, &OVER_TIME[0]] {
             let mut seen = vec![];
-            for entry in vocabulary.entries() {
-                assert!(
-                    vocabulary
-                        .entry(entry.meaning)
-                        .is_some_and(|e| e.name == entry.name)
-                );
-                for word in entry.all() {
+            assert!(!vocabulary.needed.is_empty());
+            for meaning in &vocabulary.quantities {
+                assert!(!meaning.words().name.is_empty());
+                for word in meaning.words().all() {
                     assert_eq!(plain(word), word, "{word}");
                     // `deformation` is a mode in this program's tables, a strain with a unit in
                     // French ones. What both a shortening and an extension are called is the first
                     // of a kind's list.
-                    let is_way = entry.meaning == Meaning::Extension;
+                    let is_way = *meaning == Meaning::Extension;
                     let may_be_twice = word == "deformation" || is_way;
                     assert!(
                         !seen.contains(&word) || may_be_twice,

@@ -1,7 +1,8 @@
 //! From a workbook to the text of a table: `.xlsx`, `.ods`, `.xls`. Lines are the rows of the
 //! sheet, tabs are between fields.
 
-use super::{MAX_BYTES, TableError};
+use super::delimited::MAX_BYTES;
+use super::error::TableError;
 use calamine::{Cell, Data, DataRef, DataType, Reader, Sheets, open_workbook_auto_from_rs};
 use std::collections::BTreeMap;
 use std::io::Cursor;

@@ -1,7 +1,7 @@
 //! Quantities with a bound, and intervals of them.
 
+use super::range::{Values, parse_values};
 use super::typed::Quantity;
-use super::{Values, parse_values};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};

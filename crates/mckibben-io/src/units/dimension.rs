@@ -54,7 +54,7 @@ pub enum Dimension {
     Flow,
 }
 
-/// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it
+/// A unit: its spellings in plain form, the usual one first, and the exact fraction `num / den` that turns it
 /// into the unit used inside. Keeping the fraction makes `1.5bar` the same number as `0.15MPa`, to
 /// the last bit.
 pub(super) type Spelled = (&'static [&'static str], f64, f64);
@@ -65,9 +65,11 @@ struct Kind {
     /// The word for it, with its article.
     noun: &'static str,
     /// What a user may write.
-    expectation: &'static str,
+    examples: &'static str,
+    /// The unit of a bare number; empty of a plain ratio, as is the next.
+    bare: &'static str,
     /// The end of the name of a field that is one, in the unit inside.
-    end_of_name: Option<&'static str>,
+    end_of_name: &'static str,
     units: &'static [Spelled],
 }
 
@@ -76,51 +78,52 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Length,
         noun: "a length",
-        expectation: "a length such as 30mm, 3cm or 1.2in (a bare number is mm)",
-        end_of_name: Some("mm"),
+        examples: "30mm, 3cm or 1.2in",
+        bare: "mm",
+        end_of_name: "mm",
         units: &[
-            one(&["mm"]),
+            inside(&["mm"]),
             times(10.0, &["cm"]),
             times(1000.0, &["m"]),
-            part(1000.0, &["um", "µm", "μm"]),
+            part(1000.0, &["um"]),
             times(25.4, &["in", "inch", "inches", "\"", "″"]),
         ],
     },
     Kind {
         dimension: Dimension::Pressure,
         noun: "a pressure",
-        expectation: "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)",
-        end_of_name: Some("mpa"),
+        examples: "2.5bar, 0.25MPa, 250kPa or 36psi",
+        bare: "MPa",
+        end_of_name: "mpa",
         units: &[
-            one(&["MPa", "N/mm2", "N/mm²", "N/mm^2"]),
+            inside(&["MPa", "N/mm2"]),
             part(10.0, &["bar"]),
             part(10000.0, &["mbar"]),
             part(1000.0, &["kPa"]),
             part(10000.0, &["hPa"]),
-            part(1000000.0, &["Pa", "N/m2", "N/m²", "N/m^2"]),
+            part(1000000.0, &["Pa", "N/m2"]),
             times(1000.0, &["GPa"]),
             times(0.006894757293168361, &["psi"]),
-            times(
-                0.0980665,
-                &["kgf/cm2", "kgf/cm²", "kgf/cm^2", "kp/cm2", "kp/cm²"],
-            ),
+            times(0.0980665, &["kgf/cm2", "kp/cm2"]),
             times(0.101325, &["atm"]),
         ],
     },
     Kind {
         dimension: Dimension::Angle,
         noun: "an angle",
-        expectation: "an angle such as 28deg or 0.49rad (a bare number is degrees)",
-        end_of_name: Some("deg"),
-        units: &[one(&["deg", "°"]), ratio(180.0, PI, &["rad"])],
+        examples: "28deg or 0.49rad",
+        bare: "degrees",
+        end_of_name: "deg",
+        units: &[inside(&["deg", "°"]), ratio(180.0, PI, &["rad"])],
     },
     Kind {
         dimension: Dimension::Force,
         noun: "a force",
-        expectation: "a force such as 700N or 0.7kN (a bare number is N)",
-        end_of_name: Some("n"),
+        examples: "700N or 0.7kN",
+        bare: "N",
+        end_of_name: "n",
         units: &[
-            one(&["N"]),
+            inside(&["N"]),
             times(1000.0, &["kN"]),
             part(1000.0, &["mN"]),
             times(4.4482216152605, &["lbf"]),
@@ -132,19 +135,21 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Ratio,
         noun: "a ratio",
-        expectation: "a ratio such as 15% or 0.15",
-        end_of_name: None,
+        examples: "15% or 0.15",
+        bare: "",
+        end_of_name: "",
         units: &[part(100.0, &["%"]), part(1000.0, &["‰"])],
     },
     Kind {
         dimension: Dimension::Stiffness,
-        noun: "a strand-family stiffness",
-        expectation: "a stiffness such as 467N/mm (a bare number is N/mm)",
-        end_of_name: Some("n_per_mm"),
+        noun: "a stiffness",
+        examples: "467N/mm",
+        bare: "N/mm",
+        end_of_name: "n_per_mm",
         units: &[
-            one(&["N/mm"]),
+            inside(&["N/mm"]),
             part(1000.0, &["N/m"]),
-            one(&["kN/m"]),
+            inside(&["kN/m"]),
             times(1000.0, &["kN/mm"]),
             ratio(4.4482216152605, 25.4, &["lbf/in"]),
         ],
@@ -152,11 +157,12 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Compliance,
         noun: "a compliance",
-        expectation: "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)",
-        end_of_name: Some("mm_per_n"),
+        examples: "0.003mm/N or 3mm/kN",
+        bare: "mm/N",
+        end_of_name: "mm_per_n",
         units: &[
-            one(&["mm/N"]),
-            part(1000.0, &["mm/kN", "um/N", "µm/N", "μm/N"]),
+            inside(&["mm/N"]),
+            part(1000.0, &["mm/kN", "um/N"]),
             times(1000.0, &["m/N"]),
             ratio(25.4, 4.4482216152605, &["in/lbf"]),
         ],
@@ -164,21 +170,23 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Area,
         noun: "an area",
-        expectation: "an area such as 0.3mm2 (a bare number is mm²)",
-        end_of_name: Some("mm2"),
+        examples: "0.3mm2",
+        bare: "mm²",
+        end_of_name: "mm2",
         units: &[
-            one(&["mm2", "mm²", "mm^2"]),
-            times(100.0, &["cm2", "cm²", "cm^2"]),
-            part(1000000.0, &["um2", "µm²", "um^2"]),
+            inside(&["mm2"]),
+            times(100.0, &["cm2"]),
+            part(1000000.0, &["um2"]),
         ],
     },
     Kind {
         dimension: Dimension::Mass,
         noun: "a mass",
-        expectation: "a mass such as 20kg or 500g (a bare number is kg)",
-        end_of_name: Some("kg"),
+        examples: "20kg or 500g",
+        bare: "kg",
+        end_of_name: "kg",
         units: &[
-            one(&["kg"]),
+            inside(&["kg"]),
             part(1000.0, &["g"]),
             times(1000.0, &["t"]),
             times(0.45359237, &["lb", "lbm"]),
@@ -187,12 +195,13 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Torque,
         noun: "a torque",
-        expectation: "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
-        end_of_name: Some("nm"),
+        examples: "8Nm or \"8 N m\"",
+        bare: "N m",
+        end_of_name: "nm",
         units: &[
-            one(&["N m", "Nm", "N·m", "N*m"]),
-            part(1000.0, &["N mm", "Nmm", "N·mm", "N*mm"]),
-            part(100.0, &["N cm", "Ncm", "N·cm"]),
+            inside(&["N m", "Nm"]),
+            part(1000.0, &["N mm", "Nmm"]),
+            part(100.0, &["N cm", "Ncm"]),
             times(1000.0, &["kN m", "kNm"]),
             times(0.112984829027616, &["lbf in", "in lbf"]),
             times(1.3558179483314, &["lbf ft", "ft lbf"]),
@@ -201,34 +210,37 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::AngularStiffness,
         noun: "a stiffness of a joint",
-        expectation: "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)",
-        end_of_name: Some("nm_per_rad"),
+        examples: "5Nm/rad",
+        bare: "N m/rad",
+        end_of_name: "nm_per_rad",
         units: &[
-            one(&["N m/rad", "Nm/rad", "N·m/rad"]),
-            ratio(180.0, PI, &["N m/deg", "Nm/deg", "N m/°", "N·m/deg"]),
+            inside(&["N m/rad", "Nm/rad"]),
+            ratio(180.0, PI, &["N m/deg", "Nm/deg", "N m/°"]),
             part(1000.0, &["N mm/rad", "Nmm/rad"]),
         ],
     },
     Kind {
         dimension: Dimension::Inertia,
         noun: "a moment of inertia",
-        expectation: "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)",
-        end_of_name: Some("kg_m2"),
+        examples: "\"0.02 kg m2\"",
+        bare: "kg m²",
+        end_of_name: "kg_m2",
         units: &[
-            one(&["kg m2", "kg m²", "kg m^2", "kgm2", "kgm²", "kg·m²"]),
-            part(10000.0, &["kg cm2", "kg cm²", "kg cm^2", "kgcm2"]),
-            part(10000000.0, &["g cm2", "g cm²"]),
+            inside(&["kg m2", "kgm2"]),
+            part(10000.0, &["kg cm2", "kgcm2"]),
+            part(10000000.0, &["g cm2"]),
         ],
     },
     Kind {
         dimension: Dimension::Time,
         noun: "a time",
-        expectation: "a time such as 0.3s or 20ms (a bare number is s)",
-        end_of_name: Some("s"),
+        examples: "0.3s or 20ms",
+        bare: "s",
+        end_of_name: "s",
         units: &[
-            one(&["s"]),
+            inside(&["s"]),
             part(1000.0, &["ms"]),
-            part(1000000.0, &["us", "µs", "μs"]),
+            part(1000000.0, &["us"]),
             times(60.0, &["min"]),
             times(3600.0, &["h"]),
         ],
@@ -236,10 +248,11 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Frequency,
         noun: "a frequency",
-        expectation: "a frequency such as 2Hz (a bare number is Hz)",
-        end_of_name: Some("hz"),
+        examples: "2Hz",
+        bare: "Hz",
+        end_of_name: "hz",
         units: &[
-            one(&["Hz", "1/s"]),
+            inside(&["Hz", "1/s"]),
             times(1000.0, &["kHz"]),
             part(1000.0, &["mHz"]),
         ],
@@ -247,97 +260,86 @@ static KINDS: [Kind; 21] = [
     Kind {
         dimension: Dimension::Temperature,
         noun: "a temperature",
-        expectation: "a temperature such as 20degC (a bare number is °C)",
-        end_of_name: Some("degc"),
-        units: &[one(&["degC", "°C", "celsius"])],
+        examples: "20degC",
+        bare: "°C",
+        end_of_name: "degc",
+        units: &[inside(&["degC", "°C", "celsius"])],
     },
     Kind {
         dimension: Dimension::Conductance,
         noun: "a sonic conductance",
-        expectation: "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))",
-        end_of_name: Some("l_per_s_bar"),
+        examples: "\"0.5 L/(s bar)\"",
+        bare: "L/(s bar)",
+        end_of_name: "l_per_s_bar",
         units: &[
-            one(&[
-                "L/(s bar)",
-                "l/(s bar)",
-                "L/(s·bar)",
-                "l/(s·bar)",
-                "dm3/(s bar)",
-                "dm3/(s·bar)",
-                "dm³/(s·bar)",
-                "L/s/bar",
-                "l/s/bar",
-            ]),
-            part(
-                60.0,
-                &["L/(min bar)", "l/(min bar)", "L/min/bar", "l/min/bar"],
-            ),
-            times(100000000.0, &["m3/(s Pa)", "m³/(s·Pa)"]),
+            inside(&["L/(s bar)", "dm3/(s bar)", "L/s/bar"]),
+            part(60.0, &["L/(min bar)", "L/min/bar"]),
+            times(100000000.0, &["m3/(s Pa)"]),
         ],
     },
     Kind {
         dimension: Dimension::Damping,
         noun: "a damping constant",
-        expectation: "a damping constant such as \"400 N s/m\" (a bare number is N s/m)",
-        end_of_name: Some("n_s_per_m"),
+        examples: "\"400 N s/m\"",
+        bare: "N s/m",
+        end_of_name: "n_s_per_m",
         units: &[
-            one(&["N s/m", "Ns/m", "N·s/m"]),
-            times(1000.0, &["N s/mm", "Ns/mm", "N·s/mm"]),
+            inside(&["N s/m", "Ns/m"]),
+            times(1000.0, &["N s/mm", "Ns/mm"]),
         ],
     },
     Kind {
         dimension: Dimension::AngularDamping,
         noun: "a damping constant of a joint",
-        expectation: "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)",
-        end_of_name: Some("nm_s_per_rad"),
-        units: &[one(&["N m s/rad", "Nms/rad", "N·m·s/rad", "N m s", "Nms"])],
+        examples: "\"0.2 N m s/rad\"",
+        bare: "N m s/rad",
+        end_of_name: "nm_s_per_rad",
+        units: &[inside(&["N m s/rad", "Nms/rad", "N m s", "Nms"])],
     },
     Kind {
         dimension: Dimension::Volume,
         noun: "a volume",
-        expectation: "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
-        end_of_name: Some("mm3"),
+        examples: "10cm3 or 0.2L",
+        bare: "mm³",
+        end_of_name: "mm3",
         units: &[
-            one(&["mm3", "mm³", "mm^3"]),
-            times(1000.0, &["cm3", "cm³", "cm^3", "mL", "ml", "cc"]),
-            times(1000000.0, &["L", "l", "dm3", "dm³"]),
-            times(1000000000.0, &["m3", "m³"]),
+            inside(&["mm3"]),
+            times(1000.0, &["cm3", "mL", "cc"]),
+            times(1000000.0, &["L", "dm3"]),
+            times(1000000000.0, &["m3"]),
         ],
     },
     Kind {
         dimension: Dimension::Density,
         noun: "a density",
-        expectation: "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)",
-        end_of_name: Some("kg_per_m3"),
+        examples: "930kg/m3 or 0.93g/cm3",
+        bare: "kg/m³",
+        end_of_name: "kg_per_m3",
         units: &[
-            one(&["kg/m3", "kg/m³", "kg/m^3"]),
-            times(
-                1000.0,
-                &[
-                    "g/cm3", "g/cm³", "g/cm^3", "kg/L", "kg/l", "kg/dm3", "g/mL", "g/ml",
-                ],
-            ),
+            inside(&["kg/m3"]),
+            times(1000.0, &["g/cm3", "kg/L", "kg/dm3", "g/mL"]),
         ],
     },
     Kind {
         dimension: Dimension::Flow,
         noun: "a volume flow",
-        expectation: "a volume flow such as \"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\" (a bare number is mm³/s)",
-        end_of_name: Some("mm3_per_s"),
+        examples: "\"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\"",
+        bare: "mm³/s",
+        end_of_name: "mm3_per_s",
         units: &[
-            one(&["mm3/s", "mm³/s", "mm^3/s"]),
-            times(1000.0, &["mL/s", "ml/s", "cm3/s", "cm³/s"]),
-            ratio(1000.0, 60.0, &["mL/min", "ml/min", "cm3/min", "cm³/min"]),
-            times(1000000.0, &["L/s", "l/s", "dm3/s", "dm³/s"]),
-            ratio(1000000.0, 60.0, &["L/min", "l/min"]),
-            ratio(1000000.0, 3600.0, &["L/h", "l/h"]),
-            ratio(1000000000.0, 3600.0, &["m3/h", "m³/h"]),
+            inside(&["mm3/s"]),
+            times(1000.0, &["mL/s", "cm3/s"]),
+            ratio(1000.0, 60.0, &["mL/min", "cm3/min"]),
+            times(1000000.0, &["L/s", "dm3/s"]),
+            ratio(1000000.0, 60.0, &["L/min"]),
+            ratio(1000000.0, 3600.0, &["L/h"]),
+            ratio(1000000000.0, 3600.0, &["m3/h"]),
         ],
     },
 ];
 
 /// The unit inside.
-const fn one(spellings: &'static [&'static str]) -> Spelled {
+const fn inside(spellings: &'static [&'static str]) -> Spelled {
     (spellings, 1.0, 1.0)
 }
 
@@ -375,14 +377,23 @@ impl Dimension {
     }
 
     /// What a user may write, for error messages.
-    pub fn expectation(self) -> &'static str {
-        self.kind().expectation
+    pub fn expectation(self) -> String {
+        let Kind {
+            noun,
+            examples,
+            bare,
+            ..
+        } = self.kind();
+        match *bare {
+            "" => format!("{noun} such as {examples}"),
+            _ => format!("{noun} such as {examples} (a bare number is {bare})"),
+        }
     }
 
     /// The end of the name of a field that is one of these, in the unit inside; none of a plain
     /// ratio.
     pub fn end_of_name(self) -> Option<&'static str> {
-        self.kind().end_of_name
+        Some(self.kind().end_of_name).filter(|end| !end.is_empty())
     }
 }
 

@@ -60,6 +60,28 @@ pub fn plausible(value: f64) -> bool {
     value == 0.0 || (1e-30..=1e30).contains(&value.abs())
 }
 
+/// Where the number at the start of a text ends: a sign, digits, a point that `behind` it may
+/// stand, digits, and an exponent.
+pub(super) fn number_end(text: &str, behind: impl Fn(Option<u8>) -> bool) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        let digits = bytes.iter().skip(from).take_while(|b| b.is_ascii_digit());
+        from + digits.count()
+    };
+    let signed = |from: usize| from + usize::from(matches!(bytes.get(from), Some(b'+' | b'-')));
+    let mut end = digits(signed(0));
+    if bytes.get(end) == Some(&b'.') && behind(bytes.get(end + 1).copied()) {
+        end = digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let exponent = signed(end + 1);
+        end = Some(digits(exponent))
+            .filter(|end| *end > exponent)
+            .unwrap_or(end);
+    }
+    end
+}
+
 /// Splits `text` into its number and the unit behind it; the unit may be empty.
 pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityError> {
     let t = text.trim();
@@ -76,25 +98,7 @@ pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), Quan
     if ["nan", "inf", "infinity"].iter().any(|w| lower == *w) {
         return Err(QuantityError::not_finite(t, expected));
     }
-    let bytes = t.as_bytes();
-    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let digits = |mut i: usize| {
-        while bytes.get(i).is_some_and(u8::is_ascii_digit) {
-            i += 1;
-        }
-        i
-    };
-    end = digits(end);
-    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1) != Some(&b'.') {
-        end = digits(end + 1);
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-        let exponent = digits(end + 1 + sign);
-        if exponent > end + 1 + sign {
-            end = exponent;
-        }
-    }
+    let end = number_end(t, |behind| behind != Some(b'.'));
     let value: f64 = t[..end]
         .parse()
         .map_err(|_| QuantityError::is(t, "does not start with a number", expected))?;

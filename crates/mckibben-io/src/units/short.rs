@@ -1,5 +1,6 @@
 //! Numbers in sentences.
 
+use super::quantity::number_end;
 use std::borrow::Cow;
 
 /// A text whose numbers have at most seven significant digits where they had more than nine, and an
@@ -31,15 +32,16 @@ pub fn short_numbers(text: &str) -> Cow<'_, str> {
         let free = quote.is_none()
             && (range || !before.is_some_and(|b| b.is_alphanumeric() || b == '.' || b == '_'));
         if free && c.is_ascii_digit() {
-            let word = number_at(rest);
-            let after = rest[word.len()..].chars().next();
+            let is_digit = |behind: Option<u8>| behind.is_some_and(|b| b.is_ascii_digit());
+            let (word, behind) = rest.split_at(number_end(rest, is_digit));
+            let after = behind.chars().next();
             let alone = !after.is_some_and(|a| a.is_alphanumeric() || a == '_');
             match word.parse::<f64>() {
                 Ok(value) if alone && long(word) => out.push_str(&short(value)),
                 _ => out.push_str(word),
             }
             before = word.chars().next_back();
-            rest = &rest[word.len()..];
+            rest = behind;
             continue;
         }
         match quote {
@@ -52,29 +54,6 @@ pub fn short_numbers(text: &str) -> Cow<'_, str> {
         rest = &rest[c.len_utf8()..];
     }
     Cow::Owned(out)
-}
-
-/// The number at the start of a text: digits with a point within, and an exponent.
-fn number_at(text: &str) -> &str {
-    let bytes = text.as_bytes();
-    let digits = |mut i: usize| {
-        while bytes.get(i).is_some_and(u8::is_ascii_digit) {
-            i += 1;
-        }
-        i
-    };
-    let mut end = digits(0);
-    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1).is_some_and(u8::is_ascii_digit) {
-        end = digits(end + 1);
-    }
-    if bytes.get(end) == Some(&b'e') {
-        let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
-        let exponent = digits(end + 1 + sign);
-        if exponent > end + 1 + sign {
-            end = exponent;
-        }
-    }
-    &text[..end]
 }
 
 /// A number with at most so many decimals, without zeros at the end.

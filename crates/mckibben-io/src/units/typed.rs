@@ -3,7 +3,9 @@
 //! As text each takes a number with a unit (`2.5bar`); in JSON and TOML a bare number in the unit
 //! inside, or such a text. It is written as a bare number, under a name that carries the unit.
 
-use super::{Dimension, QuantityError, RangeError, Values, parse_quantity, parse_values};
+use super::dimension::Dimension;
+use super::quantity::{QuantityError, parse_quantity};
+use super::range::{RangeError, Values, parse_values};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};

@@ -69,14 +69,27 @@ const SPOKEN: &[(Dimension, &[&str], &str)] = &[
     (Dimension::Angle, &["degrees", "degree"], "deg"),
 ];
 
+/// A spelling in plain form: no raised digits, points between factors, or Greek letters.
+fn plain(name: &str) -> String {
+    let letter = |c: char| match c {
+        '²' => '2',
+        '³' => '3',
+        '·' | '*' => ' ',
+        'µ' | 'μ' => 'u',
+        c => c,
+    };
+    name.chars().filter(|c| *c != '^').map(letter).collect()
+}
+
 impl Dimension {
     /// The unit of a spelling: exact first, then without regard to case where that leaves one
     /// meaning (`mPa` and `MN` would not, and are refused).
     pub fn unit(self, name: &str) -> Option<Unit> {
+        let plain = plain(name);
         let exact = |d: Dimension| {
             d.units()
                 .iter()
-                .find(|u| u.0.contains(&name))
+                .find(|u| u.0.contains(&&*plain))
                 .map(Unit::new)
         };
         if let Some(unit) = exact(self) {
@@ -88,7 +101,7 @@ impl Dimension {
         }
         self.units()
             .iter()
-            .find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name)))
+            .find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(&plain)))
             .map(Unit::new)
     }
 

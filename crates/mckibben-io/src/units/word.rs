@@ -1,8 +1,9 @@
 //! A word, or a quantity: `"paper"` or `"321 N/mm"`.
 
+use super::dimension::Dimension;
 use super::nearest::{meant, nearest};
+use super::quantity::{QuantityError, parse_quantity};
 use super::typed::text_or_number;
-use super::{Dimension, QuantityError, parse_quantity};
 use serde::Deserializer;
 use std::fmt;
 

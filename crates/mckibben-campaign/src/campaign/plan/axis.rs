@@ -78,8 +78,8 @@ pub(super) fn variables() -> Vec<Variable> {
             all.push(variable);
         }
     }
-    let place = |v: &Variable| WITH_COLUMN.iter().position(|key| *key == v.key);
-    all.sort_by_key(|v| place(v).unwrap_or(WITH_COLUMN.len()));
+    let column = |v: &Variable| WITH_COLUMN.iter().position(|key| *key == v.key);
+    all.sort_by_key(|v| column(v).unwrap_or(WITH_COLUMN.len()));
     all
 }
 
@@ -132,7 +132,7 @@ impl Axis {
     }
 
     /// The value at share `u` of its range, 0 ≤ u < 1; of a list each level gets the same share.
-    pub(super) fn at(&self, u: f64) -> f64 {
+    pub(super) fn at_share(&self, u: f64) -> f64 {
         match &self.values {
             Values::List(list) => {
                 self.level(((u * list.len() as f64) as u64).min(self.levels() - 1))
@@ -174,7 +174,7 @@ impl Inputs {
         for (axis, value) in pairs {
             match axis.measure() {
                 Some(measure) => (measure.set)(&mut parts, value),
-                None => set(&mut parts, &axis.key, value),
+                None => set_other(&mut parts, &axis.key, value),
             }
         }
         let tube = &mut parts.tube;
@@ -204,7 +204,7 @@ impl Inputs {
 }
 
 /// Sets a value that is not a measure: a ratio, or a number of the law.
-fn set(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
+fn set_other(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
     let times_diameter = rounded(value * tube.outer_diameter_mm);
     let law = &tube.rubber.law;
     match key {

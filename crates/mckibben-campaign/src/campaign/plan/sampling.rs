@@ -86,8 +86,10 @@ impl Design {
                 let faster: u64 = axes[axis + 1..].iter().map(Axis::levels).product();
                 axes[axis].level(number / faster % axes[axis].levels())
             }
-            Sampling::LatinHypercube { .. } => axes[axis].at(self.strata[axis][number as usize]),
-            Sampling::Sobol { seed, .. } => axes[axis].at(f64::from(sobol_burley::sample(
+            Sampling::LatinHypercube { .. } => {
+                axes[axis].at_share(self.strata[axis][number as usize])
+            }
+            Sampling::Sobol { seed, .. } => axes[axis].at_share(f64::from(sobol_burley::sample(
                 number as u32,
                 axis as u32,
                 seed,

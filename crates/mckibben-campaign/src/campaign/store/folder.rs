@@ -3,17 +3,18 @@
 //! A part appears whole or not at all: written under a temporary name, brought to the disk,
 //! renamed.
 
-use crate::campaign::{CampaignError, Result, Shard};
-use mckibben_io::files::Unfinished;
+use super::shard::Shard;
+use crate::campaign::error::{CampaignError, Result};
+use mckibben_io::files::{Unfinished, put_all, sync};
 use std::collections::BTreeMap;
 use std::fs::{DirEntry, File, OpenOptions, TryLockError};
-use std::io::Error;
+use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 const LOCK: &str = ".lock";
 /// The file that names the plan.
-pub(crate) const MARKER: &str = ".campaign.json";
+pub(super) const MANIFEST: &str = ".campaign.json";
 
 /// The file name of a part.
 pub(crate) fn part_name(number: u64) -> String {
@@ -51,7 +52,7 @@ pub(crate) fn check_name(path: &Path) -> Result<()> {
 }
 
 fn lock_name(shard: Shard) -> String {
-    format!("{LOCK}-{}", shard.file_name())
+    format!("{LOCK}-{shard}").replace('/', "-of-")
 }
 
 fn names(folder: &Path) -> Result<Vec<String>> {
@@ -123,7 +124,7 @@ impl Folder {
             Err(TryLockError::WouldBlock) => Err(CampaignError::Locked(self.path.clone())),
             // A file system without locks: parts are still renamed whole, and equal whoever writes
             // them.
-            Err(TryLockError::Error(e)) if e.kind() == std::io::ErrorKind::Unsupported => Ok(()),
+            Err(TryLockError::Error(e)) if e.kind() == ErrorKind::Unsupported => Ok(()),
             Err(TryLockError::Error(e)) => Err(CampaignError::write(&path)(e)),
         }
     }
@@ -140,11 +141,12 @@ impl Folder {
     /// Of how many shards that is which began last.
     pub(crate) fn shards(path: &Path) -> Result<u64> {
         let begun = |name: String| {
-            let shard = Shard::from_file_name(name.strip_prefix(LOCK)?.strip_prefix('-')?)?;
-            Some((
-                path.join(name).metadata().ok()?.modified().ok()?,
-                shard.count(),
-            ))
+            let shard = name
+                .strip_prefix(LOCK)?
+                .strip_prefix('-')?
+                .replace("-of-", "/");
+            let modified = path.join(name).metadata().ok()?.modified().ok()?;
+            Some((modified, shard.parse::<Shard>().ok()?.count()))
         };
         Ok(names(path)?
             .into_iter()
@@ -177,50 +179,46 @@ impl Folder {
     }
 
     /// Writes parts so that they survive whatever follows.
-    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<Vec<(u64, PathBuf)>> {
-        let mut written = vec![];
+    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<()> {
         if parts.is_empty() {
-            return Ok(written);
+            return Ok(());
         }
         for (number, bytes) in parts.drain(..) {
-            let path = self.path.join(part_name(number));
-            // Removed again if anything fails before it is renamed.
-            let file = Unfinished::inside(&path, true).and_then(|file| file.with(&bytes));
-            file.and_then(|file| file.put(true))
-                .map_err(CampaignError::write(&path))?;
-            written.push((number, path));
+            put_all(&self.path, [(part_name(number), bytes)], true)
+                .map_err(|(path, error)| CampaignError::Write(path, error))?;
         }
-        mckibben_io::files::sync(&self.path);
-        Ok(written)
+        sync(&self.path);
+        Ok(())
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.
     pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<()> {
-        let remove = |path: PathBuf| match std::fs::remove_file(&path) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                Err(CampaignError::write(&path)(error))
-            }
-            _ => Ok(()),
-        };
         for part in parts {
-            remove(self.path.join(part_name(part)))?;
+            self.discard(&self.path.join(part_name(part)))?;
         }
         let names = names(&self.path)?;
         // Some systems do not remove what is open.
         self.locks.clear();
-        let ours = [LOCK, Unfinished::PREFIX, MARKER];
-        for name in names
-            .iter()
-            .filter(|n| ours.iter().any(|prefix| n.starts_with(prefix)))
-        {
-            remove(self.path.join(name))?;
+        let is_ours = |name: &&String| {
+            [LOCK, Unfinished::PREFIX, MANIFEST]
+                .iter()
+                .any(|prefix| name.starts_with(prefix))
+        };
+        for name in names.iter().filter(is_ours) {
+            self.discard(&self.path.join(name))?;
         }
         // Something foreign in it keeps it.
         let _ = std::fs::remove_dir(&self.path);
         Ok(())
     }
 
-    pub(crate) fn discard(&self, part: &Path) -> Result<()> {
-        std::fs::remove_file(part).map_err(CampaignError::write(part))
+    /// Removes a file, where it is there.
+    pub(crate) fn discard(&self, file: &Path) -> Result<()> {
+        match std::fs::remove_file(file) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                Err(CampaignError::write(file)(error))
+            }
+            _ => Ok(()),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Which columns a table has.
 
-use crate::PointRow;
-use crate::campaign::Plan;
+use crate::campaign::plan::Plan;
+use crate::columns::PointRow;
 use crate::columns::{COLUMNS, Column, Role, Slot};
 use mckibben_io::parquet::{Column as Values, Packing};
 use std::sync::Arc;
@@ -103,13 +103,5 @@ impl Layout {
                 .collect::<Vec<_>>()
         };
         COLUMNS.iter().flat_map(columns).collect()
-    }
-
-    /// The first of its columns that is not among some names.
-    pub(crate) fn lacks(&self, names: &[&str]) -> Option<String> {
-        self.fields()
-            .iter()
-            .find(|f| !names.contains(&f.name.as_str()))
-            .map(|f| f.name.clone())
     }
 }

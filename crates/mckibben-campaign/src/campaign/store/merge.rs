@@ -1,10 +1,9 @@
 //! Parts → one file.
 
-use super::resume::belongs;
-use super::{
-    Folder, Opened, PartSource, Parts, Provenance, Which, flat, is_file_name, part_name, write,
-};
-use crate::campaign::{CampaignError, Result};
+use super::file::{Opened, chained, write};
+use super::folder::{Folder, is_file_name, part_name};
+use super::provenance::{Provenance, Which};
+use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -26,78 +25,84 @@ pub struct Merged {
     pub plan_sha256: String,
 }
 
-/// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an
-/// existing file.
-pub(super) fn write_whole(
-    provenance: &Provenance,
-    parts: Parts,
-    out: &Path,
-    clobber: bool,
-) -> Result<()> {
-    Unfinished::sweep(out);
-    let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
-    // Each is checked against the plan it must belong to; one group of rows is held at a time.
-    let opened = parts
-        .into_iter()
-        .map(|(number, part)| part.open(number, provenance));
-    write(
-        provenance,
-        Which::Whole,
-        flat(opened, Opened::tables),
-        file.file(),
-        out,
-    )?;
-    file.put(clobber).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
-        _ => CampaignError::write(out)(error),
-    })?;
-    sync(out.parent().unwrap_or(Path::new("")));
-    Ok(())
+/// A campaign of which all parts are there, each in its file.
+pub(super) struct Parts {
+    pub(super) provenance: Provenance,
+    /// In their order.
+    pub(super) files: Vec<PathBuf>,
 }
 
-/// All parts of some folders; none may be missing.
-pub(super) fn gather(folders: &[PathBuf]) -> Result<(Provenance, BTreeMap<u64, PathBuf>)> {
-    let mut parts: BTreeMap<u64, PathBuf> = BTreeMap::new();
-    for folder in folders {
-        for (number, path) in Folder::parts(folder)? {
-            match parts.get(&number) {
-                None => drop(parts.insert(number, path)),
-                Some(one) => {
-                    // Both are checked.
-                    let (a, b) = (Opened::file(one)?, Opened::file(&path)?);
-                    belongs(&b.provenance, &a.provenance, &path)?;
-                    let bytes = |p: &Path| std::fs::read(p).map_err(CampaignError::read(p));
-                    if bytes(one)? != bytes(&path)? {
-                        return Err(CampaignError::Conflict(one.clone(), path));
-                    }
+impl Parts {
+    /// All parts of some folders; none may be missing.
+    pub(super) fn gather(folders: &[PathBuf]) -> Result<Self> {
+        let mut parts: BTreeMap<u64, PathBuf> = BTreeMap::new();
+        for folder in folders {
+            for (number, path) in Folder::parts(folder)? {
+                if let Some(first) = parts.get(&number) {
+                    check_equal(first, &path)?;
+                } else {
+                    parts.insert(number, path);
                 }
             }
         }
+        let folder = folders.first().cloned().unwrap_or_default();
+        let Some(first) = parts.values().next() else {
+            let why = "there is no part in it".into();
+            return Err(CampaignError::NoCampaign(folder, why));
+        };
+        let provenance = Opened::file(first)?.provenance;
+        let count = provenance.parts();
+        // Not one after another: the count is read from the file.
+        let missing = count - parts.range(..count).count() as u64;
+        if let Some(first) = (0..count).find(|p| !parts.contains_key(p)) {
+            let (folder, first) = (folder.display(), part_name(first));
+            return Err(CampaignError::Incomplete(format!(
+                "{folder} is incomplete: {missing} of {count} parts are missing, the first is \
+                 {first}"
+            )));
+        }
+        if let Some((_, path)) = parts.range(count..).next() {
+            let why = format!("the plan has only {count} parts");
+            return Err(CampaignError::damaged(path, why));
+        }
+        let files = parts.into_values().collect();
+        Ok(Self { provenance, files })
     }
-    let path = folders.first().cloned().unwrap_or_default();
-    let Some(first) = parts.values().next() else {
-        return Err(CampaignError::NoCampaign(
-            path,
-            "there is no part in it".into(),
-        ));
-    };
-    let provenance = Opened::file(first)?.provenance;
-    let count = provenance.parts();
-    // Not one after another: the count is read from the file.
-    let missing = count - parts.range(..count).count() as u64;
-    if let Some(first) = (0..count).find(|p| !parts.contains_key(p)) {
-        let (path, first) = (path.display(), part_name(first));
-        return Err(CampaignError::Incomplete(format!(
-            "{path} is incomplete: {missing} of {count} parts are missing, the first is {first}"
-        )));
+
+    /// Each is opened when its turn comes, and checked against the plan it must belong to.
+    pub(super) fn opened(self) -> impl Iterator<Item = Result<Opened>> {
+        (0..).zip(self.files).map(move |(number, file)| {
+            Opened::file(&file)?.expect(Which::Part(number), &self.provenance)
+        })
     }
-    if let Some((_, path)) = parts.range(count..).next() {
-        return Err(CampaignError::damaged(
-            path,
-            format!("the plan has only {count} parts"),
-        ));
+
+    /// Writes them as one file, which appears whole or not at all; with `clobber` instead of an
+    /// existing file. One group of rows is held at a time.
+    pub(super) fn write(self, out: &Path, clobber: bool) -> Result<()> {
+        Unfinished::sweep(out);
+        let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
+        let provenance = self.provenance.clone();
+        let tables = chained(self.opened(), Opened::tables);
+        write(&provenance, Which::Whole, tables, file.file(), out)?;
+        file.put(clobber).map_err(|error| match error.kind() {
+            ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
+            _ => CampaignError::write(out)(error),
+        })?;
+        sync(out.parent().unwrap_or(Path::new("")));
+        Ok(())
     }
-    Ok((provenance, parts))
+}
+
+/// Refuses two files for the same part that differ.
+fn check_equal(first: &Path, second: &Path) -> Result<()> {
+    let (a, b) = (Opened::file(first)?, Opened::file(second)?);
+    a.provenance.check_same(&b.provenance, second)?;
+    let bytes = |path: &Path| std::fs::read(path).map_err(CampaignError::read(path));
+    if bytes(first)? == bytes(second)? {
+        Ok(())
+    } else {
+        Err(CampaignError::Conflict(first.into(), second.into()))
+    }
 }
 
 /// Merges the parts in some folders into one file, the same bytes as those of a single run. An
@@ -109,17 +114,15 @@ pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged>
     if out.exists() && !overwrite {
         return Err(CampaignError::Appeared(out.into()));
     }
-    let (provenance, parts) = gather(folders)?;
-    let parts = parts
-        .into_iter()
-        .map(|(n, path)| (n, PartSource::File(path)))
-        .collect();
-    write_whole(&provenance, parts, out, overwrite)?;
-    Ok(Merged {
+    let parts = Parts::gather(folders)?;
+    let of = &parts.provenance;
+    let merged = Merged {
         output: out.into(),
-        muscles: provenance.muscles,
-        points: provenance.points(),
-        parts: provenance.parts(),
-        plan_sha256: provenance.plan_sha256,
-    })
+        muscles: of.muscles,
+        points: of.points(),
+        parts: of.parts(),
+        plan_sha256: of.plan_sha256.clone(),
+    };
+    parts.write(out, overwrite)?;
+    Ok(merged)
 }

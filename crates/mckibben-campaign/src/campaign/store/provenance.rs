@@ -1,9 +1,11 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
 use super::layout::Layout;
-use crate::campaign::Plan;
+use crate::campaign::error::{CampaignError, Result};
+use crate::campaign::plan::Plan;
 use crate::hash;
 use serde::Serialize;
+use std::path::Path;
 
 /// This version of the program.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -59,6 +61,33 @@ impl Provenance {
             block: plan.block(),
             layout: Layout::for_plan(plan),
         }
+    }
+
+    /// Whether a file has these metadata.
+    pub(crate) fn check_same(&self, theirs: &Self, file: &Path) -> Result<()> {
+        self.check_plan(&theirs.version, &theirs.plan_sha256, file)?;
+        if theirs == self {
+            return Ok(());
+        }
+        let why = "its metadata are not those of this plan";
+        Err(CampaignError::damaged(file, why))
+    }
+
+    /// Whether a file is of this plan and this version of the program.
+    pub(crate) fn check_plan(&self, version: &str, plan_sha256: &str, file: &Path) -> Result<()> {
+        let name = file.display();
+        let (ours, our_version) = (&self.plan_sha256, &self.version);
+        let other = if plan_sha256 != ours {
+            format!(
+                "{name} contains a campaign of another plan (sha256 {plan_sha256:.12}, this plan \
+                 has {ours:.12})"
+            )
+        } else if version != our_version {
+            format!("{name} was written by mckibben {version}, and this is version {our_version}")
+        } else {
+            return Ok(());
+        };
+        Err(CampaignError::OtherPlan(other))
     }
 
     pub fn parts(&self) -> u64 {

@@ -1,9 +1,16 @@
 //! Runs a plan into a store.
 
-use super::merge::write_whole;
-use super::resume::{Marker, finished};
-use super::{Folder, PartSource, Provenance, Table, check_name, is_file_name, part};
-use crate::campaign::{CampaignError, Plan, Result, Shard, solve};
+use super::file::part;
+use super::folder::{Folder, check_name, is_file_name};
+use super::manifest::Manifest;
+use super::merge::Parts;
+use super::provenance::Provenance;
+use super::resume::{Recomputed, existing, finished};
+use super::shard::Shard;
+use super::table::Table;
+use crate::campaign::error::{CampaignError, Result};
+use crate::campaign::plan::Plan;
+use crate::campaign::solve;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
 use mckibben_io::files::check_writable;
@@ -31,15 +38,6 @@ pub struct Counts {
     pub failed: u64,
 }
 
-/// A damaged file that was computed again.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
-pub struct Recomputed {
-    /// The file.
-    pub file: PathBuf,
-    /// Its damage.
-    pub cause: String,
-}
-
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
@@ -61,25 +59,6 @@ pub struct Outcome {
     /// Where unfinished work lies.
     #[serde(skip)]
     pub store: PathBuf,
-}
-
-impl Outcome {
-    pub(super) fn new(
-        provenance: &Provenance,
-        output: &Path,
-        store: &Path,
-        counts: Counts,
-    ) -> Self {
-        Self {
-            output: output.into(),
-            complete: counts.muscles == counts.of,
-            counts,
-            points: counts.muscles * provenance.points_per_muscle,
-            plan_sha256: provenance.plan_sha256.clone(),
-            store: store.into(),
-            ..Self::default()
-        }
-    }
 }
 
 /// Parts are brought to the disk this often.
@@ -104,13 +83,6 @@ struct Done {
     failed: u64,
 }
 
-/// The folder of parts of a campaign that becomes one file.
-pub(super) fn parts_of(file: &Path) -> PathBuf {
-    let mut name = file.file_name().unwrap_or_default().to_owned();
-    name.push(".parts");
-    file.with_file_name(name)
-}
-
 /// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. Existing
 /// parts are not computed again. It reports muscles; where the caller ends it, the store is valid
 /// and not complete.
@@ -121,122 +93,181 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome> {
     check_name(out)?;
-    let provenance = Provenance::for_plan(plan);
     let one_file = is_file_name(out);
-    if one_file && options.shard.is_some() {
-        let message = format!(
-            "a shard writes parts, and {} would be one file",
-            out.display()
-        );
-        let hint = "give a folder, and merge the parts into a file when all shards are there";
-        return Err(CampaignError::Refused(message, hint));
-    }
-    if !one_file && out.is_file() {
-        let why =
-            "it is a file, and parts go into a folder; a campaign in one file ends in .parquet"
-                .into();
-        return Err(CampaignError::NoCampaign(out.into(), why));
-    }
-    let store = if one_file {
-        parts_of(out)
-    } else {
-        out.to_path_buf()
-    };
-    let replaced = one_file && out.exists();
-    if replaced {
-        check_writable(out).map_err(CampaignError::write(out))?;
-        match finished(&provenance, out, &store) {
-            Err(error) if options.overwrite && !matches!(error, CampaignError::Read { .. }) => {}
-            done => return done,
-        }
-    }
-    let folder = Folder::for_writing(&store, options.shard)?;
-    if one_file && out.exists() && !replaced {
-        // Another process finished it since.
-        drop(folder);
-        return finished(&provenance, out, &store);
-    }
-    if !one_file {
-        Marker::claim(&store, &provenance, options.overwrite)?;
-    }
-    Run {
+    let run = Run {
         plan,
-        provenance: &provenance,
+        provenance: Provenance::for_plan(plan),
         out,
+        store: if one_file { parts_of(out) } else { out.into() },
         options,
         progress,
+    };
+    if one_file {
+        run.into_file()
+    } else {
+        run.into_folder()
     }
-    .into_folder(folder)
+}
+
+/// The folder of parts of a campaign that becomes one file.
+fn parts_of(file: &Path) -> PathBuf {
+    let mut name = file.file_name().unwrap_or_default().to_owned();
+    name.push(".parts");
+    file.with_file_name(name)
 }
 
 /// A run of a plan.
-pub(super) struct Run<'a> {
+struct Run<'a> {
     plan: &'a Plan,
-    pub provenance: &'a Provenance,
+    provenance: Provenance,
     out: &'a Path,
-    pub options: &'a RunOptions,
+    /// The folder of parts.
+    store: PathBuf,
+    options: &'a RunOptions,
     progress: &'a dyn Progress,
 }
 
 impl Run<'_> {
     /// Whether a part is of its share.
-    pub fn holds(&self, part: u64) -> bool {
+    fn holds(&self, part: u64) -> bool {
         self.options.shard.is_none_or(|shard| shard.holds(part))
     }
 
-    /// Computes the missing parts of a folder; of a campaign in one file it writes the file at the
-    /// end.
-    fn into_folder(self, folder: Folder) -> Result<Outcome> {
-        let &Self {
-            provenance,
-            out,
-            options,
-            progress,
-            ..
-        } = &self;
-        let one_file = is_file_name(out);
-        let store = folder.path.clone();
-        let limited = options.threads.map(Threads::new).transpose()?;
-        let threads = limited.as_ref().unwrap_or_else(|| Threads::shared());
+    fn muscles_of(&self, parts: impl Iterator<Item = u64>) -> u64 {
+        let muscles = |part| self.provenance.muscles_of(part).count() as u64;
+        parts.map(muscles).sum()
+    }
 
-        let (mut parts, recomputed) = self.existing(&folder, threads)?;
-        let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
-        let share: Vec<u64> = (0..provenance.parts())
-            .filter(|part| self.holds(*part))
-            .collect();
-        let missing: Vec<u64> = share
-            .iter()
-            .copied()
-            .filter(|p| !parts.contains_key(p))
-            .collect();
-        let resumed = parts.keys().map(|&p| muscles(p)).sum();
-        let of = share.iter().map(|&p| muscles(p)).sum();
+    fn outcome(&self, store: &Path, counts: Counts, recomputed: Vec<Recomputed>) -> Outcome {
+        Outcome {
+            output: self.out.into(),
+            shard: self.options.shard.map(|shard| shard.to_string()),
+            complete: counts.muscles == counts.of,
+            counts,
+            points: counts.muscles * self.provenance.points_per_muscle,
+            plan_sha256: self.provenance.plan_sha256.clone(),
+            recomputed,
+            store: store.into(),
+        }
+    }
+
+    /// The outcome where the file exists, if that is of this plan.
+    fn finished(&self) -> Result<Outcome> {
+        finished(&self.provenance, self.out, &self.store)?;
+        let of = self.provenance.muscles;
+        let counts = Counts {
+            muscles: of,
+            of,
+            resumed: of,
+            ..Counts::default()
+        };
+        Ok(self.outcome(self.out, counts, vec![]))
+    }
+
+    /// Runs into a folder of parts.
+    fn into_folder(self) -> Result<Outcome> {
+        if self.out.is_file() {
+            let why =
+                "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
+            return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
+        }
+        let folder = Folder::for_writing(self.out, self.options.shard)?;
+        Manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
+        self.complete(&folder)
+    }
+
+    /// Runs into one file, by way of a folder of parts.
+    fn into_file(self) -> Result<Outcome> {
+        let (out, overwrite) = (self.out, self.options.overwrite);
+        if self.options.shard.is_some() {
+            let message = format!(
+                "a shard writes parts, and {} would be one file",
+                out.display()
+            );
+            let hint = "give a folder, and merge the parts into a file when all shards are there";
+            return Err(CampaignError::Refused(message, hint));
+        }
+        let is_replaced = out.exists();
+        if is_replaced {
+            check_writable(out).map_err(CampaignError::write(out))?;
+            match self.finished() {
+                Err(error) if overwrite && !matches!(error, CampaignError::Read { .. }) => {}
+                done => return done,
+            }
+        }
+        let folder = Folder::for_writing(&self.store, None)?;
+        if out.exists() && !is_replaced {
+            // Another process finished it since.
+            drop(folder);
+            return self.finished();
+        }
+        let outcome = self.complete(&folder)?;
+        if !outcome.complete {
+            return Ok(outcome);
+        }
+        if out.exists() && !overwrite {
+            return Err(CampaignError::Appeared(out.into()));
+        }
+        let numbers = 0..self.provenance.parts();
+        let mut files = Folder::parts(&self.store)?;
+        files.retain(|part, _| numbers.contains(part));
+        let parts = Parts {
+            provenance: self.provenance,
+            files: files.into_values().collect(),
+        };
+        parts.write(out, overwrite)?;
+        folder.remove(numbers)?;
+        Ok(outcome)
+    }
+
+    /// Computes the missing parts of a folder.
+    fn complete(&self, folder: &Folder) -> Result<Outcome> {
+        let RunOptions {
+            threads, overwrite, ..
+        } = *self.options;
+        let limited = threads.map(Threads::new).transpose()?;
+        let threads = limited.as_ref().unwrap_or_else(|| Threads::shared());
+        let holds = |part| self.holds(part);
+        let (there, recomputed) = existing(folder, &self.provenance, holds, overwrite, threads)?;
+        let share = || (0..self.provenance.parts()).filter(|&part| self.holds(part));
+        let missing: Vec<u64> = share().filter(|part| !there.contains(part)).collect();
+        let resumed = self.muscles_of(there.into_iter());
         let mut counts = Counts {
             muscles: resumed,
-            of,
+            of: self.muscles_of(share()),
             resumed,
             ..Counts::default()
         };
-        let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
-        report(&counts);
+        self.compute_all(&missing, threads, folder, &mut counts)?;
+        Ok(self.outcome(&self.store, counts, recomputed))
+    }
 
+    /// Computes parts and writes them, as far as the caller does not end it.
+    fn compute_all(
+        &self,
+        missing: &[u64],
+        threads: &Threads,
+        folder: &Folder,
+        counts: &mut Counts,
+    ) -> Result<()> {
+        let report = |c: &Counts| self.progress.report(c.muscles as usize, c.of as usize);
+        report(counts);
         let (mut pending, mut ended, mut flushed) = (vec![], Ok(()), Instant::now());
         // A separate flag: an error here is not the user's wish to end.
         let failed = AtomicBool::new(false);
-        let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
+        let halted = || self.progress.cancelled() || failed.load(Ordering::Relaxed);
         let work = |&number: &u64| self.compute(number, &halted);
-        threads.for_each(&missing, work, |done| {
+        threads.for_each(missing, work, |done| {
             let take_over = || -> Result<()> {
                 if let Some(done) = done.flatten().transpose()? {
-                    counts.muscles += muscles(done.part);
+                    counts.muscles += self.muscles_of([done.part].into_iter());
                     counts.points += done.points;
                     counts.failed += done.failed;
                     pending.push((done.part, done.bytes));
                 }
-                report(&counts);
+                report(counts);
                 if flushed.elapsed() > FLUSH {
-                    let written = folder.write(&mut pending)?.into_iter();
-                    parts.extend(written.map(|(number, path)| (number, PartSource::File(path))));
+                    folder.write(&mut pending)?;
                     flushed = Instant::now();
                 }
                 Ok(())
@@ -247,35 +278,14 @@ impl Run<'_> {
             }
         });
         ended?;
-        let shard = options.shard.map(|shard| shard.to_string());
-        let outcome = Outcome {
-            recomputed,
-            shard,
-            ..Outcome::new(provenance, out, &store, counts)
-        };
-        if one_file && outcome.complete {
-            if out.exists() && !options.overwrite {
-                folder.write(&mut pending)?;
-                return Err(CampaignError::Appeared(out.into()));
-            }
-            parts.extend(
-                pending
-                    .into_iter()
-                    .map(|(n, bytes)| (n, PartSource::Memory(bytes))),
-            );
-            write_whole(provenance, parts, out, options.overwrite)?;
-            folder.remove(0..provenance.parts())?;
-        } else {
-            folder.write(&mut pending)?;
-        }
-        Ok(outcome)
+        folder.write(&mut pending)
     }
 
     /// One part; `None` where the run is to end.
     fn compute(&self, number: u64, halted: &impl Fn() -> bool) -> Option<Result<Done>> {
-        let provenance = self.provenance;
+        let provenance = &self.provenance;
         let mut table = Table::new(provenance.layout.fields());
-        let (mut points, mut failed) = (0, 0);
+        let mut failed = 0;
         for muscle in provenance.muscles_of(number) {
             if halted() {
                 return None;
@@ -286,11 +296,11 @@ impl Run<'_> {
                 return None;
             }
             for row in rows {
-                points += 1;
                 failed += u64::from(!row.status.is_ok());
                 table.push(row);
             }
         }
+        let points = table.rows as u64;
         Some(part(provenance, number, table).map(|bytes| Done {
             part: number,
             bytes,

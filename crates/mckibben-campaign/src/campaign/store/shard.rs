@@ -30,15 +30,6 @@ impl Shard {
     pub fn blocks(self, all: u64) -> impl Iterator<Item = u64> {
         (self.index - 1..all).step_by(usize::try_from(self.count).unwrap_or(usize::MAX))
     }
-
-    pub(in crate::campaign) fn file_name(self) -> String {
-        self.to_string().replace('/', "-of-")
-    }
-
-    /// The share of a file's name.
-    pub(in crate::campaign) fn from_file_name(name: &str) -> Option<Self> {
-        name.replace("-of-", "/").parse().ok()
-    }
 }
 
 impl fmt::Display for Shard {

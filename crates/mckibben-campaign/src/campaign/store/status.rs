@@ -1,9 +1,11 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any
 //! time and from any machine.
 
-use super::resume::Marker;
-use super::{Folder, Opened};
-use crate::campaign::{CampaignError, Result, Shard};
+use super::file::Opened;
+use super::folder::Folder;
+use super::manifest::Manifest;
+use super::shard::Shard;
+use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::ReadError;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -66,19 +68,19 @@ pub struct CampaignStatus {
 
 /// Looks at a folder of parts.
 pub fn status(folder: &Path) -> Result<CampaignStatus> {
-    let parts = Folder::parts(folder)?;
-    let marker = match (Marker::read(folder), parts.values().next()) {
-        (Some(marker), _) => marker,
+    let mut parts = Folder::parts(folder)?;
+    let manifest = match (Manifest::read(folder), parts.values().next()) {
+        (Some(manifest), _) => manifest,
         // The parts of one file, or copies.
-        (None, Some(part)) => Marker::new(&Opened::file(part)?.provenance),
+        (None, Some(part)) => Manifest::new(&Opened::file(part)?.provenance),
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
             return Err(CampaignError::NoCampaign(folder.into(), why));
         }
     };
-    let mut whole = BTreeSet::new();
-    let mut damaged = vec![];
-    for (number, path) in parts.into_iter().filter(|part| part.0 < marker.parts) {
+    parts.retain(|&number, _| number < manifest.parts);
+    let (mut whole, mut damaged) = (BTreeSet::new(), vec![]);
+    for (number, path) in parts {
         match Opened::file(&path) {
             Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.
@@ -88,42 +90,43 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
             Err(_) => damaged.push(path),
         }
     }
-    let count = Folder::shards(folder)?;
-    let one = |index| {
-        let shard = Shard::new(index, count)?;
-        let parts_wanted = shard.blocks(marker.parts).count() as u64;
-        let parts = shard
-            .blocks(marker.parts)
-            .filter(|part| whole.contains(part))
-            .count() as u64;
-        let state = if parts == parts_wanted {
-            ShardState::Done
-        } else if Folder::is_locked(folder, shard) {
-            ShardState::Running
-        } else {
-            ShardState::Missing
-        };
-        Some(ShardStatus {
-            shard: shard.to_string(),
-            state,
-            parts,
-            parts_wanted,
-        })
-    };
-    let shards: Vec<ShardStatus> = (1..=count).filter_map(one).collect();
+    let shards_wanted = Folder::shards(folder)?;
+    let shards: Vec<ShardStatus> = (1..=shards_wanted)
+        .filter_map(|index| Shard::new(index, shards_wanted))
+        .map(|shard| shard_status(folder, shard, &whole, manifest.parts))
+        .collect();
     let count_of = |state| shards.iter().filter(|s| s.state == state).count() as u64;
+    let parts = whole.len() as u64;
     Ok(CampaignStatus {
         output: folder.into(),
-        complete: whole.len() as u64 == marker.parts,
-        parts: whole.len() as u64,
-        parts_wanted: marker.parts,
-        shards_wanted: count,
+        complete: parts == manifest.parts,
+        parts,
+        parts_wanted: manifest.parts,
+        shards_wanted,
         shards_done: count_of(ShardState::Done),
         shards_running: count_of(ShardState::Running),
         shards_missing: count_of(ShardState::Missing),
         shards,
         damaged,
-        plan_sha256: marker.plan_sha256,
-        version: marker.version,
+        plan_sha256: manifest.plan_sha256,
+        version: manifest.version,
     })
+}
+
+fn shard_status(folder: &Path, shard: Shard, whole: &BTreeSet<u64>, all: u64) -> ShardStatus {
+    let parts_wanted = shard.blocks(all).count() as u64;
+    let parts = whole.iter().filter(|part| shard.holds(**part)).count() as u64;
+    let state = if parts == parts_wanted {
+        ShardState::Done
+    } else if Folder::is_locked(folder, shard) {
+        ShardState::Running
+    } else {
+        ShardState::Missing
+    };
+    ShardStatus {
+        shard: shard.to_string(),
+        state,
+        parts,
+        parts_wanted,
+    }
 }

@@ -1,9 +1,11 @@
 //! The content of a campaign in a few numbers.
 
-use super::{Field, Folder, Opened, Provenance, Which};
-use crate::PointRow;
-use crate::campaign::{CampaignError, Result};
-use crate::columns::Role;
+use super::file::Opened;
+use super::folder::Folder;
+use super::layout::Field;
+use super::provenance::{Provenance, Which};
+use crate::campaign::error::{CampaignError, Result};
+use crate::columns::{PointRow, Role};
 use mckibben::status::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -61,14 +63,23 @@ pub struct Summary {
 
 impl Summary {
     fn new(provenance: Provenance) -> Self {
+        let range = |field: &Field| Extent {
+            name: field.name.clone(),
+            smallest: f64::INFINITY,
+            largest: f64::NEG_INFINITY,
+        };
         Self {
             points_wanted: provenance.points(),
+            ranges: questions_and_answers(&provenance)
+                .iter()
+                .map(range)
+                .collect(),
             provenance,
             ..Self::default()
         }
     }
 
-    fn add(&mut self, mut row: PointRow, fields: &[Field]) {
+    fn add_row(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
         if row.status.is_ok() {
             self.answered += 1;
@@ -82,34 +93,19 @@ impl Summary {
         }
         for (field, range) in fields.iter().zip(&mut self.ranges) {
             if let Some(value) = field.number(&mut row) {
-                (range.smallest, range.largest) =
-                    (range.smallest.min(value), range.largest.max(value));
+                range.smallest = range.smallest.min(value);
+                range.largest = range.largest.max(value);
             }
         }
     }
 
     fn add_file(&mut self, opened: Opened, path: &Path) -> Result<()> {
-        let fields = opened.provenance.layout.fields();
-        let fields: Vec<Field> = fields
-            .iter()
-            .filter(|f| f.column.role != Role::Note)
-            .cloned()
-            .collect();
-        if self.ranges.is_empty() {
-            let (smallest, largest) = (f64::INFINITY, f64::NEG_INFINITY);
-            let range = |f: &Field| Extent {
-                name: f.name.clone(),
-                smallest,
-                largest,
-            };
-            self.ranges = fields.iter().map(range).collect();
-        }
+        let fields = questions_and_answers(&opened.provenance);
         for row in opened.rows() {
-            self.add(row?, &fields);
+            self.add_row(row?, &fields);
         }
-        self.bytes += std::fs::metadata(path)
-            .map_err(CampaignError::read(path))?
-            .len();
+        let metadata = std::fs::metadata(path);
+        self.bytes += metadata.map_err(CampaignError::read(path))?.len();
         Ok(())
     }
 
@@ -122,30 +118,40 @@ impl Summary {
     }
 }
 
+/// The fields whose ranges are stated.
+fn questions_and_answers(provenance: &Provenance) -> Vec<Field> {
+    let fields = provenance.layout.fields();
+    fields
+        .iter()
+        .filter(|f| f.column.role != Role::Note)
+        .cloned()
+        .collect()
+}
+
 /// Looks through a campaign: one file, or a folder of parts, which may be incomplete.
 pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
     let path = path.as_ref();
     if !path.is_dir() {
         let opened = Opened::file(path)?;
-        let mut out = Summary::new(opened.provenance.clone());
-        out.add_file(opened, path)?;
-        return Ok(out.finished());
+        let mut summary = Summary::new(opened.provenance.clone());
+        summary.add_file(opened, path)?;
+        return Ok(summary.finished());
     }
-    let (mut out, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
+    let (mut summary, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
         let opened = Opened::file(&part)
             .and_then(Opened::checked)
             .and_then(|opened| {
-                let first = out
+                let first = summary
                     .as_ref()
-                    .map_or(&opened.provenance, |out| &out.provenance)
+                    .map_or(&opened.provenance, |s| &s.provenance)
                     .clone();
                 opened.expect(Which::Part(number), &first)
             });
         match opened {
             Ok(opened) => {
                 let new = || Summary::new(opened.provenance.clone());
-                out.get_or_insert_with(new).add_file(opened, &part)?;
+                summary.get_or_insert_with(new).add_file(opened, &part)?;
                 whole += 1;
             }
             Err(CampaignError::Damaged(_, why) | CampaignError::NoCampaign(_, why)) => {
@@ -154,15 +160,15 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
             Err(error) => return Err(error),
         }
     }
-    let Some(mut out) = out else {
-        let why = if damaged.is_empty() {
-            "there is no part in it".into()
-        } else {
-            damaged.join("; ")
-        };
-        return Err(CampaignError::NoCampaign(path.into(), why));
+    if let Some(mut summary) = summary {
+        summary.missing_parts = summary.provenance.parts().saturating_sub(whole);
+        summary.damaged = damaged;
+        return Ok(summary.finished());
+    }
+    let why = if damaged.is_empty() {
+        "there is no part in it".into()
+    } else {
+        damaged.join("; ")
     };
-    out.missing_parts = out.provenance.parts().saturating_sub(whole);
-    out.damaged = damaged;
-    Ok(out.finished())
+    Err(CampaignError::NoCampaign(path.into(), why))
 }

@@ -1,7 +1,7 @@
 //! Rows as columns in memory.
 
-use super::Field;
-use crate::PointRow;
+use super::layout::Field;
+use crate::columns::PointRow;
 use crate::columns::Slot;
 use mckibben_io::parquet::{Column, Text};
 use std::sync::Arc;

@@ -2,7 +2,11 @@
 //! else.
 
 use super::*;
-use crate::campaign::store::{Folder, Layout, Opened, Provenance, Table, Which, part as encode};
+use crate::campaign::store::file::{Opened, part as encode};
+use crate::campaign::store::folder::Folder;
+use crate::campaign::store::layout::Layout;
+use crate::campaign::store::provenance::Which;
+use crate::campaign::store::table::Table;
 
 fn is_refused(path: &Path) {
     let opened = Opened::file(path).map(drop);

@@ -46,5 +46,5 @@ fn reference(dir: &TempDir) -> Vec<u8> {
 }
 
 fn part(folder: &Path, number: u64) -> PathBuf {
-    folder.join(super::store::part_name(number))
+    folder.join(super::store::folder::part_name(number))
 }

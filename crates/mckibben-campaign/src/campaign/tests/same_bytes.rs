@@ -129,7 +129,7 @@ fn parts_that_were_computed_twice_are_the_same_bytes() {
 
 #[test]
 fn one_process_writes_to_a_store_or_several_with_different_shards() {
-    use crate::campaign::store::Folder;
+    use crate::campaign::store::folder::Folder;
     let dir = folder();
     let path = dir.path().join("store");
     let shard = |text: &str| Some(text.parse::<Shard>().unwrap());

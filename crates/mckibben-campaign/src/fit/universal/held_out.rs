@@ -1,6 +1,6 @@
 //! Random muscles that no fit has seen, and how far models are from finite elements on them.
 
-use super::{PullPoint, Sample, shares, summary};
+use super::points::{PullPoint, Sample, shares, summary};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};

@@ -14,7 +14,8 @@
 mod held_out;
 mod points;
 
-use super::{FitError, Result, least_squares};
+use super::error::{FitError, Result};
+use super::least_squares::least_squares;
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::formula::{
@@ -109,7 +110,7 @@ pub fn universal(
     step(0)?;
     let equations = equations(samples, &empty, &products);
     step(1)?;
-    let with = |terms: Vec<UniversalTerm>| {
+    let formula_of = |terms: Vec<UniversalTerm>| {
         let deficit = Deficit {
             form: request.form,
             terms,
@@ -119,7 +120,7 @@ pub fn universal(
             ..empty.clone()
         })
     };
-    let formula = with(solve(&products, &equations.iter().collect::<Vec<_>>())?);
+    let formula = formula_of(solve(&products, &equations.iter().collect::<Vec<_>>())?);
     let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
             chosen(s.number).then(|| {
@@ -136,7 +137,7 @@ pub fn universal(
             .iter()
             .filter(|e| e.muscle % FOLDS != fold)
             .collect();
-        let of_others = with(solve(&products, &kept)?);
+        let of_others = formula_of(solve(&products, &kept)?);
         left_out.extend(errors(&of_others, &|number| number % FOLDS == fold));
     }
     let mut done = Arc::unwrap_or_clone(formula);
@@ -193,7 +194,7 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
     let equations = |s: &Sample| {
         let model = Universal::new(formula.clone(), &s.muscle);
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
-        let one = |p: &PullPoint| {
+        let equation = |p: &PullPoint| {
             let (pressure, e, force) = (p.pressure_mpa, p.contraction, p.force_n);
             let EndPoint {
                 deficit_mm,
@@ -221,7 +222,7 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
             .points
             .iter()
             .filter(|p| inside(s, p, &empty.range, MARGIN));
-        chosen.filter_map(one).collect::<Vec<_>>()
+        chosen.filter_map(equation).collect::<Vec<_>>()
     };
     threads::map(samples, equations)
         .into_iter()

@@ -1,7 +1,7 @@
 //! From the rows of a campaign to points with their muscles.
 
-use crate::PointRow;
-use crate::fit::{FitError, Result};
+use crate::columns::PointRow;
+use crate::fit::error::{FitError, Result};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
@@ -100,7 +100,7 @@ pub fn shares(
     build: impl Fn(&Sample) -> Option<Box<dyn ForceModel>> + Sync,
     compared: impl Fn(&Sample, &PullPoint) -> bool + Sync,
 ) -> Vec<Vec<f64>> {
-    let one = |s: &Sample| {
+    let shares_of = |s: &Sample| {
         let Some(model) = build(s) else { return vec![] };
         let mut workspace = Workspace::new();
         let share = |p: &PullPoint| {
@@ -113,7 +113,7 @@ pub fn shares(
             .map(share)
             .collect()
     };
-    threads::map(samples, one)
+    threads::map(samples, shares_of)
 }
 
 /// Root mean square, quantiles and the largest of a list for each muscle.

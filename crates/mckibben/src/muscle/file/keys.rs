@@ -185,7 +185,7 @@ fn expected(schema: &Value) -> String {
             let words: Vec<&str> = words.iter().filter_map(Value::as_str).collect();
             format!("one of {}", words.join(", "))
         }
-        (None, Some(dimension)) => dimension.expectation().into(),
+        (None, Some(dimension)) => dimension.expectation(),
         (None, None) if schema["type"] == "number" => PLAIN.into(),
         (None, None) if schema["type"] == "string" => TEXT.into(),
         (None, None) => "a value".into(),

@@ -1,0 +1,173 @@
+//! One file of a store, the whole table or one part of it: tables of rows → Parquet → tables of
+//! rows.
+
+use super::folder::part_name;
+use super::layout::Field;
+use super::provenance::{Provenance, VERSION, Which};
+use super::table::Table;
+use crate::campaign::error::{CampaignError, Result};
+use crate::columns::PointRow;
+use mckibben_io::files::{ReadError, open};
+use mckibben_io::parquet::{GROUP, Reader, TableError, Writer};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The longest file of a campaign in bytes.
+const MAX_BYTES: u64 = 64 << 30;
+
+/// A file of a store whose metadata are read.
+pub(crate) struct Opened {
+    pub(crate) provenance: Provenance,
+    pub(crate) which: Which,
+    path: PathBuf,
+    fields: Arc<[Field]>,
+    reader: Reader,
+}
+
+impl Opened {
+    pub(crate) fn file(path: &Path) -> Result<Self> {
+        let file = open(path).map_err(CampaignError::read(path))?;
+        if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
+            let limit = MAX_BYTES;
+            return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
+        }
+        let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
+        let none = |why| CampaignError::NoCampaign(path.into(), why);
+        let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
+        let (fields, names) = (provenance.layout.fields(), reader.names());
+        if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {
+            let why = format!("its table lacks the column {name}; run the plan again");
+            return Err(none(why));
+        }
+        let (rows, actual) = (provenance.rows_of(which), reader.rows());
+        if u64::try_from(actual) != Ok(rows) {
+            let why = format!("it has {actual} rows instead of {rows}");
+            return Err(CampaignError::damaged(path, why));
+        }
+        Ok(Self {
+            provenance,
+            which,
+            path: path.into(),
+            fields,
+            reader,
+        })
+    }
+
+    /// The same, if all its groups are read without an error.
+    pub(crate) fn checked(self) -> Result<Self> {
+        (0..self.reader.groups()).try_for_each(|index| self.group(index).map(drop))?;
+        Ok(self)
+    }
+
+    /// The same, if it is this share of a campaign.
+    pub(crate) fn expect(self, which: Which, of: &Provenance) -> Result<Self> {
+        of.check_same(&self.provenance, &self.path)?;
+        let why = match which {
+            Which::Whole => "it contains only a part of the campaign",
+            Which::Part(_) => "it contains a different part from its name",
+        };
+        if self.which == which {
+            Ok(self)
+        } else {
+            Err(CampaignError::damaged(&self.path, why))
+        }
+    }
+
+    /// Its tables, one for each group of rows.
+    pub(crate) fn tables(self) -> impl Iterator<Item = Result<Table>> {
+        (0..self.reader.groups()).map(move |index| self.group(index))
+    }
+
+    pub(crate) fn rows(self) -> impl Iterator<Item = Result<PointRow>> {
+        let path: Arc<Path> = self.path.as_path().into();
+        chained(self.tables(), move |table| {
+            let path = path.clone();
+            let damaged = move |error| CampaignError::damaged(&path, error);
+            (0..table.rows).map(move |i| table.row(i).map_err(&damaged))
+        })
+    }
+
+    fn group(&self, index: usize) -> Result<Table> {
+        let columns = self.fields.iter().map(|f| (f.name.as_str(), f.kind()));
+        let group = self.reader.group(index, columns);
+        let (columns, rows) = group.map_err(|error| undecoded(error, &self.path))?;
+        Ok(Table {
+            fields: self.fields.clone(),
+            columns,
+            rows,
+        })
+    }
+}
+
+/// The parts of each, one after another; an error stays one.
+pub(super) fn chained<A, B, Parts: Iterator<Item = Result<B>>>(
+    wholes: impl Iterator<Item = Result<A>>,
+    parts: impl Fn(A) -> Parts,
+) -> impl Iterator<Item = Result<B>> {
+    wholes.flat_map(move |whole| {
+        let (parts, error) = match whole {
+            Ok(whole) => (Some(parts(whole)), None),
+            Err(error) => (None, Some(Err(error))),
+        };
+        parts.into_iter().flatten().chain(error)
+    })
+}
+
+/// A file that the system does not read, or one that is not as it was written.
+fn undecoded(error: TableError, path: &Path) -> CampaignError {
+    match error {
+        TableError::Io(source) if source.raw_os_error().is_some() => {
+            CampaignError::read(path)(source)
+        }
+        other => CampaignError::damaged(path, other),
+    }
+}
+
+/// A part as the bytes of its file.
+pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
+    let (mut bytes, name) = (vec![], part_name(number));
+    let tables = std::iter::once(Ok(table));
+    write(
+        provenance,
+        Which::Part(number),
+        tables,
+        &mut bytes,
+        name.as_ref(),
+    )?;
+    Ok(bytes)
+}
+
+/// Tables into an empty file, row group by row group; how the tables are cut does not matter.
+pub(crate) fn write(
+    provenance: &Provenance,
+    which: Which,
+    tables: impl Iterator<Item = Result<Table>>,
+    file: &mut (dyn Write + Send),
+    path: &Path,
+) -> Result<()> {
+    let failed = |error| match error {
+        TableError::Io(source) => CampaignError::Write(path.into(), source),
+        TableError::Table(why) => CampaignError::Write(path.into(), std::io::Error::other(why)),
+    };
+    let mut group = Table::new(provenance.layout.fields());
+    let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
+    let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));
+    let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
+    for table in tables {
+        let (table, mut from) = (table?, 0);
+        while from < table.rows {
+            let to = table.rows.min(from + GROUP - group.rows);
+            group.extend(&table, from, to);
+            from = to;
+            if group.rows == GROUP {
+                out.group(&group.columns).map_err(failed)?;
+                group = Table::new(group.fields);
+            }
+        }
+    }
+    if group.rows > 0 {
+        out.group(&group.columns).map_err(failed)?;
+    }
+    out.finish().map_err(failed)
+}

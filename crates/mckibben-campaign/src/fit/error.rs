@@ -1,0 +1,42 @@
+//! Why a table gives no formula.
+
+use mckibben::cancel::Cancelled;
+use thiserror::Error;
+
+pub(super) type Result<T, E = FitError> = std::result::Result<T, E>;
+
+/// Why a table gives no formula.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FitError {
+    /// Refused: field, value, what it must be.
+    #[error("{0}")]
+    Refused(String),
+    /// The caller wanted it to end.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl FitError {
+    pub(crate) fn empty(place: &str) -> Self {
+        Self::Refused(format!("the table has no point with an answer{place}"))
+    }
+
+    pub(crate) fn mixed_make(part: &str) -> Self {
+        Self::Refused(format!(
+            "the table mixes muscles of different {part}; a formula covers only one: fit them \
+             separately"
+        ))
+    }
+
+    pub(crate) fn varies(column: &str) -> Self {
+        Self::Refused(format!(
+            "in the table {column} varies, which is not a variable of the formula; fit a table in \
+             which it is constant"
+        ))
+    }
+
+    /// Least squares without a finite answer.
+    pub(crate) fn singular(place: impl std::fmt::Display) -> Self {
+        Self::Refused(format!("least squares have no finite answer for {place}"))
+    }
+}
