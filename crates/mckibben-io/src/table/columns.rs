@@ -3,7 +3,8 @@
 
 use super::error::{TableError, listed, short};
 use super::heading::{self, Column, MINUS, plain};
-use super::vocabulary::{Meaning, Vocabulary};
+use super::kinds::Vocabulary;
+use super::vocabulary::Meaning;
 use crate::units::Unit;
 use crate::units::nearest::{meant, nearest};
 use serde::{Deserialize, Serialize};
@@ -315,7 +316,7 @@ impl Choice {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vocabulary::POINTS;
+    use super::super::kinds::POINTS;
     use super::*;
 
     fn parse(text: &str) -> Vec<(String, String)> {

@@ -1,6 +1,7 @@
 //! Why a table cannot be read.
 
-use super::vocabulary::{Meaning, Need};
+use super::kinds::Need;
+use super::vocabulary::Meaning;
 use crate::cancel::Cancelled;
 use thiserror::Error;
 

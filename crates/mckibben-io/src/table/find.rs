@@ -4,8 +4,9 @@ use super::columns::{Choice, Columns};
 use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, listed};
 use super::heading::Column;
+use super::kinds::{Need, Vocabulary};
 use super::number::{self, Decimal};
-use super::vocabulary::{Meaning, Need, Vocabulary};
+use super::vocabulary::Meaning;
 
 /// A table whose columns are known.
 #[derive(Debug)]

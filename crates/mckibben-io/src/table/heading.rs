@@ -1,7 +1,8 @@
 //! What a heading says: a quantity and its unit, in whatever spelling.
 
 use super::error::{TableError, short};
-use super::vocabulary::{Meaning, Vocabulary, Words, is_spoken};
+use super::kinds::Vocabulary;
+use super::vocabulary::{Meaning, Words, is_spoken};
 use crate::units::{Dimension, Unit};
 
 /// A column with its meaning.
@@ -305,7 +306,7 @@ impl Vocabulary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vocabulary::{POINTS, TESTS};
+    use super::super::kinds::{POINTS, TESTS};
     use super::*;
 
     fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {

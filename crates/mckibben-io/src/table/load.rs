@@ -3,7 +3,8 @@
 use super::columns::Columns;
 use super::error::TableError;
 use super::find::Table;
-use super::vocabulary::{LOADS, Meaning};
+use super::kinds::LOADS;
+use super::vocabulary::Meaning;
 
 /// Groups of [`LOADS`].
 const SHORTENING: usize = 0;

@@ -3,7 +3,8 @@
 use super::columns::Columns;
 use super::error::TableError;
 use super::find::Table;
-use super::vocabulary::{Meaning, OVER_TIME};
+use super::kinds::OVER_TIME;
+use super::vocabulary::Meaning;
 
 type Result<T> = std::result::Result<T, TableError>;
 

@@ -4,8 +4,9 @@ use super::delimited::TableRow;
 use super::error::{TableError, short};
 use super::find::Table;
 use super::heading::{self, Column, plain};
+use super::kinds::Need;
 use super::number::{self, Decimal, NoNumber};
-use super::vocabulary::{Meaning, Need};
+use super::vocabulary::Meaning;
 use crate::cancel;
 use crate::units::Dimension;
 

@@ -130,27 +130,6 @@ pub(crate) struct Words {
     joined: BTreeSet<String>,
 }
 
-/// The quantities of one kind of table.
-#[derive(Debug, Default, Deserialize)]
-pub struct Vocabulary {
-    pub(crate) quantities: Vec<Meaning>,
-    /// What a table of this kind is called, for messages.
-    pub(crate) what: String,
-    /// What there must be: any one of each group. Messages name the group by the first.
-    pub(crate) needed: Vec<Need>,
-}
-
-/// A group of quantities of which one must be there.
-#[derive(Debug, Deserialize)]
-pub(crate) struct Need {
-    /// In the plural, for messages.
-    pub(crate) wanted: String,
-    /// The first that is there is taken.
-    pub(crate) any_of: Vec<Meaning>,
-    /// Headings that would do.
-    pub(crate) names: String,
-}
-
 /// As in `ContractionRatio` and `restlength`.
 fn joined(label: &str) -> String {
     label.replace('_', "")
@@ -213,32 +192,12 @@ impl Words {
     }
 }
 
-/// A kind of `data/tables.toml`.
-fn kind(name: &str) -> Vocabulary {
-    let text = include_str!("../../data/tables.toml");
-    let all: Result<BTreeMap<String, Vocabulary>, _> = toml_edit::de::from_str(text);
-    all.ok()
-        .and_then(|mut all| all.remove(name))
-        .unwrap_or_default()
-}
-
-/// A rubber strip over time.
-pub static HISTORIES: LazyLock<Vocabulary> = LazyLock::new(|| kind("histories"));
-/// Measured points of a muscle.
-pub static POINTS: LazyLock<Vocabulary> = LazyLock::new(|| kind("points"));
-/// Points of a muscle over time, whose pressures another instrument may have recorded.
-pub static RECORDED: LazyLock<Vocabulary> = LazyLock::new(|| kind("recorded"));
-/// Tension tests of a rubber.
-pub static TESTS: LazyLock<Vocabulary> = LazyLock::new(|| kind("tests"));
-/// A load over the shortening of the muscle that meets it.
-pub(crate) static LOADS: LazyLock<Vocabulary> = LazyLock::new(|| kind("loads"));
-/// A quantity over time, in the order of [`OverTime`](super::OverTime).
-pub(crate) static OVER_TIME: LazyLock<[Vocabulary; 5]> =
-    LazyLock::new(|| ["pressures", "openings", "volumes", "contractions", "angles"].map(kind));
-
 #[cfg(test)]
 mod tests {
-    use super::super::heading::plain;
+    use super::super::{
+        heading::plain,
+        kinds::{HISTORIES, OVER_TIME, POINTS, TESTS},
+    };
     use super::*;
 
     #[test]
@@ -246,7 +205,7 @@ mod tests {
         for vocabulary in [&POINTS, &TESTS, &HISTORIES, &OVER_TIME[0]] {
             let mut seen = vec![];
             assert!(!vocabulary.needed.is_empty());
-            for meaning in &vocabulary.quantities {
+            for meaning in vocabulary.quantities {
                 assert!(!meaning.words().name.is_empty());
                 for word in meaning.words().all() {
                     assert_eq!(plain(word), word, "{word}");

@@ -1,0 +1,256 @@
+//! The kinds of tables: what each may hold, and what must be there.
+
+use super::vocabulary::Meaning::{self, *};
+
+/// The quantities of one kind of table.
+#[derive(Debug)]
+pub struct Vocabulary {
+    pub(crate) quantities: &'static [Meaning],
+    /// What a table of this kind is called, for messages.
+    pub(crate) what: &'static str,
+    /// What there must be: any one of each group. Messages name the group by the first.
+    pub(crate) needed: &'static [Need],
+}
+
+/// A group of quantities of which one must be there.
+#[derive(Debug)]
+pub(crate) struct Need {
+    /// In the plural, for messages.
+    pub(crate) wanted: &'static str,
+    /// The first that is there is taken.
+    pub(crate) any_of: &'static [Meaning],
+    /// Headings that would do.
+    pub(crate) names: &'static str,
+}
+
+const TIMES: Need = Need {
+    wanted: "times",
+    any_of: &[Time],
+    names: "time_s or Time [ms]",
+};
+const STRETCHES_OVER_TIME: Need = Need {
+    wanted: "stretches",
+    any_of: &[Stretch],
+    names: "stretch",
+};
+const STRESSES_OVER_TIME: Need = Need {
+    wanted: "stresses",
+    any_of: &[NominalStress],
+    names: "nominal_stress_mpa (or _kpa, _psi)",
+};
+const PRESSURES: Need = Need {
+    wanted: "pressures",
+    any_of: &[Pressure],
+    names: "pressure_mpa, pressure_bar or Pressure [psi]",
+};
+const OPENINGS: Need = Need {
+    wanted: "openings",
+    any_of: &[Opening],
+    names: "opening (-1 to 1)",
+};
+const VOLUMES: Need = Need {
+    wanted: "volumes",
+    any_of: &[Volume],
+    names: "volume_mm3 or volume_ml",
+};
+const CONTRACTIONS: Need = Need {
+    wanted: "contractions",
+    any_of: &[Contraction, Shortening],
+    names: "contraction, contraction_percent or Shortening [mm]",
+};
+const ANGLES: Need = Need {
+    wanted: "angles",
+    any_of: &[JointAngle],
+    names: "angle_deg or Angle [rad]",
+};
+const SHORTENINGS: Need = Need {
+    wanted: "shortenings",
+    any_of: &[Shortening, Contraction],
+    names: "Shortening [mm] or contraction",
+};
+const FORCES_OF_LOAD: Need = Need {
+    wanted: "forces",
+    any_of: &[Force],
+    names: "force_n, Force [kN] or Force [lbf]",
+};
+const PRESSURES_OF_MUSCLE: Need = Need {
+    wanted: "pressures",
+    any_of: &[Pressure],
+    names: "pressure_mpa, pressure_kpa, pressure_bar or Pressure [psi]",
+};
+const CONTRACTIONS_OF_MUSCLE: Need = Need {
+    wanted: "contractions",
+    any_of: &[Contraction, Shortening, Length, Extension],
+    names: "contraction, contraction_percent, Shortening [mm], Length [mm] or Extension [mm]",
+};
+const FORCES_OF_MUSCLE: Need = Need {
+    wanted: "forces",
+    any_of: &[Force, Volume],
+    names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
+};
+const STRETCHES_OF_TEST: Need = Need {
+    wanted: "stretches",
+    any_of: &[Stretch, Strain, TrueStrain, Extension, Length],
+    names: "stretch, engineering_strain, strain_percent or extension_mm",
+};
+const STRESSES_OF_TEST: Need = Need {
+    wanted: "stresses",
+    any_of: &[NominalStress, TrueStress, Force, TrueStressDifference],
+    names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
+};
+
+const COMMANDS: &[Meaning] = &[Time, Pressure, Contraction, Opening, Volume, JointAngle];
+
+/// A rubber strip over time.
+pub static HISTORIES: Vocabulary = Vocabulary {
+    what: "a test over time",
+    quantities: &[Time, Stretch, NominalStress],
+    needed: &[TIMES, STRETCHES_OVER_TIME, STRESSES_OVER_TIME],
+};
+/// Measured points of a muscle.
+pub static POINTS: Vocabulary = Vocabulary {
+    what: "measured points",
+    quantities: &[
+        Pressure,
+        Contraction,
+        Shortening,
+        RestLength,
+        Length,
+        Extension,
+        FreeLength,
+        Force,
+        Volume,
+        VolumeError,
+        Branch,
+        Measured,
+        Status,
+        ForceError,
+        ContractionError,
+        PressureError,
+        Weight,
+        OuterDiameter,
+        Wall,
+        Angle,
+    ],
+    needed: &[
+        PRESSURES_OF_MUSCLE,
+        CONTRACTIONS_OF_MUSCLE,
+        FORCES_OF_MUSCLE,
+    ],
+};
+/// Points of a muscle over time, whose pressures another instrument may have recorded.
+pub static RECORDED: Vocabulary = Vocabulary {
+    what: "points over time",
+    quantities: &[
+        Time,
+        Pressure,
+        Contraction,
+        Shortening,
+        RestLength,
+        Length,
+        Extension,
+        FreeLength,
+        Force,
+        Volume,
+        VolumeError,
+        Branch,
+        Measured,
+        Status,
+        ForceError,
+        ContractionError,
+        PressureError,
+        Weight,
+        OuterDiameter,
+        Wall,
+        Angle,
+    ],
+    needed: &[
+        PRESSURES_OF_MUSCLE,
+        CONTRACTIONS_OF_MUSCLE,
+        FORCES_OF_MUSCLE,
+        TIMES,
+    ],
+};
+/// Tension tests of a rubber.
+pub static TESTS: Vocabulary = Vocabulary {
+    what: "tension tests",
+    quantities: &[
+        Stretch,
+        Stretch2,
+        Strain,
+        TrueStrain,
+        Extension,
+        RestLength,
+        Length,
+        NominalStress,
+        TrueStress,
+        NominalStress2,
+        TrueStress2,
+        TrueStressDifference,
+        Force,
+        Mode,
+        Area,
+    ],
+    needed: &[STRETCHES_OF_TEST, STRESSES_OF_TEST],
+};
+/// A load over the shortening of the muscle that meets it.
+pub(crate) static LOADS: Vocabulary = Vocabulary {
+    what: "a load",
+    quantities: &[
+        Pressure,
+        Contraction,
+        Shortening,
+        RestLength,
+        Length,
+        Force,
+        Volume,
+        VolumeError,
+        Branch,
+        Measured,
+        Status,
+        ForceError,
+        ContractionError,
+        PressureError,
+        Weight,
+        OuterDiameter,
+        Wall,
+        Angle,
+    ],
+    needed: &[SHORTENINGS, FORCES_OF_LOAD],
+};
+/// A quantity over time, in the order of [`OverTime`](super::OverTime).
+pub(crate) static OVER_TIME: [Vocabulary; 5] = [
+    Vocabulary {
+        what: "a command",
+        quantities: COMMANDS,
+        needed: &[TIMES, PRESSURES],
+    },
+    Vocabulary {
+        what: "a command",
+        quantities: COMMANDS,
+        needed: &[TIMES, OPENINGS],
+    },
+    Vocabulary {
+        what: "a command",
+        quantities: COMMANDS,
+        needed: &[TIMES, VOLUMES],
+    },
+    Vocabulary {
+        what: "a command",
+        quantities: &[
+            Time,
+            Pressure,
+            Contraction,
+            Shortening,
+            Opening,
+            Volume,
+            JointAngle,
+        ],
+        needed: &[TIMES, CONTRACTIONS],
+    },
+    Vocabulary {
+        what: "a command",
+        quantities: COMMANDS,
+        needed: &[TIMES, ANGLES],
+    },
+];
