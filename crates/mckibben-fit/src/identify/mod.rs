@@ -29,7 +29,6 @@ pub(crate) use error::Result;
 pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
-pub(crate) use result::spread;
 pub use result::{Identification, Identified, PointFit, Spread};
 pub use run::{Request, identify};
 

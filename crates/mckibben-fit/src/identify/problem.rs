@@ -114,10 +114,7 @@ fn at_measured_pull(
             });
         }
     }
-    Err(ModelError::NotConverged {
-        pressure_mpa: p,
-        contraction: e,
-    })
+    Err(ModelError::not_converged(p, e))
 }
 
 impl<'a> Problem<'a> {
@@ -311,11 +308,7 @@ impl<'a> Problem<'a> {
         here: &Local,
     ) -> Result<Vec<f64>> {
         let (p, e) = (here.pressure_mpa, here.contraction);
-        let not_known = || ModelError::NotFinite {
-            model: m.info().name.to_string(),
-            pressure_mpa: p,
-            contraction: e,
-        };
+        let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
             names

@@ -2,6 +2,7 @@
 //! motion.
 
 use super::data::interpolate;
+use mckibben::extremes::ends;
 use mckibben::muscle::Direction;
 
 /// Pressures over time that another instrument recorded.
@@ -88,13 +89,6 @@ fn correlation(log: &[(f64, f64)], rows: &[(f64, f64)], shift: f64) -> f64 {
         [n + 1.0, x + p, y + f, xx + p * p, yy + f * f, xy + p * f]
     });
     (n * xy - x * y) / ((n * xx - x * x) * (n * yy - y * y)).sqrt()
-}
-
-/// The smallest and the largest.
-fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    })
 }
 
 /// A reversal moves by this share of the range: less is noise. Over less contraction the length is

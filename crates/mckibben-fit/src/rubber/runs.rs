@@ -1,6 +1,7 @@
 //! Loading, unloading and rupture, from the order of the points.
 
 use super::{Mode, TensionPoint};
+use mckibben::extremes::ends;
 
 /// A turn back by more than this share of the range of stretches ends a run.
 const TURN: f64 = 0.05;
@@ -64,11 +65,7 @@ pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
 
 /// Ends (exclusive) of the stretches of points between two turns.
 fn runs(points: &[TensionPoint]) -> Vec<usize> {
-    let (low, high) = points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
-            (a.min(p.stretch), b.max(p.stretch))
-        });
+    let (low, high) = ends(points.iter().map(|p| p.stretch));
     let turn = TURN * (high - low);
     let mut ends = vec![];
     // Place and stretch of the last extreme, and the way it went since the last turn.

@@ -114,6 +114,17 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
     }
 }
 
+impl<L: RubberLaw> Bar<'_, L> {
+    /// Its stresses less the measured ones, where all are numbers.
+    pub(super) fn differences(self, history: &[TimePoint]) -> Option<Vec<f64>> {
+        let rows = self.over(history).ok()?.into_iter().zip(history);
+        let differences = rows.map(|(model, p)| model - p.nominal_stress_mpa);
+        differences
+            .map(|d| Some(d).filter(|d| d.is_finite()))
+            .collect()
+    }
+}
+
 /// Times do not go back, and numbers are numbers.
 pub(super) fn check(history: &[TimePoint]) -> Result<()> {
     let mut before = f64::NEG_INFINITY;

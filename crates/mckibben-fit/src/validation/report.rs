@@ -144,9 +144,10 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
     let compared = compared(means, &case.points);
     let group = |name: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let residuals = residuals(by.build, &muscle, &points, case.friction_share());
+        let all = points.len();
+        let residuals = residuals(by.build, &muscle, points, case.friction_share());
         Group {
-            unanswered: points.len() - residuals.len(),
+            unanswered: all - residuals.len(),
             ..Group::new(name, blind, &residuals)
         }
     };

@@ -140,6 +140,14 @@ impl ModelError {
         }
     }
 
+    /// That an iteration did not converge at a pressure and contraction.
+    pub fn not_converged(pressure_mpa: f64, contraction: f64) -> Self {
+        Self::NotConverged {
+            pressure_mpa,
+            contraction,
+        }
+    }
+
     /// A pull that a model computed, where it is a number.
     pub(crate) fn finite(
         force_n: f64,
@@ -147,11 +155,10 @@ impl ModelError {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<f64> {
-        let error = || Self::not_finite(model, pressure_mpa, contraction);
         if force_n.is_finite() {
             Ok(force_n)
         } else {
-            Err(error())
+            Err(Self::not_finite(model, pressure_mpa, contraction))
         }
     }
 

@@ -2,7 +2,7 @@
 //! which it is held.
 
 use super::filling::Filling;
-use crate::analysis::{Evaluation, Result, Sweep};
+use crate::analysis::{AnalysisError, Evaluation, Result, Sweep};
 use crate::model::gauss;
 
 /// Parts into which a leg of the way is cut in search of the volume; they grow with the distance
@@ -20,6 +20,17 @@ pub(super) enum Leg {
     Load,
 }
 
+/// What was walked of the way.
+pub(super) struct Walk {
+    /// Parts of legs, from one place to another.
+    pub(super) parts: Vec<(Leg, f64, f64)>,
+    /// Where it ended.
+    pub(super) leg: Leg,
+    pub(super) at: f64,
+    /// Whether the volume is in there.
+    pub(super) is_done: bool,
+}
+
 /// The muscle on its way.
 pub(super) struct Way<'a> {
     pub(super) evaluation: Evaluation<'a>,
@@ -33,6 +44,53 @@ impl Way<'_> {
         self.filling
             .load
             .map_or(0.0, |load| load.force_n(contraction * self.length_mm))
+    }
+
+    /// The way until the volume is in: at rest, with the load up to the furthest contraction, then
+    /// where it is held.
+    pub(super) fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<Walk> {
+        let held_at = self.filling.held_at;
+        // The pressure at which the load is lifted.
+        let lifted_mpa = match self.place(Leg::Load, 0.0) {
+            _ if held_at == Some(0.0) => None,
+            Ok((p, _)) => Some(p),
+            Err(AnalysisError::NoPressure { .. }) => None,
+            Err(error) => return Err(error),
+        };
+        let mut walk = Walk {
+            parts: vec![],
+            leg: Leg::At(0.0),
+            at: 0.0,
+            is_done: false,
+        };
+        self.follow(
+            &mut walk,
+            Leg::At(0.0),
+            (0.0, lifted_mpa.unwrap_or(highest_mpa)),
+        )?;
+        if lifted_mpa.is_some() {
+            let extends = self.evaluation.model.muscle().is_extensile();
+            let sign = if extends { -1.0 } else { 1.0 };
+            let stop = held_at.filter(|e| sign * e <= sign * furthest);
+            self.follow(&mut walk, Leg::Load, (0.0, stop.unwrap_or(furthest)))?;
+            if let Some(e) = stop.filter(|e| *e == walk.at && !walk.is_done) {
+                let from = self.place(Leg::Load, e)?.0;
+                self.follow(&mut walk, Leg::At(e), (from, highest_mpa))?;
+            }
+        }
+        Ok(walk)
+    }
+
+    /// A further leg, where the volume is not in yet.
+    fn follow(&mut self, walk: &mut Walk, leg: Leg, (from, to): (f64, f64)) -> Result<()> {
+        if walk.is_done {
+            return Ok(());
+        }
+        let sought = self.seek(leg, (from, to))?;
+        let (Ok(at) | Err(at)) = sought;
+        walk.parts.push((leg, from, at));
+        (walk.leg, walk.at, walk.is_done) = (leg, at, sought.is_ok());
+        Ok(())
     }
 
     /// (P, ε) at a place of a leg.
