@@ -269,7 +269,7 @@ problems! {
     };
     IdentifyError: Parameter of Cancelled Model {
         IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start) | IdentifyError::Start { .. } => NotConverged;
-        IdentifyError::TooFew { .. } | IdentifyError::SomeErrors { .. } => Data;
+        IdentifyError::Data(_) => Data;
         IdentifyError::Implausible(_) => Data "if they are right, free what may be wrong: `free` \
             ...,braid.angle";
         IdentifyError::Flipped(_) => Data

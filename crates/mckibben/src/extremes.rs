@@ -2,7 +2,9 @@
 
 /// The smallest and the largest; infinite of none.
 pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
-    let none = (f64::INFINITY, f64::NEG_INFINITY);
-    let fold = |(low, high): (f64, f64), v| (low.min(v), high.max(v));
-    values.into_iter().fold(none, fold)
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for value in values {
+        (low, high) = (value.min(low), value.max(high));
+    }
+    (low, high)
 }

@@ -17,6 +17,41 @@ pub enum IdentifyError {
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+    /// Data that cannot be fitted.
+    #[error(transparent)]
+    Data(#[from] DataError),
+    /// Data that no muscle of this size gives.
+    #[error("{0}")]
+    Implausible(String),
+    /// A column with the wrong sign.
+    #[error("{0}")]
+    Flipped(String),
+    /// Points that no rubber explains.
+    #[error(
+        "no constants were found: {0}, which no rubber has. The measured pull is higher, or \
+         decreases less with contraction, than that of this muscle with any rubber"
+    )]
+    NoRubber(String),
+    /// The model fails at the start.
+    #[error("the model has no answer for {0}: {1}")]
+    Start(String, ModelError),
+    /// Starting values that make no muscle.
+    #[error("the starting values give no valid muscle: {0}")]
+    Muscle(#[from] MuscleError),
+    /// The starting values give no valid model.
+    #[error("the starting values give no valid model: {0}")]
+    Model(ModelError),
+    /// No minimum.
+    #[error(
+        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the \
+         data cannot determine"
+    )]
+    Estimate(EstimateError),
+}
+
+/// Why data cannot be fitted.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DataError {
     /// Not more points than parameters.
     #[error(
         "{points} points that pull{} do not determine {parameters} parameters: at least {} are \
@@ -45,33 +80,6 @@ pub enum IdentifyError {
         /// Line of the first without.
         line: u64,
     },
-    /// Data that no muscle of this size gives.
-    #[error("{0}")]
-    Implausible(String),
-    /// A column with the wrong sign.
-    #[error("{0}")]
-    Flipped(String),
-    /// Points that no rubber explains.
-    #[error(
-        "no constants were found: {0}, which no rubber has. The measured pull is higher, or \
-         decreases less with contraction, than that of this muscle with any rubber"
-    )]
-    NoRubber(String),
-    /// The model fails at the start.
-    #[error("the model has no answer for {0}: {1}")]
-    Start(String, ModelError),
-    /// Starting values that make no muscle.
-    #[error("the starting values give no valid muscle: {0}")]
-    Muscle(#[from] MuscleError),
-    /// The starting values give no valid model.
-    #[error("the starting values give no valid model: {0}")]
-    Model(ModelError),
-    /// No minimum.
-    #[error(
-        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the \
-         data cannot determine"
-    )]
-    Estimate(EstimateError),
 }
 
 fn left_out(dropped: usize) -> String {

@@ -4,8 +4,8 @@ use super::bench::{Minimum, bench};
 use super::problem::Problem;
 use super::result::{spread, spreads};
 use super::{
-    Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result,
-    Target, advice, history, signs,
+    Build, Candidate, DataError, Identification, Identified, IdentifyError, Parameter, PointFit,
+    Result, Target, advice, history, signs,
 };
 use crate::least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
@@ -135,7 +135,7 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     let without = points.iter().find(|p| p.error.is_none());
     if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
         let (all, line) = (points.len(), *line);
-        return Err(IdentifyError::SomeErrors { stated, all, line });
+        return Err(DataError::SomeErrors { stated, all, line }.into());
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
     Ok((points.iter().map(one).collect(), stated > 0))
@@ -175,10 +175,13 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         |p: &DataPoint| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0;
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
-    let too_few = |points| IdentifyError::TooFew {
-        points,
-        dropped: slack.len(),
-        parameters: unknowns.len(),
+    let too_few = |points| {
+        let (dropped, parameters) = (slack.len(), unknowns.len());
+        IdentifyError::Data(DataError::TooFew {
+            points,
+            dropped,
+            parameters,
+        })
     };
     if counted.len() <= unknowns.len() {
         return Err(too_few(counted.len()));

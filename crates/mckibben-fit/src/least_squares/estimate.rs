@@ -82,9 +82,18 @@ pub struct Estimate {
 /// Why there is no estimate.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EstimateError {
-    /// Refused: field, value, what it must be.
-    #[error("{0}")]
-    Refused(String),
+    /// Numbers that make no unknown.
+    #[error(
+        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in \
+         order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
+    Unsound {
+        /// Its place.
+        index: usize,
+        /// The numbers.
+        unknown: Unknown,
+    },
     /// Not more points than unknowns.
     #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and \
         more for a meaningful error bar", .unknowns + 1)]
@@ -333,12 +342,8 @@ pub fn estimate(
     loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
-        let u = unknowns[index];
-        return Err(EstimateError::Refused(format!(
-            "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be \
-             numbers in order, and its scale {} above zero",
-            u.start, u.low, u.high, u.scale
-        )));
+        let unknown = unknowns[index];
+        return Err(EstimateError::Unsound { index, unknown });
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {

@@ -1,5 +1,7 @@
 //! The straight line of least squares.
 
+use super::Errors;
+
 /// y = mean_y + slope (x − mean_x).
 pub(crate) struct Line {
     pub mean_x: f64,
@@ -11,15 +13,17 @@ pub(crate) struct Line {
 impl Line {
     /// The line through points x, y.
     pub fn through(points: &[(f64, f64)]) -> Self {
-        let n = points.len() as f64;
-        let mean_x = points.iter().map(|p| p.0).sum::<f64>() / n;
-        let mean_y = points.iter().map(|p| p.1).sum::<f64>() / n;
-        let together = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y));
-        let square = points.iter().map(|p| (p.0 - mean_x).powi(2));
+        let mean_x = Errors::new(points.iter().map(|p| p.0)).mean;
+        let mean_y = Errors::new(points.iter().map(|p| p.1)).mean;
+        let (mut together, mut square) = (0.0, 0.0);
+        for (x, y) in points {
+            together += (x - mean_x) * (y - mean_y);
+            square += (x - mean_x).powi(2);
+        }
         Self {
             mean_x,
             mean_y,
-            slope: together.sum::<f64>() / square.sum::<f64>(),
+            slope: together / square,
         }
     }
 

@@ -112,9 +112,7 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
             .map(|p| self.at(p.time_s, p.stretch))
             .collect())
     }
-}
 
-impl<L: RubberLaw> Bar<'_, L> {
     /// Its stresses less the measured ones, where all are numbers.
     pub(super) fn differences(self, history: &[TimePoint]) -> Option<Vec<f64>> {
         let rows = self.over(history).ok()?.into_iter().zip(history);

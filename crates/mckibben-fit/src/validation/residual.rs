@@ -87,6 +87,9 @@ fn residual(
     })
 }
 
+/// The model of the muscle of some rows, where it has one, with its memories.
+type SectionModel = (Section, Option<Box<dyn ForceModel>>, [Workspace; 2]);
+
 /// Measured points less the model of a muscle; without those to which the model has no answer; on
 /// single branches with a friction that is estimated by c_f where the muscle states none.
 pub(super) fn residuals<'a>(
@@ -95,7 +98,7 @@ pub(super) fn residuals<'a>(
     points: impl IntoIterator<Item = &'a DataPoint>,
     friction_share: f64,
 ) -> Vec<Residual> {
-    let mut models: Vec<(Section, Option<Box<dyn ForceModel>>, [Workspace; 2])> = vec![];
+    let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
         let section = point.section;

@@ -97,15 +97,19 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
         let (point, torque) = (at(deg)?, slope(&work, deg)?);
         let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
-        let stiffnesses = (stiffness, point.stiffness_nm_per_rad, 1e-5);
-        for (what, (reference, ours, tolerance)) in [
-            ("torque (N m)", (torque, point.torque_nm, 1e-6)),
-            ("stiffness (N m/rad)", stiffnesses),
-        ] {
+        let row = |what, reference, ours, tolerance| {
             let name = format!("elbow at {deg}°: {what}");
-            let ours = Some(ours);
-            rows.push(VerificationRow::new(name, WORK, reference, ours, tolerance));
-        }
+            VerificationRow::new(name, WORK, reference, Some(ours), tolerance)
+        };
+        rows.extend([
+            row("torque (N m)", torque, point.torque_nm, 1e-6),
+            row(
+                "stiffness (N m/rad)",
+                stiffness,
+                point.stiffness_nm_per_rad,
+                1e-5,
+            ),
+        ]);
     }
     Some(rows)
 }

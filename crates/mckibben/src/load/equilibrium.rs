@@ -150,8 +150,9 @@ impl Evaluation<'_> {
                 },
             });
         }
-        let each = zeros.into_iter();
-        each.map(|zero| self.balance(load, pressure_mpa, zero.at))
+        zeros
+            .into_iter()
+            .map(|zero| self.balance(load, pressure_mpa, zero.at))
             .collect()
     }
 

@@ -110,14 +110,14 @@ impl Evaluation<'_> {
     pub fn fill(&mut self, filling: &Filling<'_>) -> Result<Fill, FillError> {
         let options = self.options;
         let length_mm = self.model.muscle().length_mm();
-        self.check_hold(filling)?;
+        self.check(filling)?;
         let rest_mm3 = self.cavity_mm3(0.0, 0.0)?;
-        let furthest = self.furthest(filling.load);
-        let range_mpa = self.model.info().range.pressure_mpa;
+        let (highest_mpa, furthest) = self.ends(filling.load);
+        let lowest_mpa = self.model.info().range.pressure_mpa.0;
         // The way begins without pressure, which may be outside of the range; where it ends is
         // checked.
         let along = Options {
-            extrapolate: options.extrapolate || range_mpa.0 > 0.0,
+            extrapolate: options.extrapolate || lowest_mpa > 0.0,
             ..options
         };
         let way = &mut Way {
@@ -126,20 +126,12 @@ impl Evaluation<'_> {
             rest_mm3,
             length_mm,
         };
-        if way.evaluation.model.muscle().is_extensile() && way.load_n(0.0) > 0.0 {
-            let message =
-                "a muscle that extends gives way to a load that pulls: fill it free, or hold it";
-            return Err(Refused::new(["load"], message).into());
-        }
-        let highest_mpa = match options.extrapolate {
-            true => HIGHEST_PRESSURE_MPA,
-            false => range_mpa.1.min(HIGHEST_PRESSURE_MPA),
-        };
-        let walk = way.walk(highest_mpa, furthest)?;
-        let (pressure_mpa, contraction) = way.place(walk.leg, walk.at)?;
+        let (walked, is_in) = way.walk(highest_mpa, furthest)?;
+        let (leg, _, at) = walked[walked.len() - 1];
+        let (pressure_mpa, contraction) = way.place(leg, at)?;
         let volume_mm3 = filling.volume_mm3;
-        if !walk.is_done {
-            let largest_mm3 = way.pushed_mm3(walk.leg, walk.at)?;
+        if !is_in {
+            let largest_mm3 = way.pushed_mm3(leg, at)?;
             return Err(FillError::TooLarge {
                 volume_mm3,
                 largest_mm3,
@@ -147,13 +139,13 @@ impl Evaluation<'_> {
                 contraction,
             });
         }
-        let state = match walk.leg {
+        let state = match leg {
             Leg::Load => FillState::Balanced,
             Leg::At(_) if filling.held_at == Some(0.0) || contraction != 0.0 => FillState::Held,
             Leg::At(_) => FillState::NotLifted,
         };
         let (mut cavity_j, mut friction_j) = (0.0, 0.0);
-        for (leg, from, to) in walk.parts {
+        for (leg, from, to) in walked {
             let (cavity, friction) = way.works_j(leg, (from, to))?;
             (cavity_j, friction_j) = (cavity_j + cavity, friction_j + friction);
         }
@@ -193,9 +185,10 @@ impl Evaluation<'_> {
         })
     }
 
-    /// Refuses a hold at a contraction to which filling does not bring the muscle.
-    fn check_hold(&self, filling: &Filling<'_>) -> Result<(), Refused> {
-        let (sign, side) = match self.model.muscle().is_extensile() {
+    /// Refuses a hold to which filling does not bring the muscle, and a load to which it gives way.
+    fn check(&self, filling: &Filling<'_>) -> Result<(), Refused> {
+        let extends = self.model.muscle().is_extensile();
+        let (sign, side) = match extends {
             true => (-1.0, "a contraction of zero or below"),
             false => (1.0, "zero or above"),
         };
@@ -205,26 +198,33 @@ impl Evaluation<'_> {
                 "the muscle is filled at its length at rest and does not come to a contraction of \
                  {held_at}: hold it at {side} or leave `contraction` out"
             )
+        })?;
+        let pulls = filling.load.is_some_and(|load| load.force_n(0.0) > 0.0);
+        Refused::unless(!(extends && pulls), ["load"], || {
+            "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into()
         })
     }
 
-    /// The contraction, of a muscle that extends below zero, beyond which there is no answer.
-    fn furthest(&self, load: Option<&Load>) -> f64 {
-        let (model, open) = (self.model, (f64::NEG_INFINITY, f64::INFINITY));
-        let (low, high) = match self.options.extrapolate {
-            true => open,
-            false => model.info().range.contraction,
+    /// The pressure in MPa and the contraction, of a muscle that extends below zero, beyond which
+    /// there is no answer.
+    fn ends(&self, load: Option<&Load>) -> (f64, f64) {
+        let (muscle, range) = (self.model.muscle(), &self.model.info().range);
+        let open = (f64::NEG_INFINITY, f64::INFINITY);
+        let ((_, highest_mpa), (low, high)) = match self.options.extrapolate {
+            true => (open, open),
+            false => (range.pressure_mpa, range.contraction),
         };
-        let reach = load.map_or(open, Load::reach_mm);
-        let (muscle, length_mm) = (model.muscle(), model.muscle().length_mm());
-        if muscle.is_extensile() {
-            return low.max(reach.0 / length_mm).max(-1.5);
-        }
-        // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch a
-        // little.
-        high.min(reach.1 / length_mm)
-            .min(1.3 * muscle.max_ideal_contraction() + 0.05)
-            .min(0.95)
+        let (least_mm, most_mm) = load.map_or(open, Load::reach_mm);
+        let length_mm = muscle.length_mm();
+        let furthest = if muscle.is_extensile() {
+            low.max(least_mm / length_mm).max(-1.5)
+        } else {
+            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch
+            // a little.
+            let ideal = 1.3 * muscle.max_ideal_contraction() + 0.05;
+            high.min(most_mm / length_mm).min(ideal).min(0.95)
+        };
+        (highest_mpa.min(HIGHEST_PRESSURE_MPA), furthest)
     }
 }
 

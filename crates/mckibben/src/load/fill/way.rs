@@ -20,16 +20,8 @@ pub(super) enum Leg {
     Load,
 }
 
-/// What was walked of the way.
-pub(super) struct Walk {
-    /// Parts of legs, from one place to another.
-    pub(super) parts: Vec<(Leg, f64, f64)>,
-    /// Where it ended.
-    pub(super) leg: Leg,
-    pub(super) at: f64,
-    /// Whether the volume is in there.
-    pub(super) is_done: bool,
-}
+/// A part of a leg that was walked, from one place to another.
+pub(super) type Part = (Leg, f64, f64);
 
 /// The muscle on its way.
 pub(super) struct Way<'a> {
@@ -46,10 +38,13 @@ impl Way<'_> {
             .map_or(0.0, |load| load.force_n(contraction * self.length_mm))
     }
 
-    /// The way until the volume is in: at rest, with the load up to the furthest contraction, then
-    /// where it is held.
-    pub(super) fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<Walk> {
+    /// The way until the volume is in, and whether it is: at rest, with the load up to the furthest
+    /// contraction, then where it is held.
+    pub(super) fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<(Vec<Part>, bool)> {
         let held_at = self.filling.held_at;
+        let extends = self.evaluation.model.muscle().is_extensile();
+        let sign = if extends { -1.0 } else { 1.0 };
+        let stop = held_at.filter(|e| sign * e <= sign * furthest);
         // The pressure at which the load is lifted.
         let lifted_mpa = match self.place(Leg::Load, 0.0) {
             _ if held_at == Some(0.0) => None,
@@ -57,40 +52,25 @@ impl Way<'_> {
             Err(AnalysisError::NoPressure { .. }) => None,
             Err(error) => return Err(error),
         };
-        let mut walk = Walk {
-            parts: vec![],
-            leg: Leg::At(0.0),
-            at: 0.0,
-            is_done: false,
-        };
-        self.follow(
-            &mut walk,
-            Leg::At(0.0),
-            (0.0, lifted_mpa.unwrap_or(highest_mpa)),
-        )?;
-        if lifted_mpa.is_some() {
-            let extends = self.evaluation.model.muscle().is_extensile();
-            let sign = if extends { -1.0 } else { 1.0 };
-            let stop = held_at.filter(|e| sign * e <= sign * furthest);
-            self.follow(&mut walk, Leg::Load, (0.0, stop.unwrap_or(furthest)))?;
-            if let Some(e) = stop.filter(|e| *e == walk.at && !walk.is_done) {
-                let from = self.place(Leg::Load, e)?.0;
-                self.follow(&mut walk, Leg::At(e), (from, highest_mpa))?;
-            }
+        let mut walked = vec![];
+        let mut next = Some((Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa)));
+        while let Some((leg, from, to)) = next {
+            let sought = self.seek(leg, (from, to))?;
+            let (Ok(at) | Err(at)) = sought;
+            walked.push((leg, from, at));
+            next = match leg {
+                _ if sought.is_ok() => return Ok((walked, true)),
+                Leg::At(_) if walked.len() == 1 => {
+                    lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(furthest)))
+                }
+                Leg::Load if stop == Some(at) => {
+                    let (from, _) = self.place(leg, at)?;
+                    Some((Leg::At(at), from, highest_mpa))
+                }
+                _ => None,
+            };
         }
-        Ok(walk)
-    }
-
-    /// A further leg, where the volume is not in yet.
-    fn follow(&mut self, walk: &mut Walk, leg: Leg, (from, to): (f64, f64)) -> Result<()> {
-        if walk.is_done {
-            return Ok(());
-        }
-        let sought = self.seek(leg, (from, to))?;
-        let (Ok(at) | Err(at)) = sought;
-        walk.parts.push((leg, from, at));
-        (walk.leg, walk.at, walk.is_done) = (leg, at, sought.is_ok());
-        Ok(())
+        Ok((walked, false))
     }
 
     /// (P, ε) at a place of a leg.

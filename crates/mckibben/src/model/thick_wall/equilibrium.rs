@@ -130,31 +130,28 @@ impl ThickWall {
 
     /// The same from a guess of the outer radius.
     pub(in crate::model) fn state_near(&self, p: f64, l: f64, near: Option<f64>) -> Result<State> {
-        let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
+        let no_shape = ModelError::Geometry {
+            contraction: 1.0 - l,
+            lowest: 1.0 - straight,
+            highest: 1.0,
+        };
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
-            return Err(ModelError::Geometry {
-                contraction,
-                lowest: 1.0 - straight,
-                highest: 1.0,
-            });
+            return Err(no_shape);
         }
         match self.k {
             Some(k) => self.extensible(k, p, l, near),
             None => {
                 let r = self.pantograph(l);
                 if self.wall.bore2(l, r) <= 0.0 {
-                    return Err(ModelError::Geometry {
-                        contraction,
-                        lowest: 1.0 - straight,
-                        highest: 1.0,
-                    });
+                    return Err(no_shape);
                 }
                 let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
                 // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
                 let contact = 2.0 * PI * r * l * p - w.r;
                 if contact < 0.0 && !self.compression {
-                    return self.without_braid(p, l, r);
+                    // The tube alone, short of the braid.
+                    return self.solve(0.0, p, l, r, r);
                 }
                 Ok(self.rigid(p, l, r, &w, contact))
             }
@@ -197,27 +194,19 @@ impl ThickWall {
         }
     }
 
-    /// The tube alone, short of the braid at `r_braid`.
-    fn without_braid(&self, p: f64, l: f64, r_braid: f64) -> Result<State> {
-        let lowest = (self.wall.section() / l).sqrt();
-        self.solve(0.0, p, l, lowest, r_braid, r_braid)
-    }
-
     fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State> {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
-        let b = self.sin2 / (self.rs * self.rs);
-        let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
-        let highest = ((far.max(0.0) / b).sqrt() - self.offset).max(1.0001 * at_rest);
+        let highest = self.largest_radius(l).max(1.0001 * at_rest);
         let guess = near.filter(|r| *r > lowest && *r < highest);
         let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
-        self.solve(k, p, l, lowest, highest, guess)
+        self.solve(k, p, l, highest, guess)
     }
 
-    /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the
+    /// Root of ∂Π/∂r between that of a closed bore and `high`, by Newton's method kept inside the
     /// bracket.
-    fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State> {
-        let (mut low, mut high, mut r) = (low, high, guess);
+    fn solve(&self, k: f64, p: f64, l: f64, high: f64, guess: f64) -> Result<State> {
+        let (mut low, mut high, mut r) = ((self.wall.section() / l).sqrt(), high, guess);
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
         for iteration in 0..ITERATIONS {
             let trial = self.trial(k, p, l, r);
@@ -255,14 +244,13 @@ impl ThickWall {
                 0.5 * (low + high)
             };
             if high - low <= 4.0 * f64::EPSILON * high {
-                let at_end = g < 0.0;
-                if at_end && k > 0.0 {
+                if g < 0.0 && k > 0.0 {
                     break;
                 }
                 return self.at(&Trial { radius: r, ..trial });
             }
         }
-        if r >= 0.999 * self.radius_at_strand_stretch(LARGEST_STRAND_STRETCH, l) {
+        if r >= 0.999 * self.largest_radius(l) {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
                 contraction: 1.0 - l,
@@ -272,9 +260,11 @@ impl ThickWall {
         Err(ModelError::not_converged(p, 1.0 - l))
     }
 
-    fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {
-        self.rs * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt()
-            - self.offset
+    /// r with strands as long as they are followed.
+    fn largest_radius(&self, l: f64) -> f64 {
+        let b = self.sin2 / (self.rs * self.rs);
+        let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
+        (far.max(0.0) / b).sqrt() - self.offset
     }
 
     /// The equilibrium at a trial without a radial force.

@@ -155,10 +155,8 @@ impl Universal {
         }
         // Strands that do not stretch, and the short form: mostly a pull, which the search finds at
         // once.
-        let free = match self.is_coupled() {
-            true => None,
-            false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
-        };
+        let search = || self.nested(p, contraction, self.guess(contraction), 0.0);
+        let free = (!self.is_coupled()).then(search);
         if let Some(Ok((m, step))) = &free
             && m.state.force + m.state.force_l * step >= 0.0
         {
@@ -169,9 +167,7 @@ impl Universal {
             Some(zero) => self
                 .nested(p, contraction, zero.stretch(contraction), zero.middle.l)
                 .map(Ok),
-            None => free
-                .unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0))
-                .map(Ok),
+            None => free.unwrap_or_else(search).map(Ok),
         }
     }
 
