@@ -151,25 +151,33 @@ pub(super) fn with_file(file: &str) -> Vec<String> {
 
 type BuiltIn = LazyLock<Result<Vec<Measurement>, CaseError>>;
 
-static BUILT_IN: BuiltIn = LazyLock::new(|| {
+static MUSCLES: BuiltIn = LazyLock::new(|| read_built_in(false));
+static RUBBERS: BuiltIn = LazyLock::new(|| read_built_in(true));
+
+fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
-    built_in().iter().map(Measurement::read).collect()
-});
+    let wanted = |files: &&MeasuredFolder| files.muscle.trim().is_empty() == rubbers;
+    let all = built_in();
+    all.iter().filter(wanted).map(Measurement::read).collect()
+}
 
-/// What is built in, by its kind.
-fn all<T>(of: fn(&Measurement) -> Option<&T>) -> Result<Vec<&'static T>, &'static CaseError> {
-    Ok(BUILT_IN.as_ref()?.iter().filter_map(of).collect())
+/// What is built in, of its kind.
+fn all<T>(
+    list: &'static BuiltIn,
+    of: fn(&Measurement) -> Option<&T>,
+) -> Result<Vec<&'static T>, &'static CaseError> {
+    Ok(list.as_ref()?.iter().filter_map(of).collect())
 }
 
 /// The measured muscles that are built in.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    all(Measurement::muscle)
+    all(&MUSCLES, Measurement::muscle)
 }
 
 /// The measured rubbers that are built in.
 pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
-    all(Measurement::rubber)
+    all(&RUBBERS, Measurement::rubber)
 }
 
 impl Measurement {
