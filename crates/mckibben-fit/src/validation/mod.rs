@@ -22,22 +22,25 @@ pub mod residual;
 pub mod rubber;
 mod stress;
 
-use crate::identify::{Build, Parameter, Target};
-use crate::measured::mean_of_data;
-use case::{CaseFit, MuscleCase};
+use crate::compare::compare;
+use crate::identify::{Build, Parameter, Request, Target, identify};
+use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use coverage::{Coverage, share_row, validated};
+use mckibben::analysis::{Evaluation, Options};
 use mckibben::cancel::Cancelled;
 #[cfg(test)]
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::model::{Ideal, ThickWall};
-#[cfg(test)]
-use mckibben::muscle::Muscle;
+use mckibben::model::{Ideal, ThickWall, Workspace};
 use mckibben::muscle::measures::END_FACTOR;
+use mckibben::muscle::{Muscle, file::parse_muscle};
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::verification::{Measure, VerificationRow};
-use residual::{Fitter, ForceErrors, residuals};
+use residual::{Fitter, ForceErrors};
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
+/// The folder of the measured muscle, which begins with a neo-Hookean rubber of 0.5 MPa, and
+/// strands that do not stretch.
+const FOLDER: &str = "tondu2012";
 
 /// Every comparison with a measured muscle, whose finite elements `elements` builds.
 pub fn cases(
@@ -53,10 +56,7 @@ pub fn cases(
             return Ok(vec![share_row(name, "", &none, least)]);
         }
     };
-    let mut rows = match sets.iter().find(|set| set.facts.name == "tondu2012") {
-        Some(set) => hand_made(set, elements, progress)?,
-        None => vec![],
-    };
+    let mut rows = hand_made(elements, progress)?;
     let by = Fitter {
         build: elements,
         progress: &CancelOnly(progress),
@@ -73,53 +73,90 @@ pub fn cases(
     Ok(rows)
 }
 
-/// Models beside the 20° muscle, which begins with a neo-Hookean rubber of 0.5 MPa, and strands that
-/// do not stretch.
+/// Models beside the 20° muscle.
 fn hand_made(
-    set: &MuscleCase,
     elements: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<VerificationRow>, Cancelled> {
-    let points = mean_of_data(&set.points);
-    let largest = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+    let points = points();
     let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::new(m)));
     let (modulus, ends) = (Target::Modulus, Target::Measure(&END_FACTOR));
-    let (one, both) = (vec![modulus], vec![modulus, ends]);
-    // Name, model, what is fitted, and the rms over the largest force that passes.
-    let cases = [
-        ("ideal, nothing fitted", ideal, vec![], 0.10),
-        ("thick-wall, modulus fitted", thick, one.clone(), 0.03),
+    let cases: [Comparison<'_>; 4] = [
+        ("ideal, nothing fitted", ideal, &[], 0.10),
+        ("thick-wall, modulus fitted", thick, &[modulus], 0.03),
         (
             "thick-wall, modulus and end factor fitted",
             thick,
-            both,
+            &[modulus, ends],
             0.01,
         ),
-        ("fe, modulus fitted, no end factor", elements, one, 0.02),
+        (
+            "fe, modulus fitted, no end factor",
+            elements,
+            &[modulus],
+            0.02,
+        ),
     ];
-    let (mut rows, all) = (vec![], cases.len());
-    for (done, (name, build, targets, allowed)) in cases.into_iter().enumerate() {
-        progress.report(done, all);
+    let mut rows = vec![];
+    for (done, case) in cases.into_iter().enumerate() {
+        progress.report(done, cases.len());
         progress.check()?;
-        let by = Fitter {
-            build,
-            progress: &CancelOnly(progress),
-        };
-        let rms = set.fits.first().and_then(|fit| {
-            let fit = CaseFit {
-                free: targets.into_iter().map(Parameter::free).collect(),
-                ..fit.clone()
-            };
-            let (muscle, _) = by.fitted(&fit, &points).ok()?;
-            Some(ForceErrors::new(residuals(build, &muscle, &points, 0.0).iter()).rms_n)
-        });
-        let name = format!("hand-made, 20°: {name}");
-        let row = VerificationRow::new(name, SOURCE, largest, rms, allowed);
-        rows.push(validated(row, Measure::Rms, rms.map(|rms| rms / largest)));
+        rows.push(row(case, &points));
     }
-    progress.report(all, all);
+    progress.report(cases.len(), cases.len());
     Ok(rows)
+}
+
+fn points() -> Vec<MeasuredPoint> {
+    let text = case::text_of(FOLDER, "points.csv").unwrap_or_default();
+    read_measured(&text)
+        .map(|p| mean_of_branches(&p))
+        .unwrap_or_default()
+}
+
+/// The 20° muscle with what is fitted of it.
+fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) -> Option<Muscle> {
+    let m = parse_muscle(&case::text_of(FOLDER, "muscle.toml")?).ok()?;
+    let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
+    let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
+    let request = Request {
+        two_sided: true,
+        ..Request::new(&m, &free, &data, build)
+    };
+    if free.is_empty() {
+        Some(m)
+    } else {
+        Some(identify(&request).ok()?.muscle)
+    }
+}
+
+/// Name, model, what is fitted, and the rms over the largest force that passes.
+type Comparison<'a> = (&'a str, &'a Build<'a>, &'a [Target], f64);
+
+fn row(
+    (name, build, parameters, allowed): Comparison<'_>,
+    points: &[MeasuredPoint],
+) -> VerificationRow {
+    let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
+    let rms = fitted(build, parameters, points).and_then(|m| {
+        let (model, workspace) = (build(&m).ok()?, &mut Workspace::new());
+        compare(
+            &mut Evaluation::new(model.as_ref(), workspace, Options::default()),
+            points,
+            &[],
+        )
+        .ok()?
+        .rms_n
+    });
+    let row = VerificationRow::new(
+        format!("hand-made, 20°: {name}"),
+        SOURCE,
+        largest,
+        rms,
+        allowed,
+    );
+    validated(row, Measure::Rms, rms.map(|rms| rms / largest))
 }
 
 /// Finite elements with ends, for tests.
@@ -139,9 +176,7 @@ mod tests {
     /// runs.)
     #[test]
     fn the_documented_errors_come_out() {
-        let sets = case::muscles().unwrap();
-        let set = sets.iter().find(|s| s.facts.name == "tondu2012").unwrap();
-        let rows = hand_made(set, &elements, &Silent).unwrap();
+        let rows = hand_made(&elements, &Silent).unwrap();
         assert!(rows.iter().all(|r| r.ok), "{rows:#?}");
         let rms: Vec<f64> = rows.iter().map(|r| r.ours.unwrap()).collect();
         assert!(
@@ -154,16 +189,9 @@ mod tests {
             "{}",
             rows[0].reference
         );
+        let points = points();
         let free = [Target::Modulus, Target::Measure(&END_FACTOR)];
-        let fit = CaseFit {
-            free: free.map(Parameter::free).to_vec(),
-            ..set.fits[0].clone()
-        };
-        let by = Fitter {
-            build: &|m| Ok(Box::new(ThickWall::new(m))),
-            progress: &Silent,
-        };
-        let (muscle, _) = by.fitted(&fit, &mean_of_data(&set.points)).unwrap();
+        let muscle = fitted(&|m| Ok(Box::new(ThickWall::new(m))), &free, &points).unwrap();
         assert!(
             (muscle.measure(&END_FACTOR).unwrap() - 1.11).abs() < 0.01,
             "{:?}",
