@@ -8,7 +8,6 @@ use crate::model::{ModelError, Response, Result};
 use crate::muscle::Direction;
 use crate::rubber::RubberLaw;
 use crate::uncertainty::UncertaintyParts;
-use crate::units::trimmed as short;
 use crate::warning::{
     Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n,
 };
@@ -311,15 +310,13 @@ impl Evaluation<'_> {
         strand_strength_n(self.model.muscle())?;
         let response = self.response(pressure_mpa, contraction).ok()?;
         let (tension_n, strength_n) = overloaded(self.model.muscle(), &response)?;
-        Some(AnalysisError::StrandsBreak(format!(
-            "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} % break the strands: one of them \
-             carries {}\u{a0}N, and its strength is {}\u{a0}N",
-            short(force_n, 1),
-            short(pressure_mpa, 4),
-            short(100.0 * contraction, 2),
-            short(tension_n, 1),
-            short(strength_n, 1)
-        )))
+        Some(AnalysisError::StrandsBreak {
+            force_n,
+            pressure_mpa,
+            contraction,
+            tension_n,
+            strength_n,
+        })
     }
 
     /// The pull in N of a model on a branch, without its range and what it is worth: 0 where the

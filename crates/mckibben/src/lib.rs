@@ -40,6 +40,7 @@ pub mod answer;
 pub mod catalogue;
 pub mod curve;
 pub mod differences;
+pub mod extremes;
 pub mod formula;
 pub mod joint;
 pub mod liquid;

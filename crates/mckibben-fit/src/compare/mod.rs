@@ -2,7 +2,7 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
-use crate::identify::spread;
+use crate::least_squares::Errors;
 use crate::measured::DataPoint;
 use mckibben::analysis::Evaluation;
 use mckibben::cancel;
@@ -89,17 +89,19 @@ pub fn compare(
             .ok();
         volume_differences.extend(response.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
     }
-    let errors = |differences: &[f64]| Some(spread("", differences)).filter(|s| s.points > 0);
-    let (pulls, volumes) = (errors(&differences), errors(&volume_differences));
+    let points = differences.len();
+    let errors =
+        |differences: Vec<f64>| Some(Errors::new(differences)).filter(|errors| errors.points > 0);
+    let (pulls, volumes) = (errors(differences), errors(volume_differences));
     Ok(Comparison {
         model: info.name.to_string(),
-        rms_n: pulls.as_ref().map(|s| s.rms_n),
-        max_n: pulls.as_ref().map(|s| s.max_n),
-        mean_n: pulls.as_ref().map(|s| s.mean_n),
-        volume_points: volume_differences.len(),
-        rms_volume_mm3: volumes.as_ref().map(|s| s.rms_n),
-        mean_volume_mm3: volumes.as_ref().map(|s| s.mean_n),
-        points: differences.len(),
+        rms_n: pulls.as_ref().map(|e| e.rms),
+        max_n: pulls.as_ref().map(|e| e.largest),
+        mean_n: pulls.as_ref().map(|e| e.mean),
+        volume_points: volumes.as_ref().map_or(0, |e| e.points),
+        rms_volume_mm3: volumes.as_ref().map(|e| e.rms),
+        mean_volume_mm3: volumes.as_ref().map(|e| e.mean),
+        points,
         unanswered,
         cause: first.map(|error| error.to_string()),
     })

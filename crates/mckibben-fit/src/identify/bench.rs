@@ -13,6 +13,7 @@ use super::problem::Problem;
 use super::{Identification, PointFit, Request};
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::{DataPoint, MeasuredPoint, Section};
+use mckibben::extremes::ends;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Bench, Direction};
 use mckibben::units::plausible;
@@ -34,119 +35,101 @@ pub(super) fn bench(
     result: &Identification,
     minimum: &Minimum<'_>,
 ) -> Option<Bench> {
-    let (candidate, covariance) = (&result.candidate, &minimum.estimate.covariance);
+    let candidate = &result.candidate;
     let muscle = &candidate.muscle;
     let is_of_muscle = |section: Section| {
-        candidate
-            .section_muscle(&section)
-            .is_ok_and(|m| m == *muscle)
+        let of_row = candidate.section_muscle(&section);
+        of_row.is_ok_and(|of_row| of_row == *muscle)
     };
     // In any of its lengths.
-    let points = result.points.iter();
-    let points = points.filter(|f| {
+    let in_any_length = |f: &&PointFit| {
         is_of_muscle(Section {
             length_mm: None,
             ..f.point.section
         })
-    });
-    let points: Vec<&PointFit> = points.collect();
-    let offset = candidate.contraction_offset;
-    let range = |value: &dyn Fn(&PointFit) -> f64| {
-        let list = points.iter().map(|f| value(f));
-        list.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(v), high.max(v))
-        })
     };
-    let pressure_mpa = range(&|f| f.point.at.pressure_mpa);
-    let contraction = range(&|f| f.point.at.contraction + offset);
+    let points: Vec<&PointFit> = result.points.iter().filter(in_any_length).collect();
     if !points.iter().any(|f| is_of_muscle(f.point.section)) {
         return None;
     }
+    let offset = candidate.contraction_offset;
+    let pressure_mpa = ends(points.iter().map(|f| f.point.at.pressure_mpa));
+    let contraction = ends(points.iter().map(|f| f.point.at.contraction + offset));
     // The first row in time order may state none: the way of the others is known.
     let stated = request.history || points.iter().all(|f| f.point.at.branch.is_some());
     let seen = |b: &Direction| stated && points.iter().any(|f| f.point.at.branch == Some(*b));
     let branches: Vec<Direction> = Direction::ALL.into_iter().filter(seen).collect();
-    let t = t95(result.freedom);
-    let squares: f64 = result
-        .points
-        .iter()
-        .map(|f| f.residual_n * f.residual_n)
-        .sum();
-    let scatter =
-        largest_of_95(&points).or_else(|| largest_of_95(&result.points.iter().collect::<Vec<_>>()));
-    // Constants that were fitted to the points make the residuals smaller.
-    let fitted = (result.points.len() as f64 / result.freedom as f64).sqrt();
-    let scatter_n = scatter.map_or_else(
-        || t * (squares / result.freedom as f64).sqrt(),
-        |n| n * fitted,
-    );
-    let half_width_n = |pressure_mpa: f64, e: f64| -> Option<f64> {
-        let (contraction, branch) = (e - offset, branches.last().copied());
-        let at = MeasuredPoint {
-            pressure_mpa,
-            contraction,
-            force_n: 0.0,
-            branch,
-        };
-        let point = [DataPoint::new(at)];
-        let problem = Problem::new(request, (&point, None), minimum.x);
-        let columns = slopes(&problem, minimum.unknowns, minimum.x)?;
-        let g: Vec<f64> = columns
-            .iter()
-            .map(|c| c.first().copied().unwrap_or(0.0))
-            .collect();
-        let row = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
-        let variance: f64 = covariance.iter().zip(&g).map(|(c, g)| g * row(c)).sum();
-        Some(t * variance.max(0.0).sqrt()).filter(|half| plausible(*half))
-    };
     // A muscle that would have to push may have no equilibrium; its ± is not needed.
     let (long, w) = (ThickWall::new(muscle), &mut Workspace::new());
-    let grid: Vec<Vec<Option<f64>>> = places(pressure_mpa, GRID.0)
-        .map(|p| {
-            let mut one = |e: f64| {
-                long.force_n(w, p, e)
-                    .ok()
-                    .filter(|f| *f > 0.0)
-                    .and_then(|_| half_width_n(p, e))
-            };
-            places(contraction, GRID.1).map(&mut one).collect()
-        })
-        .collect();
-    let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
-    let mut lengths_mm = vec![muscle.tube().length_mm];
-    for length_mm in result
-        .points
-        .iter()
-        .filter_map(|f| f.point.section.length_mm)
-    {
-        if !lengths_mm.contains(&length_mm) {
-            lengths_mm.push(length_mm);
-        }
-    }
-    let half_widths = |row: &Vec<Option<f64>>| {
-        row.iter()
-            .map(|half| digits(half.unwrap_or(largest)))
-            .collect()
+    let mut half_width_n = |p: f64, e: f64| {
+        long.force_n(w, p, e).ok().filter(|f| *f > 0.0)?;
+        let at = MeasuredPoint {
+            pressure_mpa: p,
+            contraction: e - offset,
+            force_n: 0.0,
+            branch: branches.last().copied(),
+        };
+        let variance = minimum.variance(request, at)?;
+        Some(t95(result.freedom) * variance.max(0.0).sqrt()).filter(|half| plausible(*half))
     };
+    let mut row = |p| -> Vec<Option<f64>> {
+        let places = places(contraction, GRID.1);
+        places.map(|e| half_width_n(p, e)).collect()
+    };
+    let grid: Vec<Vec<Option<f64>>> = places(pressure_mpa, GRID.0).map(&mut row).collect();
+    let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
+    let half_widths = |row: &Vec<Option<f64>>| {
+        let halves = row.iter().map(|half| digits(half.unwrap_or(largest)));
+        halves.collect()
+    };
+    let mut lengths_mm = vec![muscle.tube().length_mm];
+    for point in &result.points {
+        let stated = point.point.section.length_mm;
+        lengths_mm.extend(stated.filter(|length| !lengths_mm.contains(length)));
+    }
+    let names = request.free.iter().map(|p| p.target.name(request.muscle));
     let bench = Bench {
         laboratory: None,
         model: (request.build)(muscle).ok()?.info().name.to_string(),
         lengths_mm,
         points: points.len(),
-        branches,
         pressure_mpa,
         contraction,
-        scatter_n: digits(scatter_n),
+        scatter_n: digits(scatter_n(result, &points)),
         fit_n: grid.iter().map(half_widths).collect(),
-        parameters: request
-            .free
-            .iter()
-            .map(|p| p.target.name(request.muscle))
-            .collect(),
-        covariance: written(covariance),
+        parameters: names.collect(),
+        covariance: written(&minimum.estimate.covariance),
         of: String::new(),
+        branches,
     };
     Some(bench.sealed(muscle))
+}
+
+impl Minimum<'_> {
+    /// g C gᵀ at a point of the muscle, N².
+    fn variance(&self, request: &Request<'_>, at: MeasuredPoint) -> Option<f64> {
+        let point = [DataPoint::new(at)];
+        let problem = Problem::new(request, (&point, None), self.x);
+        let g = slopes(&problem, self.unknowns, self.x)?.concat();
+        let dot = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
+        let rows = self.estimate.covariance.iter().zip(&g);
+        Some(rows.map(|(row, g)| g * dot(row)).sum())
+    }
+}
+
+/// The residual in N that a further one does not exceed in 95 of 100 cases: of the muscle's points
+/// where they are many, else of all.
+fn scatter_n(result: &Identification, points: &[&PointFit]) -> f64 {
+    let (all, freedom) = (&result.points, result.freedom as f64);
+    let of_all = || largest_of_95(&all.iter().collect::<Vec<_>>());
+    match largest_of_95(points).or_else(of_all) {
+        // Constants that were fitted to the points make the residuals smaller.
+        Some(largest) => largest * (all.len() as f64 / freedom).sqrt(),
+        None => {
+            let squares: f64 = all.iter().map(|f| f.residual_n * f.residual_n).sum();
+            t95(result.freedom) * (squares / freedom).sqrt()
+        }
+    }
 }
 
 /// Points from which on their distribution is known.
@@ -166,33 +149,21 @@ fn largest_of_95(points: &[&PointFit]) -> Option<f64> {
 /// Equal steps from end to end; one place where both are the same.
 fn places((low, high): (f64, f64), count: usize) -> impl Iterator<Item = f64> {
     let count = if high > low { count } else { 1 };
-    (0..count).map(move |i| {
-        if i == 0 {
-            low
-        } else {
-            low + (high - low) * i as f64 / (count - 1) as f64
-        }
-    })
+    let steps = (count - 1).max(1) as f64;
+    (0..count).map(move |i| low + (high - low) * i as f64 / steps)
 }
 
 /// A covariance as a muscle file holds it: without the constants whose variance is no number of
 /// such a file.
 fn written(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let kept = |i: usize| plausible(covariance[i][i]);
-    let entry = |i: usize, k: usize, v: f64| {
-        if kept(i) && kept(k) && plausible(v) {
-            v
-        } else {
-            0.0
-        }
+    let all = 0..covariance.len();
+    let entry = |i: usize, k: usize| {
+        let value = Some(covariance[i][k]).filter(|v| kept(i) && kept(k) && plausible(*v));
+        value.unwrap_or(0.0)
     };
-    let row = |(i, row): (usize, &Vec<f64>)| {
-        row.iter()
-            .enumerate()
-            .map(|(k, v)| entry(i, k, *v))
-            .collect()
-    };
-    covariance.iter().enumerate().map(row).collect()
+    let row = |i| all.clone().map(|k| entry(i, k)).collect();
+    all.clone().map(row).collect()
 }
 
 /// Four digits are enough for a ±.

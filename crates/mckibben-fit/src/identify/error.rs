@@ -17,9 +17,9 @@ pub enum IdentifyError {
     /// The caller wanted it to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Data that cannot be fitted: too few points, errors stated for some of them only.
-    #[error("{0}")]
-    Data(String),
+    /// Data that cannot be fitted.
+    #[error(transparent)]
+    Data(#[from] DataError),
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
@@ -49,18 +49,42 @@ pub enum IdentifyError {
     Estimate(EstimateError),
 }
 
-impl IdentifyError {
-    /// Not more points than parameters; `dropped` were left out because the muscle was slack.
-    pub(super) fn too_few(points: usize, dropped: usize, parameters: usize) -> Self {
-        let left_out = match dropped {
-            0 => String::new(),
-            n => format!(" ({n} more points without a measured force were left out)"),
-        };
-        let least = parameters + 1;
-        Self::Data(format!(
-            "{points} points that pull{left_out} do not determine {parameters} parameters: at \
-             least {least} are needed, and three for each parameter for a meaningful error bar; \
-             measure more, or free fewer"
-        ))
+/// Why data cannot be fitted.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DataError {
+    /// Not more points than parameters.
+    #[error(
+        "{points} points that pull{} do not determine {parameters} parameters: at least {} are \
+         needed, and three for each parameter for a meaningful error bar; measure more, or free \
+         fewer",
+        left_out(*.dropped), .parameters + 1
+    )]
+    TooFew {
+        /// Points that count.
+        points: usize,
+        /// Those left out because the muscle was slack.
+        dropped: usize,
+        /// Free parameters.
+        parameters: usize,
+    },
+    /// Errors stated for some points only.
+    #[error(
+        "{stated} of {all} points state their error (first without: line {line}): state the errors \
+         of all points, or of none"
+    )]
+    SomeErrors {
+        /// Points that state their error.
+        stated: usize,
+        /// All points.
+        all: usize,
+        /// Line of the first without.
+        line: u64,
+    },
+}
+
+fn left_out(dropped: usize) -> String {
+    match dropped {
+        0 => String::new(),
+        n => format!(" ({n} more points without a measured force were left out)"),
     }
 }

@@ -24,12 +24,11 @@ pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data}
 pub use advice::doubts;
 pub use candidate::Candidate;
 pub use default_parameters::{default_targets, identify_default, matters};
-pub use error::IdentifyError;
 pub(crate) use error::Result;
+pub use error::{DataError, IdentifyError};
 pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
-pub(crate) use result::spread;
 pub use result::{Identification, Identified, PointFit, Spread};
 pub use run::{Request, identify};
 

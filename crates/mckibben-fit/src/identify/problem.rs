@@ -114,10 +114,7 @@ fn at_measured_pull(
             });
         }
     }
-    Err(ModelError::NotConverged {
-        pressure_mpa: p,
-        contraction: e,
-    })
+    Err(ModelError::not_converged(p, e))
 }
 
 impl<'a> Problem<'a> {
@@ -311,11 +308,7 @@ impl<'a> Problem<'a> {
         here: &Local,
     ) -> Result<Vec<f64>> {
         let (p, e) = (here.pressure_mpa, here.contraction);
-        let not_known = || ModelError::NotFinite {
-            model: m.info().name.to_string(),
-            pressure_mpa: p,
-            contraction: e,
-        };
+        let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
             names
@@ -402,24 +395,21 @@ impl Residuals for Problem<'_> {
         let offset = candidate.contraction_offset;
         let rows = self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
-            let at = &point.at;
-            let here = match point.measured {
-                Quantity::Force | Quantity::Volume => local(
-                    m,
-                    w,
-                    at.pressure_mpa,
-                    at.contraction + offset,
-                    at.direction(),
-                )?,
-                _ => at_measured_pull(m, w, point, offset)?,
+            let scale = self.scale(point.measured);
+            // Volumes have no derivatives of the model.
+            let (here, factor) = if let Quantity::Contraction | Quantity::Pressure = point.measured
+            {
+                let here = at_measured_pull(m, w, point, offset)?;
+                let by = match point.measured {
+                    Quantity::Contraction => here.by_contraction,
+                    _ => here.by_pressure,
+                };
+                (here, -scale / by)
+            } else {
+                let (at, e) = (&point.at, point.at.contraction + offset);
+                (local(m, w, at.pressure_mpa, e, at.direction())?, scale)
             };
             let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
-            let scale = self.scale(point.measured);
-            let factor = match point.measured {
-                Quantity::Force | Quantity::Volume => scale,
-                Quantity::Contraction => -scale / here.by_contraction,
-                Quantity::Pressure => -scale / here.by_pressure,
-            };
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
         })?;
         let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;

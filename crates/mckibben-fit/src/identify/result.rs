@@ -1,6 +1,7 @@
 //! The result of an identification.
 
 use super::{Candidate, Target};
+use crate::least_squares::Errors;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::Serialize;
@@ -130,14 +131,14 @@ impl Identification {
 }
 
 /// rms, largest and mean of a list of residuals.
-pub(crate) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
-    let n = residuals.len().max(1) as f64;
+pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
+    let errors = Errors::new(residuals.iter().copied());
     Spread {
         label: label.into(),
-        points: residuals.len(),
-        rms_n: (residuals.iter().map(|r| r * r).sum::<f64>() / n).sqrt(),
-        max_n: residuals.iter().map(|r| r.abs()).fold(0.0, f64::max),
-        mean_n: residuals.iter().sum::<f64>() / n,
+        points: errors.points,
+        rms_n: errors.rms,
+        max_n: errors.largest,
+        mean_n: errors.mean,
     }
 }
 
@@ -157,15 +158,10 @@ pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
         ("mean of both branches", Some(Direction::Mean)),
         ("no branch", None),
     ];
-    let read = [
-        ("read: force", Quantity::Force),
-        ("read: contraction", Quantity::Contraction),
-        ("read: pressure", Quantity::Pressure),
-        ("read: volume", Quantity::Volume),
-    ];
     let branches =
         branches.map(|(label, branch)| group(label.into(), &|p| p.point.at.branch == branch));
-    let read = read.map(|(label, quantity)| group(label.into(), &|p| p.point.measured == quantity));
+    let read = Quantity::WORDS
+        .map(|(word, quantity)| group(format!("read: {word}"), &|p| p.point.measured == quantity));
     let mut out: Vec<Spread> = branches.into_iter().chain(read).flatten().collect();
     let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);
     out.extend((0..=sets).filter_map(|s| group(format!("data {}", s + 1), &|p| p.point.set == s)));

@@ -4,10 +4,10 @@ use super::bench::{Minimum, bench};
 use super::problem::Problem;
 use super::result::{spread, spreads};
 use super::{
-    Build, Candidate, Identification, Identified, IdentifyError, Parameter, PointFit, Result,
-    Target, advice, history, signs,
+    Build, Candidate, DataError, Identification, Identified, IdentifyError, Parameter, PointFit,
+    Result, Target, advice, history, signs,
 };
-use crate::least_squares::{EstimateError, Known, Loss, Residuals, Unknown, estimate};
+use crate::least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel::Cancelled;
 use mckibben::model::ModelError;
@@ -81,18 +81,10 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
 /// Starts and bounds of the free parameters.
 fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
     let muscle = request.muscle;
-    let named: Vec<Target> = request
-        .free
-        .iter()
-        .map(|p| p.target)
-        .chain(request.fixed.iter().map(|f| f.0))
-        .collect();
-    if let Some((_, twice)) = named
-        .iter()
-        .enumerate()
-        .find(|(i, target)| named[..*i].contains(target))
-    {
-        let name = twice.name(muscle);
+    let free = request.free.iter().map(|p| p.target);
+    let named: Vec<Target> = free.chain(request.fixed.iter().map(|f| f.0)).collect();
+    if let Some(twice) = (1..named.len()).find(|i| named[..*i].contains(&named[*i])) {
+        let name = named[twice].name(muscle);
         return Err(IdentifyError::Refused(format!(
             "{name} is named twice, free or fixed: name it once"
         )));
@@ -137,24 +129,13 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
     request.free.iter().map(one).collect()
 }
 
-/// The points that count, and those at which the muscle was slack.
-fn counted_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
-    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
-    counted.partition(|p| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0)
-}
-
+/// The weights of the points, and whether they state their errors.
 fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
     let stated = points.iter().filter(|p| p.error.is_some()).count();
-    if let Some(without) = points
-        .iter()
-        .find(|p| p.error.is_none())
-        .filter(|_| stated > 0)
-    {
-        let (all, line) = (points.len(), without.line);
-        return Err(IdentifyError::Data(format!(
-            "{stated} of {all} points state their error (first without: line {line}): state the \
-             errors of all points, or of none"
-        )));
+    let without = points.iter().find(|p| p.error.is_none());
+    if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
+        let (all, line) = (points.len(), *line);
+        return Err(DataError::SomeErrors { stated, all, line }.into());
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
     Ok((points.iter().map(one).collect(), stated > 0))
@@ -162,19 +143,14 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 
 /// Identifies the free parameters of a muscle so that its model comes closest to the points.
 pub fn identify(request: &Request<'_>) -> Result<Identification> {
-    let directed = if request.history {
-        history::directed(request.points)?
+    let directed;
+    let points = if request.history {
+        directed = history::directed(request.points)?;
+        &directed
     } else {
-        vec![]
+        request.points
     };
-    let request = if request.history {
-        &Request {
-            points: &directed,
-            ..*request
-        }
-    } else {
-        request
-    };
+    let request = &Request { points, ..*request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
     match search(request, &flipped) {
         // The search cannot tell a model without an answer from a caller who has gone.
@@ -195,47 +171,37 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     }
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    let (counted, slack) = counted_and_slack(request);
+    let pulls =
+        |p: &DataPoint| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0;
+    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
+    let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
+    let too_few = |points| {
+        let (dropped, parameters) = (slack.len(), unknowns.len());
+        IdentifyError::Data(DataError::TooFew {
+            points,
+            dropped,
+            parameters,
+        })
+    };
     if counted.len() <= unknowns.len() {
-        return Err(IdentifyError::too_few(
-            counted.len(),
-            slack.len(),
-            unknowns.len(),
-        ));
+        return Err(too_few(counted.len()));
     }
     let mut notes = advice::before(request, &counted)?;
-    notes.extend(flipped.iter().cloned());
+    notes.extend_from_slice(flipped);
     let first = request.candidate(&start)?;
     (request.build)(&first.muscle).map_err(IdentifyError::Model)?;
 
     let history = request.history.then_some(request.points);
     let problem_of = |points| Problem::new(request, (points, history), &start);
-    let problem = problem_of(&counted);
+    let no_answer = IdentifyError::Estimate(EstimateError::Start);
     // Residuals at the start, point by point.
-    let rows = problem
-        .rows(&start)
-        .ok_or(IdentifyError::Estimate(EstimateError::Start))?;
-    let (points, left_out) = leave_out(&counted, &rows)?;
-    let problem = if left_out.is_some() {
-        problem_of(&points)
-    } else {
-        problem
-    };
+    let rows = problem_of(&counted).rows(&start);
+    let (points, first_residuals, left_out) = leave_out(&counted, rows.ok_or(no_answer.clone())?)?;
     notes.extend(left_out);
+    let problem = problem_of(&points);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
-    let first_residuals = rows
-        .into_iter()
-        .collect::<Result<Vec<f64>, ModelError>>()
-        .ok();
-    let known = match first_residuals {
-        Some(residuals) => Known::new(&problem).with(&start, residuals),
-        None => Known::new(&problem),
-    };
-    let before = spread("start", &known.at(&start).unwrap_or_default()).rms_n;
-    let estimate = estimate(&known, &unknowns, &weights, request.loss).map_err(|e| match e {
-        EstimateError::TooFew { points, unknowns } => {
-            IdentifyError::too_few(points, slack.len(), unknowns)
-        }
+    let estimate = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
+        EstimateError::TooFew { points, .. } => too_few(points),
         EstimateError::NoMinimum { ref at, .. } => {
             let end = problem.candidate(at);
             end.and_then(|end| check_modulus(request, &first.muscle, &end.muscle).err())
@@ -244,62 +210,60 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         other => IdentifyError::Estimate(other),
     })?;
     // Unknowns at a bound are set to it, where that is a muscle.
-    let on_bounds: Vec<f64> = unknowns
-        .iter()
-        .zip(&estimate.x)
-        .map(|(u, x)| u.at_its_bound(*x))
-        .collect();
-    let (x, candidate) = match problem.candidate(&on_bounds) {
-        Some(candidate) => (on_bounds, candidate),
-        None => {
-            let candidate = problem.candidate(&estimate.x);
-            (
-                estimate.x.clone(),
-                candidate.ok_or(IdentifyError::Estimate(EstimateError::Start))?,
-            )
-        }
-    };
+    let bounded = unknowns.iter().zip(&estimate.x);
+    let on_bounds = bounded.map(|(u, x)| u.at_its_bound(*x)).collect();
+    let muscle_at = |x: Vec<f64>| Some((problem.candidate(&x)?, x));
+    let (candidate, x) = muscle_at(on_bounds)
+        .or_else(|| muscle_at(estimate.x.clone()))
+        .ok_or(no_answer)?;
     check_modulus(request, &first.muscle, &candidate.muscle)?;
     let minimum = Minimum {
         unknowns: &unknowns,
         estimate: &estimate,
         x: &x,
     };
-    let parameters = parameters(&problem, &minimum, &candidate.muscle);
-    let outliers = advice::outliers(&estimate.residuals, &weights);
-    let fitted: Vec<PointFit> = (0..points.len())
-        .map(|i| PointFit {
-            point: points[i],
-            residual: estimate.residuals[i] / problem.scale(points[i].measured),
-            residual_n: estimate.residuals[i],
-            weight: estimate.weights[i],
-            outlier: outliers[i],
-        })
-        .collect();
+    let fitted = fits(&problem, &points, &estimate, &weights);
     let all = spread("all", &estimate.residuals);
     let inside = estimate.at_bound.iter().filter(|b| !**b).count();
-    let freedom = points.len().saturating_sub(inside).max(1);
     let mut out = Identification {
         muscle: candidate.muscle.clone(),
+        parameters: parameters(&problem, &minimum, &candidate.muscle),
         candidate,
-        parameters,
         correlation: estimate.correlation.clone(),
         spreads: spreads(&fitted),
-        freedom,
+        freedom: points.len().saturating_sub(inside).max(1),
         points: fitted,
         slack,
-        rms_before_n: before,
+        rms_before_n: spread("start", &first_residuals).rms_n,
         rms_n: all.rms_n,
         max_n: all.max_n,
         deviation: estimate.deviation,
         errors_stated,
-        notes: vec![],
+        notes,
         bench: None,
     };
     out.bench = bench(request, &out, &minimum);
-    notes.extend(advice::after(&out, request));
-    out.notes = notes;
+    let after = advice::after(&out, request);
+    out.notes.extend(after);
     Ok(out)
+}
+
+/// Each point with its residual.
+fn fits(
+    problem: &Problem<'_>,
+    points: &[DataPoint],
+    estimate: &Estimate,
+    weights: &[f64],
+) -> Vec<PointFit> {
+    let outliers = advice::outliers(&estimate.residuals, weights);
+    let one = |(i, point): (usize, &DataPoint)| PointFit {
+        point: *point,
+        residual: estimate.residuals[i] / problem.scale(point.measured),
+        residual_n: estimate.residuals[i],
+        weight: estimate.weights[i],
+        outlier: outliers[i],
+    };
+    points.iter().enumerate().map(one).collect()
 }
 
 /// No rubber of which muscles are made is softer, in MPa.
@@ -340,39 +304,38 @@ fn end_displacement_mm(
     }
 }
 
-type Rows = Vec<Result<f64, ModelError>>;
+type Kept = (Vec<DataPoint>, Vec<f64>, Option<String>);
 
-/// Points without an answer at the start are left out, where they are few: those that remain, and a
-/// sentence on the others.
-fn leave_out(points: &[DataPoint], rows: &Rows) -> Result<(Vec<DataPoint>, Option<String>)> {
-    let all = points.len();
-    let failed: Vec<(u64, ModelError)> = points
-        .iter()
-        .zip(rows)
-        .filter_map(|(p, r)| Some((p.line, r.as_ref().err()?.clone())))
-        .collect();
-    let kept = points
-        .iter()
-        .zip(rows)
-        .filter(|(_, r)| r.is_ok())
-        .map(|(p, _)| *p)
-        .collect();
-    let Some((line, error)) = failed.first().cloned() else {
-        return Ok((kept, None));
+/// Points without an answer at the start are left out, where they are few: those that remain with
+/// their residuals, and a sentence on the others.
+fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result<Kept> {
+    let (mut kept, mut residuals, mut lines, mut first) = (vec![], vec![], vec![], None);
+    for (point, row) in points.iter().zip(rows) {
+        match row {
+            Ok(residual) => {
+                kept.push(*point);
+                residuals.push(residual);
+            }
+            Err(error) => {
+                lines.push(point.line);
+                first.get_or_insert(error);
+            }
+        }
+    }
+    let (all, n) = (points.len(), lines.len());
+    let Some(error) = first else {
+        return Ok((kept, residuals, None));
     };
-    if 5 * failed.len() > all {
-        let which = format!(
-            "{} of {all} points at the starting values (first: line {line})",
-            failed.len()
-        );
+    if 5 * n > all {
+        let line = lines[0];
+        let which = format!("{n} of {all} points at the starting values (first: line {line})");
         return Err(IdentifyError::Start(which, error));
     }
-    let lines: Vec<u64> = failed.iter().map(|f| f.0).collect();
-    let (n, at) = (failed.len(), advice::lines(&lines));
+    let at = advice::lines(&lines);
     let note = format!(
         "{n} points ({at}) have no answer of the model at the start and were left out: {error}"
     );
-    Ok((kept, Some(note)))
+    Ok((kept, residuals, Some(note)))
 }
 
 fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> Vec<Identified> {
@@ -383,17 +346,11 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         x,
     } = *minimum;
     let matters = |i: usize| {
-        if estimate.standard_errors[i].is_finite() {
-            return true;
-        }
         let mut x = estimate.x.clone();
         x[i] += 0.1 * unknowns[i].scale;
-        let moved = problem.at(&x);
-        moved.is_none_or(|r| {
-            r.iter()
-                .zip(&estimate.residuals)
-                .any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + b.abs()))
-        })
+        let change = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-9 * (1.0 + b.abs());
+        let moves = |r: Vec<f64>| r.iter().zip(&estimate.residuals).any(change);
+        estimate.standard_errors[i].is_finite() || problem.at(&x).is_none_or(moves)
     };
     let one = |i: usize| {
         let target = request.free[i].target;

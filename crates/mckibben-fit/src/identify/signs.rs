@@ -1,6 +1,7 @@
 //! Points whose sign is flipped: a muscle pulls under pressure, and pulls less the shorter it is.
 
 use super::{IdentifyError, Result, advice};
+use crate::least_squares::Line;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::cancel;
 use mckibben::muscle::Muscle;
@@ -123,14 +124,10 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
 /// By how much a straight line through a curve rises from its smallest to its largest contraction,
 /// in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
-    let n = curve.len() as f64;
-    let mean = |value: fn(&DataPoint) -> f64| curve.iter().map(|p| value(p)).sum::<f64>() / n;
-    let (e, f) = (mean(|p| p.at.contraction), mean(|p| p.at.force_n));
-    let together: f64 = curve
+    let points: Vec<(f64, f64)> = curve
         .iter()
-        .map(|p| (p.at.contraction - e) * (p.at.force_n - f))
-        .sum();
-    let square: f64 = curve.iter().map(|p| (p.at.contraction - e).powi(2)).sum();
+        .map(|p| (p.at.contraction, p.at.force_n))
+        .collect();
     let width = curve.last()?.at.contraction - curve.first()?.at.contraction;
-    (width > 1e-6 && square > 0.0).then(|| width * together / square)
+    (width > 1e-6).then(|| width * Line::through(&points).slope)
 }

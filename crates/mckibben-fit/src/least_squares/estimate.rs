@@ -82,9 +82,18 @@ pub struct Estimate {
 /// Why there is no estimate.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EstimateError {
-    /// Refused: field, value, what it must be.
-    #[error("{0}")]
-    Refused(String),
+    /// Numbers that make no unknown.
+    #[error(
+        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in \
+         order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
+    Unsound {
+        /// Its place.
+        index: usize,
+        /// The numbers.
+        unknown: Unknown,
+    },
     /// Not more points than unknowns.
     #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and \
         more for a meaningful error bar", .unknowns + 1)]
@@ -109,7 +118,7 @@ pub enum EstimateError {
 
 /// Residuals and slopes with the last results: a search, the check of its end and the statistics
 /// need the same values.
-pub(crate) struct Known<'a> {
+struct Known<'a> {
     residuals: &'a dyn Residuals,
     at: Answers<Vec<f64>>,
     by: Answers<Vec<Vec<f64>>>,
@@ -120,22 +129,6 @@ type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
 
 /// So many: the best and the steps tried from it.
 const KNOWN: usize = 4;
-
-impl<'a> Known<'a> {
-    pub fn new(residuals: &'a dyn Residuals) -> Self {
-        Self {
-            residuals,
-            at: RefCell::default(),
-            by: RefCell::default(),
-        }
-    }
-
-    /// With the residuals at x.
-    pub fn with(self, x: &[f64], residuals: Vec<f64>) -> Self {
-        self.at.borrow_mut().push((x.to_vec(), Some(residuals)));
-        self
-    }
-}
 
 /// The result at x, computed where it is not known.
 fn known<T: Clone>(list: &Answers<T>, x: &[f64], compute: impl FnOnce() -> Option<T>) -> Option<T> {
@@ -227,6 +220,45 @@ impl Inner<'_> {
     fn weighted(&self, residuals: Vec<f64>) -> DVector<f64> {
         DVector::from_vec(residuals).component_mul(&self.roots)
     }
+
+    /// At the minimum. Where the model has no answer in places, the steps may shrink to nothing
+    /// before it: a new search begins with long ones.
+    fn minimum(mut self) -> Result<Self, EstimateError> {
+        let search = LevenbergMarquardt::new()
+            .with_ftol(1e-13)
+            .with_xtol(1e-11)
+            .with_gtol(1e-13)
+            .with_patience(100);
+        let mut searches = 0;
+        loop {
+            let (ended, report) = search.minimize(self);
+            self = ended;
+            searches += 1;
+            let reason = match report.termination {
+                TerminationReason::User(_) => NO_ANSWER,
+                TerminationReason::LostPatience => NOT_CONVERGED,
+                // Where no step makes it smaller it is the minimum within the rounding of the model.
+                end if end.was_successful()
+                    || matches!(end, TerminationReason::NoImprovementPossible(_)) =>
+                {
+                    match self.beside() {
+                        Ok(None) => return Ok(self),
+                        Ok(Some(u)) if searches < SEARCHES => {
+                            self.u = u;
+                            continue;
+                        }
+                        Ok(Some(_)) => NOT_CONVERGED,
+                        Err(reason) => reason,
+                    }
+                }
+                _ => "the data do not determine the unknowns, or the model is not smooth",
+            };
+            return Err(EstimateError::NoMinimum {
+                reason: reason.into(),
+                at: self.x(&self.u),
+            });
+        }
+    }
 }
 
 /// ∂r/∂x, one column an unknown, not weighted: of the model, or by central differences.
@@ -310,12 +342,8 @@ pub fn estimate(
     loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
-        let u = unknowns[index];
-        return Err(EstimateError::Refused(format!(
-            "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be \
-             numbers in order, and its scale {} above zero",
-            u.start, u.low, u.high, u.scale
-        )));
+        let unknown = unknowns[index];
+        return Err(EstimateError::Unsound { index, unknown });
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {
@@ -324,92 +352,44 @@ pub fn estimate(
             unknowns: unknowns.len(),
         });
     }
-    let search = LevenbergMarquardt::new()
-        .with_ftol(1e-13)
-        .with_xtol(1e-11)
-        .with_gtol(1e-13)
-        .with_patience(100);
-    let residuals: &dyn Residuals = &Known::new(residuals);
-    let mut u = DVector::from_iterator(unknowns.len(), unknowns.iter().map(Unknown::inner_start));
+    let residuals = &Known {
+        residuals,
+        at: RefCell::default(),
+        by: RefCell::default(),
+    };
+    let start = unknowns.iter().map(Unknown::inner_start);
+    let mut inner = Inner {
+        residuals,
+        unknowns,
+        roots: DVector::zeros(0),
+        u: DVector::from_iterator(unknowns.len(), start),
+        wall: None,
+    };
+    let mut all = weights.to_vec();
     let mut factors = vec![1.0; weights.len()];
     for _ in 0..TURNS {
-        let roots = weights.iter().zip(&factors).map(|(w, f)| (w * f).sqrt());
-        let roots = DVector::from_iterator(weights.len(), roots);
-        let mut inner = Inner {
-            residuals,
-            unknowns,
-            roots,
-            u: u.clone(),
-            wall: None,
-        };
+        inner.roots = DVector::from_iterator(all.len(), all.iter().map(|w| w.sqrt()));
+        inner.wall = None;
         let start = inner.residuals().ok_or(EstimateError::Start)?;
         inner.wall = Some(1e3 * (1.0 + start.amax()));
-        // Where the model has no answer in places, the steps may shrink to nothing before a
-        // minimum: a new search begins with long ones.
-        let mut searches = 0;
-        let inner = loop {
-            let (mut ended, report) = search.minimize(inner);
-            searches += 1;
-            // No step makes it smaller: the minimum within the rounding of the model.
-            let settled = matches!(
-                report.termination,
-                TerminationReason::NoImprovementPossible(_)
-            );
-            let reason = if settled || report.termination.was_successful() {
-                match ended.beside() {
-                    Ok(None) => break ended,
-                    Ok(Some(u)) if searches < SEARCHES => {
-                        ended.u = u;
-                        inner = ended;
-                        continue;
-                    }
-                    Ok(Some(_)) => NOT_CONVERGED,
-                    Err(reason) => reason,
-                }
-            } else {
-                match report.termination {
-                    TerminationReason::User(_) => NO_ANSWER,
-                    TerminationReason::LostPatience => NOT_CONVERGED,
-                    _ => "the data do not determine the unknowns, or the model is not smooth",
-                }
-            };
-            return Err(EstimateError::NoMinimum {
-                reason: reason.into(),
-                at: ended.x(&ended.u),
-            });
-        };
-        u = inner.u.clone();
-        let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
+        inner = inner.minimum()?;
+        let r = residuals
+            .at(&inner.x(&inner.u))
+            .ok_or(EstimateError::Start)?;
         let next = match loss {
-            Loss::Squares => factors.clone(),
+            Loss::Squares => break,
             Loss::Huber => huber(&r, weights),
             Loss::Largest => sixth_power(&r, weights, &factors),
         };
-        let moved = next
-            .iter()
-            .zip(&factors)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max);
+        let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs());
+        let settled = moved.fold(0.0, f64::max) < 1e-6;
         factors = next;
-        if moved < 1e-6 {
+        all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect();
+        if settled {
             break;
         }
     }
-    let all = weights
-        .iter()
-        .zip(&factors)
-        .map(|(w, f)| w * f)
-        .collect::<Vec<f64>>();
-    statistics(
-        &Inner {
-            residuals,
-            unknowns,
-            roots: DVector::zeros(0),
-            u,
-            wall: None,
-        },
-        all,
-    )
+    statistics(&inner, all)
 }
 
 /// Weighted sizes of residuals, and 1.4826 times the median of those that count.
@@ -461,6 +441,7 @@ fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     next.collect()
 }
 
+/// The errors of the unknowns at a minimum.
 fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
     let x = inner.x(&inner.u);
     let unknowns = inner.unknowns;

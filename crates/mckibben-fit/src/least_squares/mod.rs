@@ -6,15 +6,19 @@
 
 mod aicc;
 mod bounds;
+mod errors;
 mod estimate;
+mod line;
 #[cfg(test)]
 mod noise;
 mod student;
 
 pub use aicc::aicc;
 pub use bounds::Unknown;
+pub(crate) use errors::Errors;
+pub(crate) use estimate::robust_deviation;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
-pub(crate) use estimate::{Known, robust_deviation};
+pub(crate) use line::Line;
 #[cfg(test)]
 pub(crate) use noise::Noise;
 pub use student::t95;

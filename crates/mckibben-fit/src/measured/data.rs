@@ -22,6 +22,16 @@ pub enum Quantity {
     Volume,
 }
 
+impl Quantity {
+    /// Each with its word in tables.
+    pub(crate) const WORDS: [(&str, Quantity); 4] = [
+        ("force", Quantity::Force),
+        ("contraction", Quantity::Contraction),
+        ("pressure", Quantity::Pressure),
+        ("volume", Quantity::Volume),
+    ];
+}
+
 /// Measures of the muscle that a row states; the others are the muscle file's.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -133,13 +143,10 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
         let section = p.section.values().map(|(_, value)| value.map(f64::to_bits));
-        let place = *places
-            .entry((section, p.set, p.measured as u8))
-            .or_insert(groups.len());
-        match groups.get_mut(place) {
-            Some(group) => group.push(*p),
-            None => groups.push(vec![*p]),
-        }
+        let key = (section, p.set, p.measured as u8);
+        let place = *places.entry(key).or_insert(groups.len());
+        groups.resize_with(groups.len().max(place + 1), Vec::new);
+        groups[place].push(*p);
     }
     let mut out = vec![];
     for group in groups {
@@ -159,7 +166,7 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
 }
 
 /// One measured point of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,
@@ -194,40 +201,28 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     let mut out = Vec::new();
     for at_pressure in sorted.chunk_by(|(_, a), (_, b)| a.pressure_mpa == b.pressure_mpa) {
         let branch_points = |branch| {
-            let mut list: Vec<(usize, MeasuredPoint)> = at_pressure
-                .iter()
-                .filter(|(_, p)| p.branch == branch)
-                .copied()
-                .collect();
+            let of_branch = at_pressure.iter().filter(|(_, p)| p.branch == branch);
+            let mut list: Vec<(usize, MeasuredPoint)> = of_branch.copied().collect();
             list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
             list
         };
         let lower = branch_points(Some(Direction::Contraction));
         let upper = branch_points(Some(Direction::Elongation));
-        out.extend(
-            branch_points(None)
-                .into_iter()
-                .chain(branch_points(Some(Direction::Mean))),
-        );
+        out.extend(branch_points(None));
+        out.extend(branch_points(Some(Direction::Mean)));
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
-        let upper: Vec<(f64, f64)> = upper
-            .into_iter()
-            .map(|(_, p)| (p.contraction, p.force_n))
-            .collect();
-        out.extend(lower.iter().filter_map(|(index, p)| {
-            let above = interpolate(&upper, p.contraction)?;
-            let force_n = 0.5 * (p.force_n + above);
-            Some((
-                *index,
-                MeasuredPoint {
-                    force_n,
-                    branch: Some(Direction::Mean),
-                    ..*p
-                },
-            ))
+        let upper = upper.into_iter().map(|(_, p)| (p.contraction, p.force_n));
+        let upper: Vec<(f64, f64)> = upper.collect();
+        out.extend(lower.into_iter().filter_map(|(index, p)| {
+            let mean = MeasuredPoint {
+                force_n: 0.5 * (p.force_n + interpolate(&upper, p.contraction)?),
+                branch: Some(Direction::Mean),
+                ..p
+            };
+            Some((index, mean))
         }));
     }
     out

@@ -8,4 +8,5 @@ pub use data::{
     DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, same,
 };
 pub use over_time::PressureLog;
+pub(crate) use over_time::runs;
 pub use read::{PointOptions, read_data, read_measured, read_points};

@@ -2,6 +2,7 @@
 //! motion.
 
 use super::data::interpolate;
+use mckibben::extremes::ends;
 use mckibben::muscle::Direction;
 
 /// Pressures over time that another instrument recorded.
@@ -90,13 +91,6 @@ fn correlation(log: &[(f64, f64)], rows: &[(f64, f64)], shift: f64) -> f64 {
     (n * xy - x * y) / ((n * xx - x * x) * (n * yy - y * y)).sqrt()
 }
 
-/// The smallest and the largest.
-fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    })
-}
-
 /// A reversal moves by this share of the range: less is noise. Over less contraction the length is
 /// held.
 const REVERSAL: f64 = 0.02;
@@ -111,36 +105,38 @@ pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Di
     } else {
         contractions
     };
-    let (low, high) = ends(values.iter().copied());
-    let step = REVERSAL * (high - low);
     let mut out = vec![];
-    // The extreme so far, and the first row behind the last reversal.
-    let (mut extreme, mut rising) = (*values.first()?, None);
-    let mut turned = 0;
-    for (row, value) in values.iter().enumerate() {
-        // How far the row is ahead of the extreme, against the direction where it is below zero.
-        let ahead = if rising == Some(false) {
-            extreme - value
-        } else {
-            value - extreme
-        };
-        let turns = if rising.is_some() {
-            ahead < -step
-        } else {
-            ahead.abs() > step
+    for (end, rises) in runs(values, REVERSAL) {
+        out.resize(end, direction(rises?));
+    }
+    (!out.is_empty()).then_some(out)
+}
+
+/// The runs of a series between its turns: their ends (exclusive), and whether they rise, which is
+/// not known where it does not turn at all. A way back of less than a share of the range is no turn.
+pub(crate) fn runs(values: &[f64], share: f64) -> Vec<(usize, Option<bool>)> {
+    let (low, high) = ends(values.iter().copied());
+    let step = share * (high - low);
+    // Place and value of the extreme since the last turn.
+    let (mut place, mut extreme) = (0, values.first().copied().unwrap_or_default());
+    let (mut rises, mut out) = (None, vec![]);
+    for (i, &value) in values.iter().enumerate() {
+        let moved = value - extreme;
+        let (turns, further) = match rises {
+            None => (moved.abs() > step, false),
+            Some(true) => (moved < -step, moved >= 0.0),
+            Some(false) => (moved > step, moved <= 0.0),
         };
         if turns {
-            if let Some(up) = rising {
-                out.resize(turned + 1, direction(up));
-            }
-            rising = Some(*value > extreme);
+            out.extend(rises.map(|_| (place + 1, rises)));
+            rises = Some(moved > 0.0);
         }
-        if turns || (rising.is_some() && ahead >= 0.0) {
-            (extreme, turned) = (*value, row);
+        if turns || further {
+            (place, extreme) = (i, value);
         }
     }
-    out.resize(values.len(), direction(rising?));
-    Some(out)
+    out.extend((!values.is_empty()).then_some((values.len(), rises)));
+    out
 }
 
 fn direction(rising: bool) -> Direction {

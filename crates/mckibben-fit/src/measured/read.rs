@@ -3,6 +3,7 @@
 use super::over_time::branches;
 use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section};
 use mckibben::cancel;
+use mckibben::extremes::ends;
 use mckibben::muscle::Direction;
 use mckibben_io::table::{
     Column, Columns, Meaning, POINTS, RECORDED, Table, TableError, Understood, is_absolute, spoken,
@@ -48,51 +49,22 @@ pub fn read_measured(text: &str) -> Result<Vec<MeasuredPoint>> {
 /// `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status`
 /// is not `ok` (points without answer, as `curve` writes them) are left out.
 pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
-    let mut columns = options.columns.clone();
-    columns.0.extend(
-        options
-            .log
-            .as_ref()
-            .map(|log| ("pressure".to_owned(), format!("={}", log.name))),
-    );
-    let vocabulary = if options.log.is_some() {
-        &RECORDED
-    } else {
-        &POINTS
-    };
-    let mut table = Table::read(text, vocabulary, &columns)?;
+    let mut table = of_log(text, options)?;
     table.keep(Meaning::Status, &["", "ok"]);
-    let is_volume = |row: usize| {
-        table
-            .text(row, Meaning::Measured)
-            .is_some_and(|(_, word)| word == "volume")
-    };
+    let is_volume = |row: usize| matches!(table.text(row, Meaning::Measured), Some((_, "volume")));
     if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
         table.forget(Meaning::Volume);
     }
     leave_blank_out(&mut table)?;
     let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
-    let ours = table
-        .column(Meaning::Length)
-        .is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let length = table.column(Meaning::Length);
+    let ours = length.is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
     if length_is_l0 {
         table.rename(Meaning::Length, Meaning::RestLength);
     }
     let (pressures, joined) = match &options.log {
-        Some(log) => {
-            let (times, pulls) = (
-                table.numbers(table.needed(TIME)?)?,
-                table.numbers(table.needed(FORCE)?)?,
-            );
-            let (pressures, joined) = log.at(&times, &pulls);
-            table.retain(|row| pressures[row].is_some());
-            let outside = pressures.len() - table.lines().len();
-            (
-                pressures.into_iter().flatten().collect(),
-                Some(format!("{joined}; {outside} rows outside of it")),
-            )
-        }
+        Some(log) => join(log, &mut table)?,
         None => (pressures(&table)?, None),
     };
     let rest = table.above_zero(Meaning::RestLength, MEASURE)?;
@@ -100,14 +72,10 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
     }
-    let by_velocity = table
-        .text(0, Meaning::Branch)
-        .is_some_and(|(_, word)| word == "velocity");
-    let branches = if by_velocity {
-        branches(&contractions, &pressures)
-    } else {
-        None
-    };
+    let by_velocity = matches!(table.text(0, Meaning::Branch), Some((_, "velocity")));
+    let branches = by_velocity
+        .then(|| branches(&contractions, &pressures))
+        .flatten();
     if by_velocity {
         table.forget(Meaning::Branch);
     }
@@ -118,9 +86,9 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
-        point.at.branch = branches
-            .as_ref()
-            .map_or(point.at.branch, |branches| Some(branches[i]));
+        if let Some(branches) = &branches {
+            point.at.branch = Some(branches[i]);
+        }
     }
     if points.is_empty() {
         return Err(table.no_points());
@@ -131,6 +99,30 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         points,
         understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?,
     ))
+}
+
+/// The table, whose pressures may be those of a log.
+fn of_log(text: &str, options: &PointOptions) -> Result<Table> {
+    let Some(log) = &options.log else {
+        return Table::read(text, &POINTS, &options.columns);
+    };
+    let mut columns = options.columns.clone();
+    let pressure = ("pressure".to_owned(), format!("={}", log.name));
+    columns.0.extend([pressure]);
+    Table::read(text, &RECORDED, &columns)
+}
+
+/// The pressures of a log at the times of the rows, without rows outside of it.
+fn join(log: &PressureLog, table: &mut Table) -> Result<(Vec<f64>, Note)> {
+    let (times, pulls) = (
+        table.numbers(table.needed(TIME)?)?,
+        table.numbers(table.needed(FORCE)?)?,
+    );
+    let (pressures, joined) = log.at(&times, &pulls);
+    table.retain(|row| pressures[row].is_some());
+    let outside = pressures.len() - table.lines().len();
+    let note = format!("{joined}; {outside} rows outside of it");
+    Ok((pressures.into_iter().flatten().collect(), Some(note)))
 }
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
@@ -286,11 +278,8 @@ fn check_varies(column: &Column, lengths: &[f64]) -> Result<()> {
 }
 
 /// Largest less smallest, relative to the largest.
-fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    let (low, high) = (
-        values.clone().fold(f64::INFINITY, f64::min),
-        values.fold(0.0, f64::max),
-    );
+fn spread(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) = ends(values);
     if high > 0.0 { (high - low) / high } else { 0.0 }
 }
 
@@ -324,6 +313,11 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     }
 }
 
+const NEEDS_VOLUME: &str = "needs a volume in this row: add a column volume_mm3 or Volume [mL]";
+const NEEDS_PULL: &str = "needs a pull in this row: add a column force_n";
+const NO_ERROR: &str = "is not a valid standard error; it must be above zero";
+const NO_WEIGHT: &str = "is not a valid weight; it must not be below zero";
+
 /// The rows, without pressure, contraction, pull and length.
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Meaning::Weight)?;
@@ -333,10 +327,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         Meaning::PressureError,
         Meaning::VolumeError,
     ];
-    let stated = errors
-        .map(|meaning| table.some_numbers(meaning))
-        .into_iter()
-        .collect::<Result<Vec<_>>>()?;
+    let stated = errors.map(|meaning| table.some_numbers(meaning));
+    let stated = stated.into_iter().collect::<Result<Vec<_>>>()?;
     let volumes = table.above_zero(
         Meaning::Volume,
         "is not a volume of a muscle; it must be above zero",
@@ -355,16 +347,6 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let branches =
         branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
     let branches: Vec<(&str, Direction)> = branches.collect();
-    let quantities = [
-        ("force", Quantity::Force),
-        ("contraction", Quantity::Contraction),
-        ("pressure", Quantity::Pressure),
-        ("volume", Quantity::Volume),
-    ];
-    let refused = |row: usize, meaning: Meaning, expected| match table.column(meaning) {
-        Some(column) => table.impossible(row, column, expected),
-        None => TableError::empty(),
-    };
     let one = |(row, line): (usize, u64)| {
         cancel::check()?;
         let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
@@ -372,55 +354,48 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         let branch = table.word(row, Meaning::Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
         let measured = table
-            .word(row, Meaning::Measured, &quantities, known)?
+            .word(row, Meaning::Measured, &Quantity::WORDS, known)?
             .unwrap_or(otherwise);
-        if measured == Quantity::Volume && volumes[row].is_none() {
-            let expected = "needs a volume in this row: add a column volume_mm3 or Volume [mL]";
-            return Err(refused(row, Meaning::Measured, expected));
-        }
-        if alone && measured != Quantity::Volume {
-            return Err(refused(
-                row,
-                Meaning::Measured,
-                "needs a pull in this row: add a column force_n",
-            ));
-        }
         let error = stated[measured as usize][row];
-        if error.is_some_and(|e| e <= 0.0) {
-            let expected = "is not a valid standard error; it must be above zero";
-            return Err(refused(row, errors[measured as usize], expected));
-        }
-        if weights[row].is_some_and(|w| w < 0.0) {
-            return Err(refused(
-                row,
+        let is_volume = measured == Quantity::Volume;
+        let of_error = errors[measured as usize];
+        for (wrong, meaning, expected) in [
+            (
+                is_volume && volumes[row].is_none(),
+                Meaning::Measured,
+                NEEDS_VOLUME,
+            ),
+            (alone && !is_volume, Meaning::Measured, NEEDS_PULL),
+            (error.is_some_and(|e| e <= 0.0), of_error, NO_ERROR),
+            (
+                weights[row].is_some_and(|w| w < 0.0),
                 Meaning::Weight,
-                "is not a valid weight; it must not be below zero",
-            ));
+                NO_WEIGHT,
+            ),
+        ] {
+            if wrong {
+                let column = table.column(meaning);
+                let refused = column.map(|column| table.impossible(row, column, expected));
+                return Err(refused.unwrap_or_else(TableError::empty));
+            }
         }
         let at = MeasuredPoint {
-            pressure_mpa: 0.0,
-            contraction: 0.0,
-            force_n: 0.0,
             branch,
+            ..Default::default()
         };
-        let (outer_diameter_mm, wall_mm, angle_deg) = (diameters[row], walls[row], angles[row]);
-        let section = Section {
-            outer_diameter_mm,
-            wall_mm,
-            length_mm: None,
-            angle_deg,
-        };
-        let volume_mm3 = volumes[row].filter(|_| measured == Quantity::Volume);
-        let weight = weights[row].unwrap_or(1.0);
         Ok(DataPoint {
-            at,
             measured,
-            volume_mm3,
+            volume_mm3: volumes[row].filter(|_| is_volume),
             error,
-            weight,
-            section,
+            weight: weights[row].unwrap_or(1.0),
+            section: Section {
+                outer_diameter_mm: diameters[row],
+                wall_mm: walls[row],
+                length_mm: None,
+                angle_deg: angles[row],
+            },
             line,
-            set: 0,
+            ..DataPoint::new(at)
         })
     };
     table.lines().into_iter().enumerate().map(one).collect()

@@ -2,7 +2,7 @@
 
 use super::problem::{Problem, Raw};
 use super::{FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden};
-use crate::least_squares::{aicc, t95};
+use crate::least_squares::{Errors, aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
 };
@@ -45,27 +45,25 @@ pub struct StressErrors {
 impl StressErrors {
     /// The errors of computed stresses, from stretches, measured and computed stresses.
     pub fn new(list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
-        let (mut out, mut squares, mut all) = (Self::default(), 0.0, 0.0);
+        let (mut differences, mut to_stretch, mut all) = (vec![], 0.0_f64, 0.0);
         for (stretch, measured, computed) in list {
-            let difference = measured - computed;
-            out.points += 1;
-            out.to_stretch = out.to_stretch.max(stretch);
-            out.bias_mpa += difference;
-            out.largest_mpa = out.largest_mpa.max(difference.abs());
-            squares += difference * difference;
+            differences.push(measured - computed);
+            to_stretch = to_stretch.max(stretch);
             all += measured * measured;
         }
-        let n = out.points.max(1) as f64;
+        let errors = Errors::new(differences);
         let relative = if all > 0.0 {
-            (squares / all).sqrt()
+            (errors.squares / all).sqrt()
         } else {
             0.0
         };
         Self {
-            rms_mpa: (squares / n).sqrt(),
+            points: errors.points,
+            to_stretch,
+            rms_mpa: errors.rms,
             relative,
-            bias_mpa: out.bias_mpa / n,
-            ..out
+            bias_mpa: errors.mean,
+            largest_mpa: errors.largest,
         }
     }
 
@@ -219,66 +217,31 @@ fn judged(
         .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let squares = problem.squares(&law).filter(|s| s.is_finite());
     let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
-    let t = t95(raw.freedom);
-    let parameters = law.constants().into_iter().enumerate().map(
-        |(
-            i,
-            ConstantValue {
-                name,
-                value,
-                constant,
-            },
-        )| {
-            let error = raw.standard_errors[i];
-            let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
-            Parameter {
-                name,
-                value,
-                unit: constant.unit(),
-                standard_error: error.is_finite().then_some(error),
-                identifiable: narrow && !raw.at_bound[i],
-            }
-        },
-    );
-    let parameters = parameters.collect();
-    let points = problem.counting();
-    let aicc = aicc(points, form.constants(), squares / points as f64);
-    let differences: Vec<(f64, f64)> = problem
-        .points
-        .iter()
-        .map(|p| {
-            (
-                p.stress_mpa(&law) - p.nominal_stress_mpa,
-                p.nominal_stress_mpa,
-            )
-        })
-        .collect();
-    let count = differences.len() as f64;
-    let average = differences.iter().map(|d| d.1).sum::<f64>() / count;
-    let spread: f64 = differences.iter().map(|d| (d.1 - average).powi(2)).sum();
-    let left: f64 = differences.iter().map(|d| d.0 * d.0).sum();
-    let pulls = problem.points.iter().zip(&differences);
-    let relative = |(p, d): (&TensionPoint, &(f64, f64))| {
+    let points = &problem.points;
+    let off = |p: &TensionPoint| p.stress_mpa(&law) - p.nominal_stress_mpa;
+    let average = points.iter().map(|p| p.nominal_stress_mpa).sum::<f64>() / points.len() as f64;
+    let from_average = |p: &TensionPoint| (p.nominal_stress_mpa - average).powi(2);
+    let spread: f64 = points.iter().map(from_average).sum();
+    let left = Errors::new(points.iter().map(off));
+    let relative = |p: &TensionPoint| {
         let reference = p.reference_mpa(problem.reference_modulus_mpa)?;
-        Some((d.0 / reference).powi(2))
+        Some((off(p) / reference).powi(2))
     };
-    let pulls: Vec<f64> = pulls.filter_map(relative).collect();
-    let modes = Mode::ALL
-        .into_iter()
-        .filter_map(|mode| mode_error(mode, &law, problem, hoop))
-        .collect();
+    let pulls: Vec<f64> = points.iter().filter_map(relative).collect();
+    let modes = Mode::ALL.into_iter();
     let unstable_from_hoop_stretch = muscle_unstable_from(&law, hoop);
+    let counting = problem.counting();
     let quality = LawQuality {
         shear_modulus_mpa: law.shear_modulus_mpa(),
         r_squared: if spread > 0.0 {
-            1.0 - left / spread
+            1.0 - left.squares / spread
         } else {
             0.0
         },
         free_r_squared: None,
-        rms_mpa: (left / count).sqrt(),
+        rms_mpa: left.rms,
         relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
-        aicc,
+        aicc: aicc(counting, form.constants(), squares / counting as f64),
         fitted_to_stretch: problem.fitted_to_stretch(),
         stable: unstable_from_hoop_stretch.is_none() && law.clone().validated().is_ok(),
         unstable_from_hoop_stretch,
@@ -287,11 +250,30 @@ fn judged(
         form,
         constrained,
         quality,
-        parameters,
-        modes,
+        parameters: parameters(&law, &raw),
+        modes: modes
+            .filter_map(|mode| mode_error(mode, &law, problem, hoop))
+            .collect(),
         held_out: vec![],
         law,
     })
+}
+
+/// The constants of a law with their errors.
+fn parameters(law: &Law, raw: &Raw) -> Vec<Parameter> {
+    let t = t95(raw.freedom);
+    let one = |(i, constant): (usize, ConstantValue)| {
+        let (error, value) = (raw.standard_errors[i], constant.value);
+        let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
+        Parameter {
+            name: constant.name,
+            value,
+            unit: constant.constant.unit(),
+            standard_error: error.is_finite().then_some(error),
+            identifiable: narrow && !raw.at_bound[i],
+        }
+    };
+    law.constants().into_iter().enumerate().map(one).collect()
 }
 
 fn mode_error(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
@@ -347,15 +329,13 @@ fn held_out_error(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Op
 
 /// By mode, and over the states of a muscle up to a hoop stretch.
 pub(super) fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
-    let chosen = |keep: &dyn Fn(&TensionPoint) -> bool| {
-        points.iter().filter(|p| keep(p)).collect::<Vec<_>>()
+    let of = |mode: Option<Mode>| {
+        let is_of = |p: &&TensionPoint| match mode {
+            Some(mode) => p.mode == mode,
+            None => p.is_of_a_muscle(hoop),
+        };
+        held_out_error(mode, law, &points.iter().filter(is_of).collect::<Vec<_>>())
     };
-    let by_mode = |mode| held_out_error(Some(mode), law, &chosen(&|p| p.mode == mode));
-    let mut out: Vec<HeldOutError> = Mode::ALL.into_iter().filter_map(by_mode).collect();
-    out.extend(held_out_error(
-        None,
-        law,
-        &chosen(&|p| p.is_of_a_muscle(hoop)),
-    ));
-    out
+    let tests = Mode::ALL.map(Some).into_iter().chain([None]);
+    tests.filter_map(of).collect()
 }

@@ -181,10 +181,12 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
         .collect();
     match (forms.is_empty(), requested.first()) {
         (true, Some(first)) => {
-            let (name, fewest) = (first.name(), first.fewest_points());
-            let message =
-                format!("{points} points are too few for {name}: it takes {fewest} or more");
-            Err(TensionFitError::TooFew(message))
+            let (law, fewest) = (first.name(), first.fewest_points());
+            Err(TensionFitError::TooFew {
+                points,
+                law,
+                fewest,
+            })
         }
         _ => Ok(forms),
     }
@@ -199,22 +201,29 @@ pub enum TensionFitError {
     #[error("{0}")]
     Refused(String),
     /// Not enough points for a law.
-    #[error("{0}")]
-    TooFew(String),
+    #[error("{points} points are too few for {law}: it takes {fewest} or more")]
+    TooFew {
+        /// Points that count.
+        points: usize,
+        /// The law.
+        law: String,
+        /// Points that it takes.
+        fewest: usize,
+    },
     /// A term too many.
     #[error("{0}: this number of terms fits these data no better than fewer terms")]
     NoBetter(String),
     /// The work was ended.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// No minimum was found.
-    #[error("{0}")]
-    NotConverged(String),
+    /// No minimum was found of a law, and why.
+    #[error("{0}: no fit was found: {1}")]
+    NotConverged(String, String),
 }
 
 /// The error of a law without a fit.
 pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError {
-    TensionFitError::NotConverged(format!("{}: no fit was found: {why}", form.name()))
+    TensionFitError::NotConverged(form.name(), why.to_string())
 }
 
 /// Settings of a fit.

@@ -146,10 +146,7 @@ impl TensionPoint {
         let across = mode.across(stretch).unwrap_or(1.0);
         Self {
             mode,
-            stretch,
-            across,
-            nominal_stress_mpa,
-            difference: false,
+            ..Self::general(stretch, across, nominal_stress_mpa)
         }
     }
 
@@ -167,13 +164,9 @@ impl TensionPoint {
     /// A point of a sheet of which σ1 − σ2 is known, in MPa.
     pub fn from_difference(stretch_1: f64, stretch_2: f64, true_difference_mpa: f64) -> Self {
         let nominal_stress_mpa = true_difference_mpa / stretch_1.max(stretch_2);
-        let (stretch, across) = (stretch_1, stretch_2);
         Self {
-            mode: Mode::General,
-            stretch,
-            across,
-            nominal_stress_mpa,
             difference: true,
+            ..Self::general(stretch_1, stretch_2, nominal_stress_mpa)
         }
     }
 

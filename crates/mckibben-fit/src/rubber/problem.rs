@@ -39,53 +39,41 @@ impl Problem {
         balance: bool,
         modes: &[(Mode, f64)],
     ) -> Self {
-        let (divisors, weights) = (vec![1.0; points.len()], vec![1.0; points.len()]);
-        let alike = Self {
+        let ones = vec![1.0; points.len()];
+        let mut out = Self {
+            divisors: ones.clone(),
+            weights: ones,
             points,
-            divisors,
-            weights,
             modulus_mpa: 0.0,
             reference_modulus_mpa: 0.0,
         };
-        let reference_modulus_mpa = alike.neo_hookean_modulus();
-        let points = alike.points;
-        let relative_to =
-            |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
-        let counts = |p: &TensionPoint| measure == Measure::Absolute || relative_to(p).is_some();
+        out.reference_modulus_mpa = out.neo_hookean_modulus();
+        // What a point's difference is over; none of a point that cannot count.
         let divisor = |p: &TensionPoint| match measure {
-            Measure::Relative => relative_to(p).unwrap_or(1.0),
-            Measure::Absolute => 1.0,
+            Measure::Relative => p
+                .reference_mpa(out.reference_modulus_mpa)
+                .filter(|r| *r > 0.0),
+            Measure::Absolute => Some(1.0),
         };
-        let divisors: Vec<f64> = points.iter().map(divisor).collect();
-        let count = |mode: Mode| {
-            points
-                .iter()
-                .filter(|p| p.mode == mode && counts(p))
-                .count()
-                .max(1)
+        let divisors: Vec<Option<f64>> = out.points.iter().map(divisor).collect();
+        let counts = |mode: Option<Mode>| {
+            let each = out.points.iter().zip(&divisors);
+            let of_mode = each.filter(|(p, _)| mode.is_none_or(|mode| p.mode == mode));
+            of_mode.filter(|(_, divisor)| divisor.is_some()).count()
         };
-        let present = Mode::ALL
-            .iter()
-            .filter(|m| points.iter().any(|p| p.mode == **m))
-            .count();
-        let all = points.iter().filter(|p| counts(p)).count();
-        let weight = |p: &TensionPoint| {
+        let is_present = |mode: &&Mode| out.points.iter().any(|p| p.mode == **mode);
+        let present = Mode::ALL.iter().filter(is_present).count().max(1) as f64;
+        let weight = |(p, divisor): (&TensionPoint, &Option<f64>)| {
             let factor = modes.iter().find(|m| m.0 == p.mode).map_or(1.0, |m| m.1);
             let even = if balance {
-                all as f64 / (present.max(1) as f64 * count(p.mode) as f64)
+                counts(None) as f64 / (present * counts(Some(p.mode)).max(1) as f64)
             } else {
                 1.0
             };
-            if counts(p) { factor * even } else { 0.0 }
+            divisor.map_or(0.0, |_| factor * even)
         };
-        let weights: Vec<f64> = points.iter().map(weight).collect();
-        let mut out = Self {
-            points,
-            divisors,
-            weights,
-            modulus_mpa: 0.0,
-            reference_modulus_mpa,
-        };
+        out.weights = out.points.iter().zip(&divisors).map(weight).collect();
+        out.divisors = divisors.into_iter().map(|d| d.unwrap_or(1.0)).collect();
         out.modulus_mpa = out.neo_hookean_modulus();
         out
     }

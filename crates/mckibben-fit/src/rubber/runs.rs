@@ -1,6 +1,7 @@
 //! Loading, unloading and rupture, from the order of the points.
 
 use super::{Mode, TensionPoint};
+use crate::measured::runs;
 
 /// A turn back by more than this share of the range of stretches ends a run.
 const TURN: f64 = 0.05;
@@ -28,7 +29,11 @@ pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
         let tests = points.iter().filter(|p| p.mode == mode).copied();
         let (mut pulled, pressed): (Vec<_>, Vec<_>) = tests.partition(|p| p.stretch >= 1.0);
         out.kept.extend(pressed);
-        let mut ends = runs(&pulled);
+        let stretches: Vec<f64> = pulled.iter().map(|p| p.stretch).collect();
+        let mut ends: Vec<usize> = runs(&stretches, TURN)
+            .into_iter()
+            .map(|run| run.0)
+            .collect();
         // One run may be listed from its end; points in no order, as collected from several
         // sources, are one run too.
         if ends.len() == 1 || (ends.len() > 2 && ends.len() > pulled.len() / 3) {
@@ -60,38 +65,6 @@ pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
         }
     }
     out
-}
-
-/// Ends (exclusive) of the stretches of points between two turns.
-fn runs(points: &[TensionPoint]) -> Vec<usize> {
-    let (low, high) = points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
-            (a.min(p.stretch), b.max(p.stretch))
-        });
-    let turn = TURN * (high - low);
-    let mut ends = vec![];
-    // Place and stretch of the last extreme, and the way it went since the last turn.
-    let (mut place, mut extreme, mut up) = (0, f64::NAN, None);
-    for (i, p) in points.iter().enumerate() {
-        let moved = p.stretch - extreme;
-        match up {
-            _ if i == 0 => (place, extreme) = (0, p.stretch),
-            None if moved.abs() > turn => (place, extreme, up) = (i, p.stretch, Some(moved > 0.0)),
-            None => {}
-            Some(true) if moved >= 0.0 => (place, extreme) = (i, p.stretch),
-            Some(false) if moved <= 0.0 => (place, extreme) = (i, p.stretch),
-            Some(way) if moved.abs() > turn => {
-                ends.push(place + 1);
-                (place, extreme, up) = (i, p.stretch, Some(!way));
-            }
-            Some(_) => {}
-        }
-    }
-    if !points.is_empty() {
-        ends.push(points.len());
-    }
-    ends
 }
 
 /// How many points of a loading lie before its rupture.

@@ -112,6 +112,15 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
             .map(|p| self.at(p.time_s, p.stretch))
             .collect())
     }
+
+    /// Its stresses less the measured ones, where all are numbers.
+    pub(super) fn differences(self, history: &[TimePoint]) -> Option<Vec<f64>> {
+        let rows = self.over(history).ok()?.into_iter().zip(history);
+        let differences = rows.map(|(model, p)| model - p.nominal_stress_mpa);
+        differences
+            .map(|d| Some(d).filter(|d| d.is_finite()))
+            .collect()
+    }
 }
 
 /// Times do not go back, and numbers are numbers.

@@ -13,11 +13,11 @@
 //! are the caller's choice.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
-use crate::least_squares::{Loss, Unknown, estimate};
-use crate::rubber::{FitSettings, Form, TensionPoint, fit_tension};
+use super::{Bar, OverTimeFitError, Result, TimePoint, columns, elastic};
+use crate::least_squares::{Loss, Residuals, Unknown, estimate};
+use crate::rubber::{Form, TensionPoint};
 use mckibben::rubber::over_time::{Branch, Prony};
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::{ConstantValue, Law, RubberLaw};
 use serde::Serialize;
 
 /// A law that relaxes, from a uniaxial test over time.
@@ -90,82 +90,56 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     {
         return Err(too_few);
     }
-    let tension: Vec<TensionPoint> = history.iter().map(TimePoint::tension).collect();
-    let settings = FitSettings {
-        forms: vec![form],
-        stable: true,
-        history: true,
-        ..FitSettings::default()
-    };
-    let elastic = fit_tension(&tension, &settings)?;
-    let start = &elastic.laws[0];
-    let law = start.law.clone();
-    let constants = law.constants();
-    let moduli: Vec<usize> = (0..constants.len())
-        .filter(|&i| constants[i].constant.is_modulus())
-        .collect();
-    let mu = law.shear_modulus_mpa();
     // The shortest time that the data resolve: a median step.
-    let mut steps: Vec<f64> = history
-        .windows(2)
-        .map(|w| w[1].time_s - w[0].time_s)
-        .filter(|d| *d > 0.0)
-        .collect();
+    let steps = history.windows(2).map(|w| w[1].time_s - w[0].time_s);
+    let mut steps: Vec<f64> = steps.filter(|d| *d > 0.0).collect();
     steps.sort_by(f64::total_cmp);
     let Some(&step) = steps.get(steps.len() / 2) else {
         return Err(too_few);
+    };
+    let tension: Vec<TensionPoint> = history.iter().map(TimePoint::tension).collect();
+    let elastic = elastic(&tension, form, true)?;
+    let constants = elastic.law.constants().into_iter().enumerate();
+    let (moduli, constants): (Vec<usize>, Vec<ConstantValue>) =
+        constants.filter(|(_, c)| c.constant.is_modulus()).unzip();
+    let relaxing = Relaxing {
+        law: &elastic.law,
+        moduli,
+        branches,
+        history,
+    };
+    let mu = elastic.law.shear_modulus_mpa();
+    let modulus = |c: ConstantValue| {
+        let scale = c.value.abs().max(1e-2 * mu);
+        if c.constant.bounds.0 == 0.0 {
+            Unknown::above(0.8 * c.value, 0.0, scale)
+        } else {
+            Unknown::free(0.8 * c.value, scale)
+        }
     };
     let (low, high) = (
         (2.0 * step).min(0.1 * duration_s).ln(),
         (0.5 * duration_s).ln(),
     );
     let width = (high - low) / branches as f64;
-    let middle = |i: usize| low + width * (i as f64 + 0.5);
-    let n = moduli.len();
-    let unpack = |x: &[f64]| -> (Law, Prony) {
-        let modulus = |i: usize| moduli.iter().position(|place| *place == i).map(|k| x[k]);
-        let long_time = law.with_constants(|i, v| modulus(i).unwrap_or(v));
-        let over = &x[n..n + branches];
-        let whole = 1.0 + over.iter().sum::<f64>();
-        let branch = |(b, t): (&f64, &f64)| Branch {
-            share: b / whole,
-            time_constant_s: t.exp(),
-        };
-        let prony = Prony {
-            branches: over.iter().zip(&x[n + branches..]).map(branch).collect(),
-        };
-        (long_time.scaled(whole), prony)
-    };
-    let differences = |x: &[f64]| -> Option<Vec<f64>> {
-        let (instantaneous, prony) = unpack(x);
-        let model = Bar::new(&instantaneous, None, &prony).over(history).ok()?;
-        let one =
-            |(m, p): (&f64, &TimePoint)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite());
-        model.iter().zip(history).map(one).collect()
-    };
-    let modulus = |&i: &usize| {
-        let (value, low) = (constants[i].value, constants[i].constant.bounds.0);
-        let scale = value.abs().max(1e-2 * mu);
-        if low == 0.0 {
-            Unknown::above(0.8 * value, 0.0, scale)
-        } else {
-            Unknown::free(0.8 * value, scale)
+    let time = |i: usize| {
+        let start = low + width * (i as f64 + 0.5);
+        Unknown {
+            start,
+            low: start - 0.75 * width,
+            high: start + 0.75 * width,
+            scale: 1.0,
         }
     };
-    let unknowns: Vec<Unknown> = moduli
-        .iter()
+    let unknowns: Vec<Unknown> = constants
+        .into_iter()
         .map(modulus)
         .chain((0..branches).map(|_| Unknown::above(0.15, 0.0, 1.0)))
-        .chain((0..branches).map(|i| Unknown {
-            start: middle(i),
-            low: middle(i) - 0.75 * width,
-            high: middle(i) + 0.75 * width,
-            scale: 1.0,
-        }))
+        .chain((0..branches).map(time))
         .collect();
-    let fit = estimate(&differences, &unknowns, &vec![1.0; points], Loss::Squares)
+    let fit = estimate(&relaxing, &unknowns, &vec![1.0; points], Loss::Squares)
         .map_err(|error| OverTimeFitError::NotConverged("relaxation", error))?;
-    let (instantaneous, prony) = unpack(&fit.x);
+    let (instantaneous, prony) = relaxing.unpack(&fit.x);
     let prony = prony.validated()?;
     let long_time = prony.long_time();
     let branch = |(b, error): (&Branch, &f64)| BranchFit {
@@ -174,18 +148,50 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         overstress: b.share / long_time,
         overstress_standard_error: Some(*error).filter(|e| e.is_finite()),
     };
+    let errors = &fit.standard_errors[relaxing.moduli.len()..];
     Ok(PronyFit {
         form,
         long_time: instantaneous.scaled(long_time),
         instantaneous,
-        branches: prony
-            .branches
-            .iter()
-            .zip(&fit.standard_errors[n..])
-            .map(branch)
-            .collect(),
+        branches: prony.branches.iter().zip(errors).map(branch).collect(),
         rms_mpa: (fit.squares / points as f64).sqrt(),
-        elastic_rms_mpa: start.quality.rms_mpa,
+        elastic_rms_mpa: elastic.quality.rms_mpa,
         duration_s,
     })
+}
+
+/// A law and a series as functions of the unknowns: moduli of the long-time law, overstresses,
+/// logarithms of the time constants.
+struct Relaxing<'a> {
+    law: &'a Law,
+    /// Places of the moduli among the constants of the law.
+    moduli: Vec<usize>,
+    branches: usize,
+    history: &'a [TimePoint],
+}
+
+impl Relaxing<'_> {
+    /// The law at once, and the series.
+    fn unpack(&self, x: &[f64]) -> (Law, Prony) {
+        let (moduli, rest) = x.split_at(self.moduli.len());
+        let (over, times) = rest.split_at(self.branches);
+        let place = |i: usize| self.moduli.iter().position(|place| *place == i);
+        let long_time = self
+            .law
+            .with_constants(|i, v| place(i).map_or(v, |k| moduli[k]));
+        let whole = 1.0 + over.iter().sum::<f64>();
+        let branch = |(b, t): (&f64, &f64)| Branch {
+            share: b / whole,
+            time_constant_s: t.exp(),
+        };
+        let branches = over.iter().zip(times).map(branch).collect();
+        (long_time.scaled(whole), Prony { branches })
+    }
+}
+
+impl Residuals for Relaxing<'_> {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let (instantaneous, prony) = self.unpack(x);
+        Bar::new(&instantaneous, None, &prony).differences(self.history)
+    }
 }

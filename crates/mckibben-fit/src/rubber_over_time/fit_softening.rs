@@ -6,9 +6,9 @@
 //! rate are taken for softening.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, Result, TimePoint, columns};
+use super::{Bar, OverTimeFitError, Result, TimePoint, columns, elastic};
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
-use crate::rubber::{FitSettings, Form, TensionPoint, fit_tension};
+use crate::rubber::{Form, TensionPoint};
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
 use mckibben::rubber::{Law, RubberLaw};
 use serde::Serialize;
@@ -69,62 +69,43 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
              loading on, with at least one unloading"
         )));
     }
-    let settings = FitSettings {
-        forms: vec![form],
-        history: true,
-        ..FitSettings::default()
-    };
-    let fit = fit_tension(&first, &settings)?;
-    let law = fit.laws[0].law.clone();
+    let elastic = elastic(&first, form, false)?;
+    let law = elastic.law;
     let energy = |stretch: f64| {
         let across = stretch.powf(-0.5);
         law.principal([stretch, across, across]).w
     };
     let w_max_mpa = energy(low).max(energy(high));
     let none = Prony::default();
+    let softening = |x: &[f64]| OgdenRoxburgh {
+        r: x[0],
+        m_mpa: x[1],
+        beta: x[2],
+    };
     let differences = |x: &[f64]| -> Option<Vec<f64>> {
-        let softening = OgdenRoxburgh {
-            r: x[0],
-            m_mpa: x[1],
-            beta: x[2],
-        };
-        let model = Bar::new(&law, Some(softening), &none).over(history).ok()?;
-        let pairs = model
-            .iter()
-            .zip(history)
-            .zip(&virgin)
-            .filter(|(_, first)| !**first);
-        pairs
-            .map(|((m, p), _)| Some(m - p.nominal_stress_mpa).filter(|v| v.is_finite()))
-            .collect()
+        let all = Bar::new(&law, Some(softening(x)), &none).differences(history)?;
+        let later = all.into_iter().zip(&virgin).filter(|(_, first)| !**first);
+        Some(later.map(|(difference, _)| difference).collect())
     };
     let weights = vec![1.0; later];
+    let largest_loss = Unknown {
+        start: 1.8,
+        low: 1.0,
+        high: 50.0,
+        scale: 1.0,
+    };
     let mut best: Result<Estimate, EstimateError> = Err(EstimateError::Start);
     for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
-        let unknowns = [
-            Unknown {
-                start: 1.8,
-                low: 1.0,
-                high: 50.0,
-                scale: 1.0,
-            },
-            Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
-            Unknown::above(beta, 1e-6, 1.0),
-        ];
+        let m = Unknown::above(m * w_max_mpa, 0.0, w_max_mpa);
+        let unknowns = [largest_loss, m, Unknown::above(beta, 1e-6, 1.0)];
         let fit = estimate(&differences, &unknowns, &weights, Loss::Squares);
-        if best.as_ref().map_or(true, |best| {
-            fit.as_ref().is_ok_and(|fit| fit.squares < best.squares)
-        }) {
+        let better = |best: &Estimate| fit.as_ref().is_ok_and(|fit| fit.squares < best.squares);
+        if best.as_ref().map_or(true, better) {
             best = fit;
         }
     }
     let best = best.map_err(|error| OverTimeFitError::NotConverged("softening", error))?;
-    let OgdenRoxburgh { r, m_mpa, beta } = OgdenRoxburgh {
-        r: best.x[0],
-        m_mpa: best.x[1],
-        beta: best.x[2],
-    }
-    .validated()?;
+    let OgdenRoxburgh { r, m_mpa, beta } = softening(&best.x).validated()?;
     Ok(SofteningFit {
         form,
         first_loading: law,
@@ -134,7 +115,7 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
         standard_errors: [0, 1, 2].map(|i| Some(best.standard_errors[i]).filter(|e| e.is_finite())),
         first_loading_points: first.len(),
         later_points: later,
-        first_loading_rms_mpa: fit.laws[0].quality.rms_mpa,
+        first_loading_rms_mpa: elastic.quality.rms_mpa,
         later_rms_mpa: (best.squares / later as f64).sqrt(),
         largest_energy_mpa: w_max_mpa,
     })

@@ -12,7 +12,7 @@ pub use fit_prony::{BranchFit, PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
 
 use crate::least_squares::EstimateError;
-use crate::rubber::TensionFitError;
+use crate::rubber::{FitSettings, FittedLaw, Form, TensionFitError, TensionPoint, fit_tension};
 use mckibben::refused::Refused;
 use mckibben::rubber::Law;
 use serde::{Serialize, Serializer};
@@ -35,6 +35,17 @@ pub enum OverTimeFitError {
     /// No minimum.
     #[error("{0}: {1}")]
     NotConverged(&'static str, EstimateError),
+}
+
+/// A law from all points of a history, without time.
+fn elastic(points: &[TensionPoint], form: Form, stable: bool) -> Result<FittedLaw> {
+    let settings = FitSettings {
+        forms: vec![form],
+        stable,
+        history: true,
+        ..FitSettings::default()
+    };
+    Ok(fit_tension(points, &settings)?.laws.swap_remove(0))
 }
 
 /// The constants of a law by their names.

@@ -119,16 +119,17 @@ struct Folders;
 
 /// The texts of the folders that are built in.
 pub fn built_in() -> Vec<MeasuredFolder> {
-    let names = with_file("case.toml");
-    let text = |name: &str, file: &str| text_of(name, file).unwrap_or_default();
-    let files = |name: String| MeasuredFolder {
-        case: text(&name, "case.toml"),
-        muscle: text(&name, "muscle.toml"),
-        points: text(&name, "points.csv"),
-        identified: text(&name, IDENTIFIED),
-        name,
+    let files = |name: String| {
+        let text = |file| text_of(&name, file).unwrap_or_default();
+        MeasuredFolder {
+            case: text("case.toml"),
+            muscle: text("muscle.toml"),
+            points: text("points.csv"),
+            identified: text(IDENTIFIED),
+            name,
+        }
     };
-    names.into_iter().map(files).collect()
+    with_file("case.toml").into_iter().map(files).collect()
 }
 
 /// The file of the identified muscle.
@@ -157,45 +158,40 @@ fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
     let wanted = |files: &&MeasuredFolder| files.muscle.trim().is_empty() == rubbers;
-    built_in()
-        .iter()
-        .filter(wanted)
-        .map(Measurement::read)
-        .collect()
+    let all = built_in();
+    all.iter().filter(wanted).map(Measurement::read).collect()
+}
+
+/// What is built in, of its kind.
+fn all<T>(
+    list: &'static BuiltIn,
+    of: fn(&Measurement) -> Option<&T>,
+) -> Result<Vec<&'static T>, &'static CaseError> {
+    Ok(list.as_ref()?.iter().filter_map(of).collect())
 }
 
 /// The measured muscles that are built in.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    Ok(MUSCLES
-        .as_ref()?
-        .iter()
-        .filter_map(Measurement::muscle)
-        .collect())
+    all(&MUSCLES, Measurement::muscle)
 }
 
 /// The measured rubbers that are built in.
 pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
-    Ok(RUBBERS
-        .as_ref()?
-        .iter()
-        .filter_map(Measurement::rubber)
-        .collect())
+    all(&RUBBERS, Measurement::rubber)
 }
 
 impl Measurement {
     pub fn muscle(&self) -> Option<&MuscleCase> {
-        if let Self::Muscle(case) = self {
-            Some(case)
-        } else {
-            None
+        match self {
+            Self::Muscle(case) => Some(case),
+            Self::Rubber(_) => None,
         }
     }
 
     pub fn rubber(&self) -> Option<&RubberCase> {
-        if let Self::Rubber(case) = self {
-            Some(case)
-        } else {
-            None
+        match self {
+            Self::Rubber(case) => Some(case),
+            Self::Muscle(_) => None,
         }
     }
 }

@@ -1,11 +1,10 @@
 //! The error of finite elements at measured pulls, and the share of the measured points that the ±
 //! covers.
 
-use super::case::{MuscleCase, muscles};
+use super::case::MuscleCase;
 use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
-use crate::identify;
+use crate::identify::{Parameter, Result};
 use crate::measured::mean_of_data;
-use mckibben::cancel::Cancelled;
 use mckibben::threads;
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
@@ -14,38 +13,19 @@ pub const COVERAGE: f64 = 0.95;
 
 /// The share of the points of each set that the ± covers, of the means of the branches and of the
 /// single branches.
-pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
-    let sets = match muscles() {
-        Ok(sets) => sets
-            .into_iter()
-            .filter(|set| set.rms_of_blocked.is_some())
-            .collect::<Vec<_>>(),
-        // Measurements that are built in and cannot be read: a case that fails.
-        Err(error) => {
-            let name = format!("measured muscles: {error}");
-            return Ok(vec![share_row(
-                name,
-                "",
-                &ForceErrors::default(),
-                Coverage::Calibrated,
-            )]);
-        }
-    };
-    let residuals = threads::map(&sets, |set| {
-        first_fit_residuals(set, set.friction_share(), by).unwrap_or_default()
-    });
-    by.progress.check()?;
-    let mut rows = vec![];
-    for (set, all) in sets.into_iter().zip(residuals) {
+pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
+    let judged = sets.iter().filter(|set| set.rms_of_blocked.is_some());
+    let of_set = |&set: &&'static MuscleCase| {
+        let all = first_fit_residuals(set, set.friction_share(), by).unwrap_or_default();
         let errors = |mean| ForceErrors::new(all.iter().filter(|r| r.branch.is_mean() == mean));
         let (means, single) = (errors(true), errors(false));
-        rows.push(rms(set, &means));
-        rows.push(covered(set, &means, "points"));
+        let mut rows = vec![rms(set, &means), covered(set, &means, "points")];
         if single.points > 0 {
             rows.push(covered(set, &single, "points of single branches"));
         }
-    }
-    Ok(rows)
+        rows
+    };
+    threads::map(&judged.copied().collect::<Vec<_>>(), of_set).concat()
 }
 
 /// A row of validation with an error that is not that of its value.
@@ -111,21 +91,19 @@ fn covered(set: &'static MuscleCase, errors: &ForceErrors, what: &str) -> Verifi
 /// The rms error of a set's identified muscle at the means of the branches, beside its largest
 /// blocked force.
 fn rms(set: &'static MuscleCase, errors: &ForceErrors) -> VerificationRow {
-    let error = (errors.points > 0).then_some(errors.rms_of_blocked);
-    let fit = set.fits.first();
-    let free = fit.map(|f| {
-        f.free
-            .iter()
-            .map(|p| p.target.name(&f.muscle))
-            .collect::<Vec<_>>()
+    let free = set.fits.iter().take(1).flat_map(|fit| {
+        let name = |free: &Parameter| free.target.name(&fit.muscle);
+        fit.free.iter().map(name)
     });
-    let tolerance = set.rms_of_blocked.unwrap_or(0.0);
-    let free = free.unwrap_or_default().join(" and ");
     let name = format!(
-        "{}: fe, {} points, {free} identified",
-        set.facts.title, errors.points
+        "{}: fe, {} points, {} identified",
+        set.facts.title,
+        errors.points,
+        free.collect::<Vec<_>>().join(" and ")
     );
-    let ours = (errors.points > 0).then_some(errors.rms_n);
+    let tolerance = set.rms_of_blocked.unwrap_or(0.0);
+    let some = Some(errors).filter(|errors| errors.points > 0);
+    let (ours, error) = some.map(|some| (some.rms_n, some.rms_of_blocked)).unzip();
     let row = VerificationRow::new(name, &set.facts.source, errors.blocked_n, ours, tolerance);
     validated(row, Measure::Rms, error)
 }
@@ -136,16 +114,12 @@ pub fn first_fit_residuals(
     set: &MuscleCase,
     friction_share: f64,
     by: Fitter<'_>,
-) -> identify::Result<Vec<Residual>> {
+) -> Result<Vec<Residual>> {
     let Some(fit) = set.fits.first() else {
         return Ok(vec![]);
     };
     let means = mean_of_data(&set.points);
     let (muscle, _) = by.fitted(fit, &means)?;
-    Ok(residuals(
-        by.build,
-        &muscle,
-        &compared(&means, &set.points),
-        friction_share,
-    ))
+    let compared = compared(&means, &set.points);
+    Ok(residuals(by.build, &muscle, compared, friction_share))
 }

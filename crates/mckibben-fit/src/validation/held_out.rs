@@ -1,11 +1,10 @@
 //! The share of points held out of a fit that the ± of the fit covers.
 
-use super::case::{CaseFit, MuscleCase, muscles};
+use super::case::{CaseFit, MuscleCase};
 use super::coverage::{Coverage, share_row};
 use super::residual::{Fitter, ForceErrors, Residual, residuals};
 use crate::identify::{Identification, Result};
 use crate::measured::{DataPoint, mean_of_data};
-use mckibben::cancel::Cancelled;
 use mckibben::threads;
 use mckibben::verification::VerificationRow;
 
@@ -14,15 +13,11 @@ const PARTS: usize = 5;
 
 /// The points of a set that a fit is made to.
 pub fn fit_points(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
-    if fit.both_branches {
-        set.points
-            .iter()
-            .filter(|p| !p.at.direction().is_mean())
-            .copied()
-            .collect()
-    } else {
-        mean_of_data(&set.points)
+    if !fit.both_branches {
+        return mean_of_data(&set.points);
     }
+    let single = set.points.iter().filter(|p| !p.at.direction().is_mean());
+    single.copied().collect()
 }
 
 impl Fitter<'_> {
@@ -43,23 +38,15 @@ impl Fitter<'_> {
         else {
             return Ok(vec![]);
         };
-        let is_of_muscle = |p: &&DataPoint| {
-            candidate
-                .section_muscle(&p.section)
-                .is_ok_and(|m| m == muscle)
-        };
-        let mut points: Vec<DataPoint> = others.iter().filter(is_of_muscle).copied().collect();
-        points
-            .iter_mut()
-            .for_each(|p| p.at.contraction += candidate.contraction_offset);
-        points.retain(|p| bench.outside(p.at.pressure_mpa, p.at.contraction) <= 0.0);
-        let points: Vec<&DataPoint> = points.iter().collect();
-        Ok(residuals(
-            self.build,
-            &muscle.with_bench(bench),
-            &points,
-            0.0,
-        ))
+        let mut points = others.to_vec();
+        points.retain_mut(|p| {
+            p.at.contraction += candidate.contraction_offset;
+            let of_row = candidate.section_muscle(&p.section);
+            of_row.is_ok_and(|of_row| of_row == muscle)
+                && bench.outside(p.at.pressure_mpa, p.at.contraction) <= 0.0
+        });
+        let muscle = muscle.with_bench(bench);
+        Ok(residuals(self.build, &muscle, &points, 0.0))
     }
 }
 
@@ -78,36 +65,25 @@ fn held_out_residuals(set: &MuscleCase, fit: &CaseFit, by: Fitter<'_>) -> Result
     }
     let mut all = vec![];
     for part in 0..PARTS {
-        let of_part = |inside: bool| -> Vec<DataPoint> {
-            let each = points
-                .iter()
-                .enumerate()
-                .filter(|(i, _)| (i % PARTS == part) == inside);
-            each.map(|(_, p)| *p).collect()
-        };
-        all.extend(by.judged(&fit, &of_part(false), &of_part(true))?);
+        let numbered = points.iter().copied().enumerate();
+        let (left_out, fitted): (Vec<_>, Vec<_>) = numbered.partition(|(i, _)| i % PARTS == part);
+        let points = |part: Vec<(usize, DataPoint)>| part.into_iter().map(|(_, p)| p).collect();
+        let (left_out, fitted): (Vec<_>, Vec<_>) = (points(left_out), points(fitted));
+        all.extend(by.judged(&fit, &fitted, &left_out)?);
     }
     Ok(all)
 }
 
 /// The share of the held-out points of each set that the ± of its fit covers.
-pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
-    let sets: Vec<&'static MuscleCase> = muscles().unwrap_or_default();
-    let residuals = threads::map(&sets, |set| {
-        set.fits
-            .first()
-            .and_then(|fit| held_out_residuals(set, fit, by).ok())
-            .unwrap_or_default()
-    });
-    by.progress.check()?;
-    let row = |(set, list): (&'static MuscleCase, Vec<Residual>)| {
-        let errors = ForceErrors::new(list.iter());
-        let title = &set.facts.title;
+pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
+    threads::map(sets, |&set| {
+        let fit = set.fits.first();
+        let list = fit.and_then(|fit| held_out_residuals(set, fit, by).ok());
+        let errors = ForceErrors::new(list.iter().flatten());
         let name = format!(
-            "{title}: {} points held out of fits of fe, within the ± of the fit",
-            errors.points
+            "{}: {} points held out of fits of fe, within the ± of the fit",
+            set.facts.title, errors.points
         );
         share_row(name, &set.facts.source, &errors, Coverage::Exact)
-    };
-    Ok(sets.into_iter().zip(residuals).map(row).collect())
+    })
 }

@@ -5,13 +5,12 @@
 //! for another length (`length_transfer`) and for another specimen (`transfer`). It covers at least
 //! 95 % of the points that were left out, less what chance makes of so few.
 
-use super::case::{CaseFit, MuscleCase, muscles};
+use super::case::{CaseFit, MuscleCase};
 use super::coverage::{Coverage, share_row};
 use super::library::library;
 use super::residual::{Fitter, ForceErrors, Residual, residuals};
 use crate::identify::Build;
 use crate::measured::{DataPoint, distinct, mean_of_data, same};
-use mckibben::cancel::Cancelled;
 use mckibben::muscle::{Braid, Muscle};
 use mckibben::threads;
 use mckibben::verification::VerificationRow;
@@ -20,15 +19,25 @@ use mckibben::verification::VerificationRow;
 const PARTS: usize = 5;
 
 /// The share of the points that are left out of fits to the others that the ± covers.
-pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
-    let sets = muscles().unwrap_or_default();
-    let rows = threads::map(&sets, |set| rows(set, by).unwrap_or_default());
-    by.progress.check()?;
-    Ok(rows
-        .into_iter()
-        .flatten()
-        .chain(specimens(by.build))
-        .collect())
+pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
+    let mut rows = threads::map(sets, |&set| rows(set, by).unwrap_or_default()).concat();
+    rows.extend(specimens(sets, by.build));
+    rows
+}
+
+/// Points in parts, each of a few values of a quantity, with the first of them.
+fn parts(
+    points: &[DataPoint],
+    parts: usize,
+    value: impl Fn(&DataPoint) -> f64,
+) -> Vec<(f64, Vec<DataPoint>)> {
+    let values = distinct(points.iter().map(&value));
+    let of_part = |part: &[f64]| {
+        let is_in = |p: &&DataPoint| part.iter().any(|v| same(*v, value(p)));
+        (part[0], points.iter().filter(is_in).copied().collect())
+    };
+    let size = values.len().div_ceil(parts).max(1);
+    values.chunks(size).map(of_part).collect()
 }
 
 /// Each part of the pressures of a set by the others; each length by the others, and by each other
@@ -36,66 +45,36 @@ pub fn cases(by: Fitter<'_>) -> Result<Vec<VerificationRow>, Cancelled> {
 fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>> {
     let fit = set.fits.first()?;
     let points = means(set);
-    let parts = |value: &dyn Fn(&DataPoint) -> f64, parts: usize| -> Vec<(f64, Vec<DataPoint>)> {
-        let values = distinct(points.iter().map(value));
-        let of_part = |part: &[f64]| {
-            let is_in = |p: &&DataPoint| part.iter().any(|v| same(*v, value(p)));
-            (part[0], points.iter().filter(is_in).copied().collect())
-        };
-        values
-            .chunks(values.len().div_ceil(parts).max(1))
-            .map(of_part)
-            .collect()
-    };
     let predicted = |fitted: &[DataPoint], left_out: &[DataPoint]| -> Option<Vec<Residual>> {
-        let muscle = fitted.first()?.section.apply(&fit.muscle).ok()?;
-        let identified = by
-            .identified(
-                &CaseFit {
-                    muscle,
-                    ..fit.clone()
-                },
-                fitted,
-            )
-            .ok()?;
-        Some(residuals(
-            by.build,
-            &identified.with_bench(),
-            &left_out.iter().collect::<Vec<_>>(),
-            0.0,
-        ))
-    };
-    let others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {
-        let others = parts.iter().enumerate().filter(|(j, _)| *j != i);
-        others
-            .flat_map(|(_, part)| part.1.clone())
-            .collect::<Vec<DataPoint>>()
-    };
-    let by_pressure = parts(&|p| p.at.pressure_mpa, PARTS);
-    let left_out = by_pressure.iter().enumerate();
-    let left_out = left_out.filter_map(|(i, part)| predicted(&others(&by_pressure, i), &part.1));
-    let mut rows = vec![row(
-        set,
-        "the other pressures",
-        &left_out.flatten().collect::<Vec<_>>(),
-    )];
-    let by_length = parts(
-        &|p| p.section.length_mm.unwrap_or(fit.muscle.length_mm()),
-        usize::MAX,
-    );
-    for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
-        let of_length = |from: &str, residuals: &[Residual]| {
-            row(set, &format!("{from}, of {length} mm"), residuals)
+        let fit = CaseFit {
+            muscle: fitted.first()?.section.apply(&fit.muscle).ok()?,
+            ..fit.clone()
         };
-        rows.push(of_length(
-            "the other lengths",
-            &predicted(&others(&by_length, i), left_out)?,
-        ));
+        let muscle = by.identified(&fit, fitted).ok()?.with_bench();
+        Some(residuals(by.build, &muscle, left_out, 0.0))
+    };
+    let by_others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {
+        let others = parts.iter().enumerate().filter(|(j, _)| *j != i);
+        let others: Vec<DataPoint> = others.flat_map(|(_, part)| part.1.clone()).collect();
+        predicted(&others, &parts[i].1)
+    };
+    let by_pressure = parts(&points, PARTS, |p| p.at.pressure_mpa);
+    let left_out = (0..by_pressure.len()).filter_map(|i| by_others(&by_pressure, i));
+    let left_out: Vec<Residual> = left_out.flatten().collect();
+    let mut rows = vec![row(set, "the other pressures", &left_out)];
+    let by_length = parts(&points, usize::MAX, |p| {
+        p.section.length_mm.unwrap_or(fit.muscle.length_mm())
+    });
+    for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
+        let others = by_others(&by_length, i)?;
         let each = by_length.iter().filter(|(from, _)| from != length);
-        let each = each
-            .filter_map(|(_, fitted)| predicted(fitted, left_out))
-            .flatten();
-        rows.push(of_length("each other length", &each.collect::<Vec<_>>()));
+        let each = each.filter_map(|(_, fitted)| predicted(fitted, left_out));
+        for (from, residuals) in [
+            ("the other lengths", others),
+            ("each other length", each.flatten().collect()),
+        ] {
+            rows.push(row(set, &format!("{from}, of {length} mm"), &residuals));
+        }
     }
     Some(rows)
 }
@@ -123,11 +102,9 @@ fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> Verifica
 /// The constants of each muscle of the library, with the length or the angle of another that is the
 /// same product (specimen, fittings, gauge and zero of the length differ) or a sibling of another
 /// angle, against the points of the other.
-fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
-    let (all, sets) = (library().unwrap_or_default(), muscles().unwrap_or_default());
-    let pairs = all
-        .into_iter()
-        .flat_map(|from| sets.iter().map(move |to| (from, *to)));
+fn specimens(sets: &[&'static MuscleCase], build: &Build<'_>) -> Vec<VerificationRow> {
+    let all = library().unwrap_or_default().into_iter();
+    let pairs = all.flat_map(|from| sets.iter().map(move |to| (from, *to)));
     let specimen = |((from, muscle), to): ((&MuscleCase, &Muscle), &'static MuscleCase)| {
         let other = &to.fits.first()?.muscle;
         let is_product = from.facts.product.is_some();
@@ -156,12 +133,8 @@ fn specimens(build: &Build<'_>) -> Vec<VerificationRow> {
         for point in &mut points {
             point.section.length_mm.get_or_insert(other.length_mm());
         }
-        let points: Vec<&DataPoint> = points.iter().collect();
-        Some(row(
-            to,
-            &from.facts.title,
-            &residuals(build, &muscle, &points, 0.0),
-        ))
+        let residuals = residuals(build, &muscle, &points, 0.0);
+        Some(row(to, &from.facts.title, &residuals))
     };
     pairs.filter_map(specimen).collect()
 }

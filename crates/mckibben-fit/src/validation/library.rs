@@ -76,10 +76,9 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
         .map(|fit| fit_points(case, fit))
         .unwrap_or_default();
     let digest = muscle.digest();
-    let is_of_muscle = |p: &&DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
-    let (bench, others): (Vec<&DataPoint>, Vec<&DataPoint>) = points.iter().partition(is_of_muscle);
-    let on_bench = residuals(build, muscle, &bench, 0.0);
-    let others = residuals(build, muscle, &others, 0.0);
+    let is_of_muscle = |p: &DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
+    let (on_bench, others): (Vec<_>, Vec<_>) = points.iter().partition(|p| is_of_muscle(p));
+    let [on_bench, others] = [on_bench, others].map(|points| residuals(build, muscle, points, 0.0));
     let bench = muscle.bench().filter(|_| !on_bench.is_empty());
     let held = bench.map(|bench| {
         let covers = |r: &&Residual| {

@@ -18,10 +18,10 @@ use super::case::{CaseFit, MuscleCase};
 use super::coverage::validated;
 use super::residual::Fitter;
 use crate::identify::Build;
-use crate::measured::mean_of_data;
+use crate::least_squares::{Errors, Line};
+use crate::measured::{Section, mean_of_data};
 use mckibben::analysis::{ATMOSPHERE_MPA, Evaluation};
 use mckibben::model::{ModelError, Workspace};
-use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::threads;
 use mckibben::verification::{Measure, VerificationRow};
@@ -85,11 +85,10 @@ pub fn counted() -> Vec<Counted> {
         });
         let counts: Vec<f64> = tests.collect();
         if contraction < TAUT && !counts.is_empty() {
-            let pulses = counts.iter().sum::<f64>() / counts.len() as f64;
             out.push(Counted {
                 length_mm,
                 contraction,
-                pulses,
+                pulses: Errors::new(counts).mean,
             });
         }
     }
@@ -111,14 +110,12 @@ fn place(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
 
 /// ∫ V dp/p + V(p1) − V(p2) in mm³ of a muscle at ε.
 fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, ModelError> {
-    let mut parts = muscle.parts().clone();
-    (LENGTH.set)(&mut parts, at.length_mm);
-    let model = Muscle::from_parts(parts)
-        .ok()
-        .map(|m| build(&m))
-        .transpose()?;
     let no_volume = || ModelError::NoVolume("of the pulses".to_owned());
-    let model = model.ok_or_else(no_volume)?;
+    let section = Section {
+        length_mm: Some(at.length_mm),
+        ..Section::default()
+    };
+    let model = build(&section.apply(muscle).map_err(|_| no_volume())?)?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, Direction::Mean);
     let mut volume = |gauge_mpa: f64| -> Result<f64, ModelError> {
@@ -154,33 +151,16 @@ pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelErr
     };
     let (at_rest, at_contraction) = (volumes(&rest)?, volumes(&contracted)?);
     // n = a A + b: a = 1/k, b = Vd ln(p1/p2)/k.
-    let mean = |list: &mut dyn Iterator<Item = f64>| {
-        let (sum, count) = list.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
-        sum / f64::max(count, 1.0)
-    };
-    let (mean_volume, mean_pulses) = (
-        mean(&mut at_rest.iter().copied()),
-        mean(&mut rest.iter().map(|c| c.pulses)),
-    );
-    let pairs = || {
-        at_rest
-            .iter()
-            .zip(&rest)
-            .map(|(v, c)| (v - mean_volume, c.pulses - mean_pulses))
-    };
-    let slope = pairs().map(|(v, n)| v * n).sum::<f64>() / pairs().map(|(v, _)| v * v).sum::<f64>();
-    let pulses = |volume: f64| mean_pulses + slope * (volume - mean_volume);
-    let squares = mean(
-        &mut at_rest
-            .iter()
-            .zip(&rest)
-            .map(|(v, c)| (pulses(*v) - c.pulses).powi(2)),
-    );
+    let pulses = |list: &[Counted]| -> Vec<f64> { list.iter().map(|c| c.pulses).collect() };
+    let points: Vec<(f64, f64)> = at_rest.into_iter().zip(pulses(&rest)).collect();
+    let line = Line::through(&points);
+    let off = Errors::new(points.iter().map(|(volume, n)| line.at(*volume) - n));
+    let predicted = at_contraction.into_iter().map(|volume| line.at(volume));
     Ok(Predicted {
-        dead_volume_mm3: (mean_pulses / slope - mean_volume) / log,
-        rms_at_rest: squares.sqrt() / mean_pulses,
-        measured: mean(&mut contracted.iter().map(|c| c.pulses)),
-        predicted: mean(&mut at_contraction.iter().map(|v| pulses(*v))),
+        dead_volume_mm3: (line.mean_y / line.slope - line.mean_x) / log,
+        rms_at_rest: off.rms / line.mean_y,
+        measured: Errors::new(pulses(&contracted)).mean,
+        predicted: Errors::new(predicted).mean,
     })
 }
 

@@ -144,9 +144,10 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
     let compared = compared(means, &case.points);
     let group = |name: String, blind: bool, keep: &dyn Fn(&DataPoint) -> bool| {
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
-        let residuals = residuals(by.build, &muscle, &points, case.friction_share());
+        let all = points.len();
+        let residuals = residuals(by.build, &muscle, points, case.friction_share());
         Group {
-            unanswered: points.len() - residuals.len(),
+            unanswered: all - residuals.len(),
             ..Group::new(name, blind, &residuals)
         }
     };
@@ -215,8 +216,8 @@ struct Training<'a> {
     pub fit: &'a CaseFit,
     /// The points of the case, with the means of its branches.
     pub means: &'a [DataPoint],
-    low: f64,
-    high: f64,
+    /// Both ends in it.
+    range: (f64, f64),
     /// Fitted are those outside.
     outside: bool,
 }
@@ -230,26 +231,25 @@ fn trainings<'a>(
         case,
         fit,
         means,
-        low: f64::NEG_INFINITY,
-        high: f64::INFINITY,
+        range: (f64::NEG_INFINITY, f64::INFINITY),
         outside: false,
     };
     let each = |outside| {
-        let values = all.values(means).into_iter();
-        values
-            .map(|v| Training {
-                low: v,
-                high: v,
-                outside,
-                ..all
-            })
-            .collect()
+        let one = |v| Training {
+            range: (v, v),
+            outside,
+            ..all
+        };
+        all.values(means).into_iter().map(one).collect()
     };
     match fit.split.map(|split| split.fitted) {
         None => vec![all],
         Some(FittedSubset::One) => each(false),
         Some(FittedSubset::Others) => each(true),
-        Some(FittedSubset::Range(low, high)) => vec![Training { low, high, ..all }],
+        Some(FittedSubset::Range(low, high)) => vec![Training {
+            range: (low, high),
+            ..all
+        }],
     }
 }
 
@@ -270,7 +270,8 @@ impl Training<'_> {
         let Some(v) = self.value(point) else {
             return true;
         };
-        let inside = (v > self.low || same(v, self.low)) && (v < self.high || same(v, self.high));
+        let (low, high) = self.range;
+        let inside = (v > low || same(v, low)) && (v < high || same(v, high));
         inside != self.outside
     }
 
@@ -287,15 +288,11 @@ impl Training<'_> {
             Some(By::Pressure) => " MPa",
             Some(By::Contraction) => "",
         };
-        let text = match values {
-            [first, .., last] if values.len() > 5 => format!("{first} to {last}"),
-            _ => values
-                .iter()
-                .map(f64::to_string)
-                .collect::<Vec<_>>()
-                .join(", "),
-        };
-        text + unit
+        let texts: Vec<String> = values.iter().map(f64::to_string).collect();
+        match texts.as_slice() {
+            [first, .., last] if texts.len() > 5 => format!("{first} to {last}{unit}"),
+            _ => texts.join(", ") + unit,
+        }
     }
 }
 

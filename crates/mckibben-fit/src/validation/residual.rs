@@ -2,6 +2,7 @@
 
 use super::case::CaseFit;
 use crate::identify::{Build, Identification, Identified, Request, Result, identify};
+use crate::least_squares::Errors;
 use crate::measured::{DataPoint, MeasuredPoint, Quantity, Section};
 use mckibben::analysis::{Evaluation, Options};
 use mckibben::model::{ForceModel, Workspace};
@@ -38,97 +39,77 @@ impl Residual {
     }
 }
 
-/// The model of the muscle of some rows, where it has one.
-struct SectionModel {
-    section: Section,
-    model: Option<Box<dyn ForceModel>>,
-    workspace: Workspace,
-    /// Of the blocked muscle: finite elements are fast next to their last point.
-    blocked: Workspace,
-    /// c_f of the friction that is estimated where the muscle states none.
+/// A point beside the model of its muscle; of the blocked muscle in a memory of its own: finite
+/// elements are fast next to their last point.
+fn residual(
+    model: &dyn ForceModel,
+    [workspace, blocked]: &mut [Workspace; 2],
+    point: &DataPoint,
     friction_share: f64,
+) -> Option<Residual> {
+    let MeasuredPoint {
+        pressure_mpa,
+        contraction,
+        force_n,
+        ..
+    } = point.at;
+    let branch = point.at.direction();
+    let options = Options {
+        friction_share,
+        ..branch.into()
+    };
+    let mut evaluation = Evaluation::new(model, workspace, options);
+    let here = evaluation.response(pressure_mpa, contraction).ok()?;
+    let difference_n = match point.measured {
+        // A slack muscle does not pull.
+        Quantity::Force => force_n - here.force_n.max(0.0),
+        Quantity::Contraction | Quantity::Pressure => force_n - here.force_n,
+        Quantity::Volume => {
+            let per_contraction = evaluation.stiffness_n_per_mm(&here).ok()?;
+            let volume_per_contraction = evaluation.force_per_pressure_mm2(&here).ok()?;
+            (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
+        }
+    };
+    let mut evaluation = Evaluation::new(model, blocked, options);
+    let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
+    let half_width_n = |parts: UncertaintyParts| {
+        let friction = parts.friction.filter(|_| !branch.is_mean());
+        UncertaintyParts { friction, ..parts }.total()
+    };
+    Some(Residual {
+        contraction,
+        contraction_share: contraction / model.muscle().max_ideal_contraction(),
+        difference_n,
+        branch,
+        pressure_mpa,
+        blocked_n: model.force_n(blocked, pressure_mpa, 0.0).ok()?,
+        half_width_n: parts.map(half_width_n),
+    })
 }
 
-impl SectionModel {
-    fn residual(&mut self, point: &DataPoint) -> Option<Residual> {
-        let model = self.model.as_deref()?;
-        let MeasuredPoint {
-            pressure_mpa,
-            contraction,
-            force_n,
-            ..
-        } = point.at;
-        let branch = point.at.direction();
-        let options = Options {
-            friction_share: self.friction_share,
-            ..branch.into()
-        };
-        let mut evaluation = Evaluation::new(model, &mut self.workspace, options);
-        let here = evaluation.response(pressure_mpa, contraction).ok()?;
-        let difference_n = match point.measured {
-            // A slack muscle does not pull.
-            Quantity::Force => force_n - here.force_n.max(0.0),
-            Quantity::Contraction | Quantity::Pressure => force_n - here.force_n,
-            Quantity::Volume => {
-                let per_contraction = evaluation.stiffness_n_per_mm(&here).ok()?;
-                let volume_per_contraction = evaluation.force_per_pressure_mm2(&here).ok()?;
-                (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
-            }
-        };
-        let mut evaluation = Evaluation::new(model, &mut self.blocked, options);
-        let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
-        let half_width_n = |parts: UncertaintyParts| {
-            let friction = parts.friction.filter(|_| !branch.is_mean());
-            UncertaintyParts { friction, ..parts }.total()
-        };
-        Some(Residual {
-            contraction,
-            contraction_share: contraction / model.muscle().max_ideal_contraction(),
-            difference_n,
-            branch,
-            pressure_mpa,
-            blocked_n: model.force_n(&mut self.blocked, pressure_mpa, 0.0).ok()?,
-            half_width_n: parts.map(half_width_n),
-        })
-    }
-}
+/// The model of the muscle of some rows, where it has one, with its memories.
+type SectionModel = (Section, Option<Box<dyn ForceModel>>, [Workspace; 2]);
 
 /// Measured points less the model of a muscle; without those to which the model has no answer; on
-/// single branches with a friction that is estimated by c_f.
-pub(super) fn residuals(
+/// single branches with a friction that is estimated by c_f where the muscle states none.
+pub(super) fn residuals<'a>(
     build: &Build<'_>,
     muscle: &Muscle,
-    points: &[&DataPoint],
+    points: impl IntoIterator<Item = &'a DataPoint>,
     friction_share: f64,
 ) -> Vec<Residual> {
     let mut models: Vec<SectionModel> = vec![];
     let mut out = vec![];
     for point in points {
-        let known = models
-            .iter()
-            .position(|m| m.section == point.section)
-            .unwrap_or_else(|| {
-                let model = point
-                    .section
-                    .apply(muscle)
-                    .ok()
-                    .and_then(|m| build(&m).ok());
-                let (section, workspace, blocked) =
-                    (point.section, Workspace::new(), Workspace::new());
-                models.push(SectionModel {
-                    section,
-                    model,
-                    workspace,
-                    blocked,
-                    friction_share,
-                });
-                models.len() - 1
-            });
-        out.extend(
-            models
-                .get_mut(known)
-                .and_then(|model| model.residual(point)),
-        );
+        let section = point.section;
+        if !models.iter().any(|known| known.0 == section) {
+            let model = section.apply(muscle).ok().and_then(|m| build(&m).ok());
+            models.push((section, model, [Workspace::new(), Workspace::new()]));
+        }
+        let known = models.iter_mut().find(|known| known.0 == section);
+        out.extend(known.and_then(|(_, model, workspaces)| {
+            residual(model.as_deref()?, workspaces, point, friction_share)
+        }));
     }
     out
 }
@@ -198,34 +179,25 @@ pub struct ForceErrors {
 
 impl ForceErrors {
     pub fn new<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
-        let (mut out, mut squares, mut judged, mut held) = (Self::default(), 0.0, 0, 0);
-        for r in list {
-            out.points += 1;
-            squares += r.difference_n * r.difference_n;
-            out.bias_n += r.difference_n;
-            out.largest_n = out.largest_n.max(r.difference_n.abs());
-            out.blocked_n = out.blocked_n.max(r.blocked_n);
-            out.half_width_of_blocked += r.half_width_n.unwrap_or(0.0);
-            judged += usize::from(r.covered().is_some());
-            held += usize::from(r.covered() == Some(true));
-        }
-        let n = out.points.max(1) as f64;
-        let rms_n = (squares / n).sqrt();
-        let rms_of_blocked = if out.points > 0 {
-            rms_n / out.blocked_n
-        } else {
-            0.0
-        };
-        let held = (judged > 0).then(|| held as f64 / judged as f64);
-        let half_width_of_blocked =
-            out.half_width_of_blocked / (judged.max(1) as f64 * out.blocked_n);
+        let list: Vec<&Residual> = list.collect();
+        let errors = Errors::new(list.iter().map(|r| r.difference_n));
+        let blocked_n = list.iter().map(|r| r.blocked_n).fold(0.0, f64::max);
+        let widths: Vec<f64> = list.iter().filter_map(|r| r.half_width_n).collect();
+        let judged = widths.len() as f64;
+        let held = list.iter().filter(|r| r.covered() == Some(true)).count();
         Self {
-            rms_n,
-            half_width_of_blocked,
-            bias_n: out.bias_n / n,
-            rms_of_blocked,
-            held,
-            ..out
+            points: errors.points,
+            rms_n: errors.rms,
+            largest_n: errors.largest,
+            bias_n: errors.mean,
+            rms_of_blocked: if list.is_empty() {
+                0.0
+            } else {
+                errors.rms / blocked_n
+            },
+            held: (judged > 0.0).then(|| held as f64 / judged),
+            blocked_n,
+            half_width_of_blocked: widths.iter().sum::<f64>() / (judged.max(1.0) * blocked_n),
         }
     }
 }

@@ -49,8 +49,24 @@ pub enum AnalysisError {
         at_rest_n: Option<f64>,
     },
     /// What was found is a pull of broken strands.
-    #[error("{0}")]
-    StrandsBreak(String),
+    #[error(
+        "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} break the strands: one of them carries \
+         {}\u{a0}N, and its strength is {}\u{a0}N",
+        short(*.force_n, 1), short(*.pressure_mpa, 4), percent(*.contraction),
+        short(*.tension_n, 1), short(*.strength_n, 1)
+    )]
+    StrandsBreak {
+        /// The pull in N.
+        force_n: f64,
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Contraction ratio.
+        contraction: f64,
+        /// Tension of a strand in N.
+        tension_n: f64,
+        /// Its strength in N.
+        strength_n: f64,
+    },
     /// The model does not know a quantity that the question needs.
     #[error("the {model} model does not give {quantity}")]
     Unknown {

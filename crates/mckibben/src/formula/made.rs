@@ -114,20 +114,25 @@ impl Made {
     }
 }
 
+/// Whether two values are alike, relative to the larger: both none, or near to each other.
+pub(crate) fn alike(a: Option<f64>, b: Option<f64>, tolerance: f64) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= tolerance * a.abs().max(b.abs()),
+        (a, b) => a.is_none() && b.is_none(),
+    }
+}
+
 impl MadeRubber {
     /// Whether two are the same but for their names, their constants within a relative tolerance.
     pub fn is_like(&self, other: &Self, tolerance: f64) -> bool {
-        let close = |a: f64, b: f64| (a - b).abs() <= tolerance * a.abs().max(b.abs());
-        let same =
-            |(name, a): (&String, &f64)| other.constants.get(name).is_some_and(|b| close(*a, *b));
+        let same = |(name, a): (&String, &f64)| {
+            let other = other.constants.get(name).copied();
+            alike(Some(*a), other, tolerance)
+        };
         self.law == other.law
             && self.constants.len() == other.constants.len()
             && self.constants.iter().all(same)
-            && match (self.bulk_modulus_mpa, other.bulk_modulus_mpa) {
-                (None, None) => true,
-                (Some(a), Some(b)) => close(a, b),
-                _ => false,
-            }
+            && alike(self.bulk_modulus_mpa, other.bulk_modulus_mpa, tolerance)
     }
 
     /// In words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.

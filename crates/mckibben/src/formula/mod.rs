@@ -22,6 +22,7 @@ mod universal;
 
 pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
+pub(crate) use made::alike;
 pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
 pub use paper::{Coefficients, Section};
 pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};

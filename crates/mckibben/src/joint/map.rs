@@ -2,6 +2,7 @@
 
 use super::model::Fixed;
 use super::{JointError, JointModel, Rest, Result, ShutStiffness};
+use crate::extremes::ends;
 use crate::model::{Interval, ModelError, Quantity, Workspace};
 use crate::progress::Progress;
 use crate::threads::Threads;
@@ -16,7 +17,7 @@ const SMALL: f64 = 1e-6;
 const SMALL_FIRST: f64 = 1e-9;
 
 /// Angles over the range at which torques are drawn.
-const ANGLES: usize = 37;
+const ANGLES: u32 = 37;
 
 /// A rest at a pair of pressures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -63,6 +64,9 @@ pub struct JointMap {
     pub torques: Vec<(f64, f64, f64)>,
 }
 
+/// A rest, or the pressures without one and why.
+type Place = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
+
 impl JointModel<'_> {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
@@ -77,54 +81,24 @@ impl JointModel<'_> {
     ) -> Result<JointMap> {
         self.outside(max_pressure_mpa)?;
         let count = count.max(2);
-        let grid: Vec<f64> = (0..count)
-            .map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64)
-            .collect();
+        let steps = (count - 1) as f64;
+        let grid = (0..count).map(|i| max_pressure_mpa * i as f64 / steps);
+        let grid: Vec<f64> = grid.collect();
         let two = self.joint().muscles().len() == 2;
         // What a muscle's free contraction depends on is its pressure alone.
         let workspaces = &mut self.workspaces();
         let mut free = vec![];
         for (i, workspace) in workspaces.iter_mut().enumerate() {
-            free.push(
-                grid.iter()
-                    .map(|p| self.free(i, workspace, *p))
-                    .collect::<Result<Vec<_>, _>>()?,
-            );
+            let at = |p: &f64| self.free(i, workspace, *p);
+            free.push(grid.iter().map(at).collect::<Result<Vec<_>>>()?);
         }
-        type Rest = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
-        let row = |&i: &usize| -> Result<Vec<Rest>> {
-            progress.check()?;
-            let mut workspaces = self.workspaces();
-            // The last two angles.
-            let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
-            (0..if two { count } else { 1 })
-                .map(|j| {
-                    let pressures_mpa: Vec<f64> =
-                        free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect();
-                    let start = near
-                        .zip(before)
-                        .map_or(near, |(near, before)| Some(2.0 * near - before));
-                    let mut fixed = Fixed {
-                        workspaces: &mut workspaces,
-                        pressures_mpa: pressures_mpa.clone(),
-                        free: free.iter().zip([i, j]).map(|(list, k)| list[k]).collect(),
-                    };
-                    let rest = self.rest_near(&mut fixed, start);
-                    let at = |rest: &Rest| rest.as_ref().ok()?.as_ref().map(|p| p.angle_deg);
-                    let rest = match rest {
-                        Err(error) if !error.is_of_point() => return Err(error),
-                        rest => rest.map_err(|error| (pressures_mpa, error)),
-                    };
-                    (near, before) = (at(&rest), near);
-                    Ok(rest)
-                })
-                .collect()
-        };
         let places: Vec<usize> = (0..count).collect();
-        let rows = Threads::shared()
-            .map(&places, row)
-            .into_iter()
-            .collect::<Result<Vec<_>, _>>()?;
+        let row = |i: &usize| -> Result<Vec<Place>> {
+            progress.check()?;
+            self.row(*i, &grid, &free)
+        };
+        let rows = Threads::shared().map(&places, row).into_iter();
+        let rows = rows.collect::<Result<Vec<_>, _>>()?;
         let all = || rows.iter().flatten();
         let missing = all().filter_map(|rest| rest.as_ref().err());
         if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {
@@ -135,10 +109,8 @@ impl JointModel<'_> {
             reason: error.to_string(),
         };
         let gaps = missing.map(gap).collect();
-        let rows: Vec<Vec<Option<MapPoint>>> = rows
-            .into_iter()
-            .map(|row| row.into_iter().map(|rest| rest.ok().flatten()).collect())
-            .collect();
+        let found = |row: Vec<Place>| row.into_iter().map(|rest| rest.ok().flatten()).collect();
+        let rows: Vec<Vec<Option<MapPoint>>> = rows.into_iter().map(found).collect();
         let border = if two {
             around(&rows)
         } else {
@@ -153,6 +125,33 @@ impl JointModel<'_> {
         })
     }
 
+    /// The rests at one pressure of the first muscle and, of a joint with two, each of the second.
+    fn row(&self, i: usize, grid: &[f64], free: &[Vec<Option<f64>>]) -> Result<Vec<Place>> {
+        let mut workspaces = self.workspaces();
+        // The last two angles.
+        let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
+        let count = if free.len() == 2 { grid.len() } else { 1 };
+        let mut row = vec![];
+        for j in 0..count {
+            let places = || free.iter().zip([i, j]);
+            let pressures_mpa: Vec<f64> = places().map(|(_, k)| grid[k]).collect();
+            let ahead = near.zip(before).map(|(near, before)| 2.0 * near - before);
+            let mut fixed = Fixed {
+                workspaces: &mut workspaces,
+                pressures_mpa: pressures_mpa.clone(),
+                free: places().map(|(list, k)| list[k]).collect(),
+            };
+            let rest = match self.rest_near(&mut fixed, ahead.or(near)) {
+                Err(error) if !error.is_of_point() => return Err(error),
+                rest => rest.map_err(|error| (pressures_mpa, error)),
+            };
+            let found = rest.as_ref().ok().and_then(Option::as_ref);
+            (near, before) = (found.map(|p| p.angle_deg), near);
+            row.push(rest);
+        }
+        Ok(row)
+    }
+
     /// What of a map lies outside of the models' ranges, a sentence for each muscle: its measures,
     /// the highest pressure, and its contractions over the range of the angle, as far as it pulls
     /// there.
@@ -160,16 +159,10 @@ impl JointModel<'_> {
     /// # Errors
     /// [`JointError::Muscle`] with the range, unless the joint extrapolates.
     pub fn outside(&self, max_pressure_mpa: f64) -> Result<Vec<String>> {
-        let (low, high) = self.joint().range_deg();
         let mut said = vec![];
         for (i, workspace) in self.workspaces().iter_mut().enumerate() {
-            let angle =
-                |k: usize| (low + (high - low) * k as f64 / (ANGLES - 1) as f64).to_radians();
-            let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
-            let (least, most) = (
-                all().fold(f64::INFINITY, f64::min),
-                all().fold(f64::NEG_INFINITY, f64::max),
-            );
+            let at = |deg: f64| Some(self.joint().contraction(i, deg.to_radians())?.0);
+            let (least, most) = ends(self.joint().angles_deg(ANGLES).filter_map(at));
             let range = &self.model(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
             let beyond =
@@ -275,40 +268,32 @@ impl JointModel<'_> {
 
     fn torques(&self, max_mpa: f64) -> Result<Vec<(f64, f64, f64)>> {
         let mut workspaces = self.workspaces();
-        let (low, high) = self.joint().range_deg();
         let two = self.joint().muscles().len() == 2;
-        let ends: &[&[f64]] = if two {
+        let pressures: &[&[f64]] = if two {
             &[&[max_mpa, 0.0], &[0.0, max_mpa]]
         } else {
             &[&[max_mpa], &[0.0]]
         };
-        let mut all = vec![vec![]; ANGLES];
-        for pressures in ends {
+        let angles = self.joint().angles_deg(ANGLES);
+        let mut all: Vec<(f64, Vec<f64>)> = angles.map(|deg| (deg, vec![])).collect();
+        for pressures in pressures {
             let mut fixed = match self.fixed(&mut workspaces, pressures) {
                 Err(error) if error.is_of_point() => continue,
                 fixed => fixed?,
             };
-            for (i, list) in all.iter_mut().enumerate() {
-                let deg = low + (high - low) * i as f64 / (ANGLES - 1) as f64;
+            for (deg, torques) in &mut all {
                 match self.torque(&mut fixed, deg.to_radians()) {
                     Err(error) if error.is_of_point() => {}
-                    torque => list.push((deg, torque?.0)),
+                    torque => torques.push(torque?.0),
                 }
             }
         }
-        let ends = all
-            .into_iter()
-            .filter(|list| list.len() == ends.len())
-            .filter_map(|list| {
-                let deg = list.first()?.0;
-                let torques = list.iter().map(|t| t.1);
-                Some((
-                    deg,
-                    torques.clone().fold(f64::INFINITY, f64::min),
-                    torques.fold(f64::NEG_INFINITY, f64::max),
-                ))
-            });
-        Ok(ends.collect())
+        all.retain(|(_, torques)| torques.len() == pressures.len());
+        let between = |(deg, torques)| {
+            let (least, most) = ends(torques);
+            (deg, least, most)
+        };
+        Ok(all.into_iter().map(between).collect())
     }
 }
 

@@ -209,20 +209,24 @@ impl Joint {
                 "muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero"
             )));
         }
-        let (low, high) = self.range_deg;
         // Nearer than this the arm turns faster than anything that can be built.
         let least = 1e-3 * path.length_mm(0.0);
-        let past = (0..=180)
-            .map(|k| low + (high - low) * f64::from(k) / 180.0)
-            .find(|deg| {
-                matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least
-            });
-        past.map_or(Ok(()), |angle_deg| {
-            Err(JointError::Refused(format!(
+        let meet = |deg: &f64| {
+            matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least
+        };
+        match self.angles_deg(181).find(meet) {
+            None => Ok(()),
+            Some(angle_deg) => Err(JointError::Refused(format!(
                 "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the \
                  joint's range or move them"
-            )))
-        })
+            ))),
+        }
+    }
+
+    /// So many angles, even over the range.
+    fn angles_deg(&self, count: u32) -> impl Iterator<Item = f64> {
+        let (low, high) = self.range_deg;
+        (0..count).map(move |k| low + (high - low) * f64::from(k) / f64::from(count - 1))
     }
 
     /// Its muscles: one or two.

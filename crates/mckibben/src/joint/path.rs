@@ -46,8 +46,7 @@ impl Path {
                 origin_mm: a,
                 insertion_mm: c,
             } => {
-                let (sin, cos) = angle_rad.sin_cos();
-                let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];
+                let now = turned(c, angle_rad);
                 let length = self.length_mm(angle_rad);
                 // l l′ = −a·c′ with c′ = (−y, x); l l″ = a·c − l′²
                 let slope = (a[0] * now[1] - a[1] * now[0]) / length;
@@ -70,12 +69,17 @@ impl Path {
                 origin_mm: a,
                 insertion_mm: c,
             } => {
-                let (sin, cos) = angle_rad.sin_cos();
-                let now = [cos * c[0] - sin * c[1], sin * c[0] + cos * c[1]];
+                let now = turned(c, angle_rad);
                 (a[0] - now[0]).hypot(a[1] - now[1])
             }
         }
     }
+}
+
+/// A point that turns about the joint.
+fn turned([x, y]: [f64; 2], angle_rad: f64) -> [f64; 2] {
+    let (sin, cos) = angle_rad.sin_cos();
+    [cos * x - sin * y, sin * x + cos * y]
 }
 
 #[cfg(test)]

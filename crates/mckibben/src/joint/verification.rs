@@ -59,22 +59,24 @@ pub fn cases() -> Vec<VerificationRow> {
 }
 
 /// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
+/// The muscles of a joint as ideal ones.
+fn ideals(joint: &Joint) -> Vec<Ideal> {
+    let muscles = joint.muscles().iter();
+    muscles.map(|m| Ideal::new(&m.muscle)).collect()
+}
+
+fn model<'m>(joint: &'m Joint, ideals: &'m [Ideal]) -> Option<JointModel<'m>> {
+    let models = ideals.iter().map(|m| m as &dyn ForceModel).collect();
+    JointModel::new(joint, models, true).ok()
+}
+
 fn virtual_work() -> Option<Vec<VerificationRow>> {
     let joint = elbow()?;
-    let models: Vec<Ideal> = joint
-        .muscles()
-        .iter()
-        .map(|m| Ideal::new(&m.muscle))
-        .collect();
-    let model = JointModel::new(
-        &joint,
-        models.iter().map(|m| m as &dyn ForceModel).collect(),
-        true,
-    )
-    .ok()?;
+    let models = ideals(&joint);
+    let model = model(&joint, &models)?;
     let pressures = [0.2, 0.12];
     let at = |deg: f64| {
-        let workspaces = &mut [Workspace::new(), Workspace::new()][..];
+        let workspaces = &mut model.workspaces();
         model.at(workspaces, &pressures, deg, Turning::Mean).ok()
     };
     let work = |deg: f64| {
@@ -93,24 +95,21 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     };
     let mut rows = vec![];
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
-        let point = at(deg)?;
-        let name = format!("elbow at {deg}°: torque (N m)");
-        rows.push(VerificationRow::new(
-            name,
-            WORK,
-            slope(&work, deg)?,
-            Some(point.torque_nm),
-            1e-6,
-        ));
+        let (point, torque) = (at(deg)?, slope(&work, deg)?);
         let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
-        let name = format!("elbow at {deg}°: stiffness (N m/rad)");
-        rows.push(VerificationRow::new(
-            name,
-            WORK,
-            stiffness,
-            Some(point.stiffness_nm_per_rad),
-            1e-5,
-        ));
+        let row = |what, reference, ours, tolerance| {
+            let name = format!("elbow at {deg}°: {what}");
+            VerificationRow::new(name, WORK, reference, Some(ours), tolerance)
+        };
+        rows.extend([
+            row("torque (N m)", torque, point.torque_nm, 1e-6),
+            row(
+                "stiffness (N m/rad)",
+                stiffness,
+                point.stiffness_nm_per_rad,
+                1e-5,
+            ),
+        ]);
     }
     Some(rows)
 }
@@ -126,9 +125,9 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
         (-60.0, 60.0),
     )
     .ok()?;
-    let ideal = Ideal::new(&Muscle::prototype());
-    let model = JointModel::new(&joint, vec![&ideal, &ideal], true).ok()?;
-    let workspaces = &mut [Workspace::new(), Workspace::new()][..];
+    let ideals = ideals(&joint);
+    let model = model(&joint, &ideals)?;
+    let workspaces = &mut model.workspaces();
     let rest = match model.rests(workspaces, &[0.2, 0.2], 0.0).ok()?[..] {
         [
             Rest::Balance {
@@ -139,27 +138,21 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
         _ => None,
     };
     let point = model.at(workspaces, &[0.2, 0.2], 0.0, Turning::Mean).ok()?;
-    let k = ideal
+    let k = ideals[0]
         .response(&mut Workspace::new(), 0.2, 0.1)
         .ok()?
         .stiffness_n_per_mm?;
     let stiffness = 2e-3 * radius * radius * k;
-    Some(vec![
-        VerificationRow::new(
-            "two equal muscles: rest (°)".into(),
-            SYMMETRY,
-            0.0,
-            rest,
-            1e-9,
-        ),
-        VerificationRow::new(
-            "two equal muscles: r²(K1 + K2) (N m/rad)".into(),
-            SYMMETRY,
-            stiffness,
-            Some(point.stiffness_nm_per_rad),
-            1e-12,
-        ),
-    ])
+    let ours = Some(point.stiffness_nm_per_rad);
+    let rows = [
+        ("rest (°)", 0.0, rest, 1e-9),
+        ("r²(K1 + K2) (N m/rad)", stiffness, ours, 1e-12),
+    ];
+    let row = |(what, reference, ours, tolerance)| {
+        let name = format!("two equal muscles: {what}");
+        VerificationRow::new(name, SYMMETRY, reference, ours, tolerance)
+    };
+    Some(rows.map(row).to_vec())
 }
 
 /// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness; the largest
@@ -225,18 +218,9 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
         uniform(-25.0, 25.0),
     );
     let joint = Joint::new(muscles, None, link, (-30.0, 30.0)).ok()?;
-    let ideal: Vec<Ideal> = joint
-        .muscles()
-        .iter()
-        .map(|m| Ideal::new(&m.muscle))
-        .collect();
-    let model = JointModel::new(
-        &joint,
-        ideal.iter().map(|m| m as &dyn ForceModel).collect(),
-        true,
-    )
-    .ok()?;
-    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let ideals = ideals(&joint);
+    let model = model(&joint, &ideals)?;
+    let w = &mut model.workspaces();
     let there = model.at(w, &p, deg, Turning::Mean).ok()?;
     if there.muscles.iter().any(|m| m.answer.slack) {
         return None;

@@ -52,8 +52,18 @@ pub enum LoadError {
         load_n: f64,
     },
     /// The muscle pulls more than the load as far as it is known.
-    #[error("{0}")]
-    Beyond(String),
+    #[error(
+        "at {pressure_mpa}\u{a0}MPa the muscle pulls more than the load up to a contraction of \
+         {contraction:.4}, where {limit} ends"
+    )]
+    Beyond {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The largest contraction with an answer.
+        contraction: f64,
+        /// What ends there.
+        limit: &'static str,
+    },
     /// The model has no answer.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
@@ -83,35 +93,25 @@ impl Evaluation<'_> {
         } else {
             0.0
         };
-        let start = start.max(reach.0 / length);
-        let start = if options.extrapolate {
-            start
-        } else {
-            start.max(range.0)
+        let (least, most) = match options.extrapolate {
+            true => (f64::NEG_INFINITY, f64::INFINITY),
+            false => range,
         };
+        let start = start.max(reach.0 / length).max(least);
         // Beyond it nothing pulls.
-        let free = if extends {
-            None
-        } else {
-            self.with(one_sided).free_contraction(pressure_mpa).ok()
+        let free = match extends {
+            true => None,
+            false => self.with(one_sided).free_contraction(pressure_mpa).ok(),
         };
+        let most = if free.is_some() { most } else { range.1 };
         let ends = [
             (free.unwrap_or(f64::INFINITY), ""),
-            (
-                if options.extrapolate && free.is_some() {
-                    f64::INFINITY
-                } else {
-                    range.1
-                },
-                "the model's range",
-            ),
+            (most, "the model's range"),
             (reach.1 / length, "the table of the load"),
             (0.95, "what any muscle reaches"),
         ];
-        let (end, limit) = ends
-            .into_iter()
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .unwrap_or((0.0, ""));
+        let nearest = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let (end, limit) = nearest.unwrap_or_default();
         let excess_n = |e: f64| {
             let pull = if Some(e) == free {
                 0.0
@@ -143,33 +143,36 @@ impl Evaluation<'_> {
             return Err(match (sweep.sample(0.0)?, sweep.refused) {
                 (Some(excess), _) if excess < 0.0 => not_lifted(excess, 0.0),
                 (None, Some(error)) => error.into(),
-                _ => LoadError::Beyond(format!(
-                    "at {pressure_mpa}\u{a0}MPa the muscle pulls more than the load up to a \
-                     contraction of {end:.4}, where {limit} ends"
-                )),
+                _ => LoadError::Beyond {
+                    pressure_mpa,
+                    contraction: end,
+                    limit,
+                },
             });
         }
-        let mass = load.moving_mass_kg();
         zeros
             .into_iter()
-            .map(|zero| {
-                let e = zero.at;
-                let answer = self.answer(pressure_mpa, e)?;
-                // A muscle at its free contraction is as stiff as one that pulls a little.
-                let response = self.response(pressure_mpa, e)?;
-                let k = self.stiffness_n_per_mm(&response)?;
-                let stiffness = k + load.slope_n_per_mm(e * length);
-                let stable = stiffness > 0.0;
-                let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
-                Ok(Balance {
-                    answer: answer.with_contraction_sought(Some(stiffness), length),
-                    shortening_mm: e * length,
-                    stiffness_n_per_mm: stiffness,
-                    stable,
-                    frequency_hz: (stable && mass > 0.0).then_some(frequency),
-                })
-            })
+            .map(|zero| self.balance(load, pressure_mpa, zero.at))
             .collect()
+    }
+
+    /// The balance at a pressure and contraction.
+    fn balance(&mut self, load: &Load, pressure_mpa: f64, e: f64) -> Result<Balance, LoadError> {
+        let (length, mass) = (self.model.muscle().length_mm(), load.moving_mass_kg());
+        let answer = self.answer(pressure_mpa, e)?;
+        // A muscle at its free contraction is as stiff as one that pulls a little.
+        let response = self.response(pressure_mpa, e)?;
+        let k = self.stiffness_n_per_mm(&response)?;
+        let stiffness = k + load.slope_n_per_mm(e * length);
+        let stable = stiffness > 0.0;
+        let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
+        Ok(Balance {
+            answer: answer.with_contraction_sought(Some(stiffness), length),
+            shortening_mm: e * length,
+            stiffness_n_per_mm: stiffness,
+            stable,
+            frequency_hz: (stable && mass > 0.0).then_some(frequency),
+        })
     }
 }
 

@@ -108,31 +108,16 @@ impl From<ModelError> for FillError {
 impl Evaluation<'_> {
     /// The muscle after a volume was pushed in.
     pub fn fill(&mut self, filling: &Filling<'_>) -> Result<Fill, FillError> {
-        let (model, options) = (self.model, self.options);
-        let (range, extends) = (&model.info().range, model.muscle().is_extensile());
-        let length_mm = model.muscle().length_mm();
-        let sign = if extends { -1.0 } else { 1.0 };
-        if let Some(contraction) = filling.held_at.filter(|e| sign * e < 0.0) {
-            let side = if extends {
-                "a contraction of zero or below"
-            } else {
-                "zero or above"
-            };
-            let message = format!(
-                "the muscle is filled at its length at rest and does not come to a contraction of \
-                 {contraction}: hold it at {side} or leave `contraction` out"
-            );
-            return Err(Refused {
-                fields: vec!["contraction"],
-                message,
-            }
-            .into());
-        }
+        let options = self.options;
+        let length_mm = self.model.muscle().length_mm();
+        self.check(filling)?;
         let rest_mm3 = self.cavity_mm3(0.0, 0.0)?;
+        let (highest_mpa, furthest) = self.ends(filling.load);
+        let lowest_mpa = self.model.info().range.pressure_mpa.0;
         // The way begins without pressure, which may be outside of the range; where it ends is
         // checked.
         let along = Options {
-            extrapolate: options.extrapolate || range.pressure_mpa.0 > 0.0,
+            extrapolate: options.extrapolate || lowest_mpa > 0.0,
             ..options
         };
         let way = &mut Way {
@@ -141,82 +126,11 @@ impl Evaluation<'_> {
             rest_mm3,
             length_mm,
         };
-        if extends && way.load_n(0.0) > 0.0 {
-            let message =
-                "a muscle that extends gives way to a load that pulls: fill it free, or hold it"
-                    .into();
-            return Err(Refused {
-                fields: vec!["load"],
-                message,
-            }
-            .into());
-        }
-        let highest_mpa = match options.extrapolate {
-            true => HIGHEST_PRESSURE_MPA,
-            false => range.pressure_mpa.1.min(HIGHEST_PRESSURE_MPA),
-        };
-        let volume_mm3 = filling.volume_mm3;
-        // The pressure at which the load is lifted.
-        let held_at_rest = filling.held_at == Some(0.0);
-        let lifted_mpa = match way.place(Leg::Load, 0.0) {
-            _ if held_at_rest => None,
-            Ok((p, _)) => Some(p),
-            Err(AnalysisError::NoPressure { .. }) => None,
-            Err(error) => return Err(error.into()),
-        };
-        let reach = filling
-            .load
-            .map_or((f64::NEG_INFINITY, f64::INFINITY), Load::reach_mm);
-        let most = if extends {
-            let known = if options.extrapolate {
-                f64::NEG_INFINITY
-            } else {
-                range.contraction.0
-            };
-            known.max(reach.0 / length_mm).max(-1.5)
-        } else {
-            let known = if options.extrapolate {
-                f64::INFINITY
-            } else {
-                range.contraction.1
-            };
-            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch
-            // a little.
-            known
-                .min(reach.1 / length_mm)
-                .min(1.3 * model.muscle().max_ideal_contraction() + 0.05)
-                .min(0.95)
-        };
-        let stop = filling.held_at.filter(|e| sign * e <= sign * most);
-        let mut legs = vec![(Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa))];
-        legs.extend(lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(most))));
-        let (mut walked, mut reached) = (vec![], None);
-        for (leg, from, to) in legs {
-            match way.seek(leg, (from, to))? {
-                Ok(at) => {
-                    walked.push((leg, from, at));
-                    reached = Some((leg, at));
-                    break;
-                }
-                Err(at) => walked.push((leg, from, at)),
-            }
-        }
-        let mut last = walked
-            .last()
-            .map_or((Leg::At(0.0), 0.0), |&(leg, _, to)| (leg, to));
-        if reached.is_none()
-            && let Some(e) = stop.filter(|e| last == (Leg::Load, *e))
-        {
-            let from = way.place(Leg::Load, e)?.0;
-            let held = way.seek(Leg::At(e), (from, highest_mpa))?;
-            let (Ok(at) | Err(at)) = held;
-            last = (Leg::At(e), at);
-            walked.push((last.0, from, at));
-            reached = held.ok().map(|_| last);
-        }
-        let (leg, at) = reached.unwrap_or(last);
+        let (walked, is_in) = way.walk(highest_mpa, furthest)?;
+        let (leg, _, at) = walked[walked.len() - 1];
         let (pressure_mpa, contraction) = way.place(leg, at)?;
-        if reached.is_none() {
+        let volume_mm3 = filling.volume_mm3;
+        if !is_in {
             let largest_mm3 = way.pushed_mm3(leg, at)?;
             return Err(FillError::TooLarge {
                 volume_mm3,
@@ -227,7 +141,7 @@ impl Evaluation<'_> {
         }
         let state = match leg {
             Leg::Load => FillState::Balanced,
-            Leg::At(_) if held_at_rest || contraction != 0.0 => FillState::Held,
+            Leg::At(_) if filling.held_at == Some(0.0) || contraction != 0.0 => FillState::Held,
             Leg::At(_) => FillState::NotLifted,
         };
         let (mut cavity_j, mut friction_j) = (0.0, 0.0);
@@ -269,6 +183,48 @@ impl Evaluation<'_> {
             load_work_j,
             friction_work_j: (!options.direction.is_mean()).then_some(friction_j),
         })
+    }
+
+    /// Refuses a hold to which filling does not bring the muscle, and a load to which it gives way.
+    fn check(&self, filling: &Filling<'_>) -> Result<(), Refused> {
+        let extends = self.model.muscle().is_extensile();
+        let (sign, side) = match extends {
+            true => (-1.0, "a contraction of zero or below"),
+            false => (1.0, "zero or above"),
+        };
+        let held_at = filling.held_at.unwrap_or_default();
+        Refused::unless(sign * held_at >= 0.0, ["contraction"], || {
+            format!(
+                "the muscle is filled at its length at rest and does not come to a contraction of \
+                 {held_at}: hold it at {side} or leave `contraction` out"
+            )
+        })?;
+        let pulls = filling.load.is_some_and(|load| load.force_n(0.0) > 0.0);
+        Refused::unless(!(extends && pulls), ["load"], || {
+            "a muscle that extends gives way to a load that pulls: fill it free, or hold it".into()
+        })
+    }
+
+    /// The pressure in MPa and the contraction, of a muscle that extends below zero, beyond which
+    /// there is no answer.
+    fn ends(&self, load: Option<&Load>) -> (f64, f64) {
+        let (muscle, range) = (self.model.muscle(), &self.model.info().range);
+        let open = (f64::NEG_INFINITY, f64::INFINITY);
+        let ((_, highest_mpa), (low, high)) = match self.options.extrapolate {
+            true => (open, open),
+            false => (range.pressure_mpa, range.contraction),
+        };
+        let (least_mm, most_mm) = load.map_or(open, Load::reach_mm);
+        let length_mm = muscle.length_mm();
+        let furthest = if muscle.is_extensile() {
+            low.max(least_mm / length_mm).max(-1.5)
+        } else {
+            // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch
+            // a little.
+            let ideal = 1.3 * muscle.max_ideal_contraction() + 0.05;
+            high.min(most_mm / length_mm).min(ideal).min(0.95)
+        };
+        (highest_mpa.min(HIGHEST_PRESSURE_MPA), furthest)
     }
 }
 

@@ -7,8 +7,8 @@
 //! from Tondu's review (2012) \[tondu2012\] and agrees with the volume above.
 
 use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, Proportional};
-use super::{Accuracy, ForceModel, ModelEntry, ModelInfo, Reference, Result};
+use super::proportional::{PerPressure, proportional};
+use super::{ForceModel, ModelEntry, ModelInfo, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -24,11 +24,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 /// muscle pulls as if the pressure acted on the outer diameter. So this formula pulls too little at
 /// small contractions.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
-    let accuracy = Accuracy::share(0.75, Reference::SOFT_STRANDS);
-    let info = ModelInfo {
-        accuracy,
-        ..ModelInfo::new(&ENTRY, muscle)
-    };
+    let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.75);
     let (braid, wall_mm) = (Pantograph::from_muscle(muscle), muscle.wall_mm());
     let per_pressure = move |contraction: f64| {
         let g = braid.at(contraction)?;
@@ -44,11 +40,7 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             tension: None,
         })
     };
-    Ok(Box::new(Proportional {
-        info,
-        per_pressure,
-        contraction_at_pull: None,
-    }))
+    proportional(info, per_pressure)
 }
 
 #[cfg(test)]

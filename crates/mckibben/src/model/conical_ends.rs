@@ -14,7 +14,7 @@
 //! become the ideal formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, Proportional};
+use super::proportional::{PerPressure, proportional};
 use super::{ForceModel, ModelEntry, ModelError, ModelInfo, ModelRange, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -71,11 +71,7 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             tension: None,
         })
     };
-    Ok(Box::new(Proportional {
-        info,
-        per_pressure,
-        contraction_at_pull: None,
-    }))
+    proportional(info, per_pressure)
 }
 
 #[cfg(test)]

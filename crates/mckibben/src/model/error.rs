@@ -41,8 +41,19 @@ pub enum ModelError {
         key: &'static str,
     },
     /// The muscle is too short for a model of its ends.
-    #[error("{0}")]
-    TooShort(String),
+    #[error(
+        "the {model} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter \
+         times cot² of its braid angle); this one is {length_mm}\u{a0}mm: its ends would take up \
+         more than the middle gives"
+    )]
+    TooShort {
+        /// The model's name.
+        model: &'static str,
+        /// The length that it needs in mm.
+        least_mm: f64,
+        /// That of the muscle in mm.
+        length_mm: f64,
+    },
     /// No geometry exists at this contraction.
     #[error(
         "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} \
@@ -140,6 +151,14 @@ impl ModelError {
         }
     }
 
+    /// That an iteration did not converge at a pressure and contraction.
+    pub fn not_converged(pressure_mpa: f64, contraction: f64) -> Self {
+        Self::NotConverged {
+            pressure_mpa,
+            contraction,
+        }
+    }
+
     /// A pull that a model computed, where it is a number.
     pub(crate) fn finite(
         force_n: f64,
@@ -147,11 +166,10 @@ impl ModelError {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<f64> {
-        let error = || Self::not_finite(model, pressure_mpa, contraction);
         if force_n.is_finite() {
             Ok(force_n)
         } else {
-            Err(error())
+            Err(Self::not_finite(model, pressure_mpa, contraction))
         }
     }
 

@@ -7,8 +7,8 @@
 //! \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, Proportional};
-use super::{Accuracy, ForceModel, ModelEntry, ModelInfo, Reference, Result};
+use super::proportional::{PerPressure, proportional};
+use super::{ForceModel, ModelEntry, ModelInfo, Result};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -42,18 +42,10 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressur
 /// at small contractions (a rubber wall hands the pressure on to the braid). Being no energy model
 /// it breaks ∂F/∂P = −∂V/∂L; the volume given is that of the bore.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
-    let accuracy = Accuracy::share(0.77, Reference::SOFT_STRANDS);
-    let info = ModelInfo {
-        accuracy,
-        ..ModelInfo::new(&ENTRY, muscle)
-    };
+    let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.77);
     let braid = Pantograph::from_muscle(muscle);
     let per_pressure = move |contraction| balance(&braid, contraction);
-    Ok(Box::new(Proportional {
-        info,
-        per_pressure,
-        contraction_at_pull: None,
-    }))
+    proportional(info, per_pressure)
 }
 
 #[cfg(test)]

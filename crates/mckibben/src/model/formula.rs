@@ -4,7 +4,7 @@ use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
     Reference, Response, Result, Workspace, notes,
 };
-use crate::formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section};
+use crate::formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section, alike};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 
@@ -168,12 +168,7 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
         made.stiffness_n_per_mm(muscle.outer_diameter_mm()),
         muscle.family_stiffness_n_per_mm(),
     );
-    let same = match (ours, theirs) {
-        (None, None) => true,
-        (Some(a), Some(b)) => (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()),
-        _ => false,
-    };
-    if !same {
+    if !alike(ours, theirs, TOLERANCE) {
         let text =
             |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
         let (ours, theirs) = (text(ours), text(theirs));

@@ -85,7 +85,8 @@ impl ForceModel for Ideal {
             });
         }
         let force_n = self.pull(pressure_mpa, contraction);
-        let d = self.info.muscle.pantograph_diameter_mm(contraction);
+        let (muscle, by_pressure) = (self.muscle(), self.pull(1.0, contraction));
+        let d = muscle.pantograph_diameter_mm(contraction);
         // Axial balance of a cut: F + P π D²/4 = (sum of tensions) · cosθ.
         let tension = (force_n + pressure_mpa * 0.25 * PI * d * d) / c;
         Response {
@@ -94,17 +95,15 @@ impl ForceModel for Ideal {
             force_n,
             volume_mm3: Some(self.volume(contraction)),
             volume_per_pressure_mm3_per_mpa: Some(0.0),
-            volume_per_contraction_mm3: Some(
-                self.info.muscle.length_mm() * self.pull(1.0, contraction),
-            ),
+            volume_per_contraction_mm3: Some(muscle.length_mm() * by_pressure),
             stiffness_n_per_mm: Some(
-                6.0 * self.area * pressure_mpa * l * self.cos2 / self.info.muscle.length_mm(),
+                6.0 * self.area * pressure_mpa * l * self.cos2 / muscle.length_mm(),
             ),
-            force_per_pressure_mm2: Some(self.pull(1.0, contraction)),
+            force_per_pressure_mm2: Some(by_pressure),
             bulged_diameter_mm: Some(d),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle())
+        .with_braid_tension(tension, muscle)
         .finite(ENTRY.name)
     }
 

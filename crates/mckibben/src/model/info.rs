@@ -1,6 +1,6 @@
 //! What a model is, apart from its answers.
 
-use super::{Accuracy, ModelRange, notes};
+use super::{Accuracy, ModelRange, Reference, notes};
 use crate::muscle::Muscle;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -50,6 +50,15 @@ impl ModelInfo {
             range: ModelRange::for_muscle(muscle),
             accuracy: Accuracy::UNKNOWN,
             costly: false,
+        }
+    }
+
+    /// The same of a model whose error is largest for soft strands: a share of the blocked force
+    /// covers it.
+    pub(super) fn of_soft_strands(entry: &ModelEntry, muscle: &Muscle, share: f64) -> Self {
+        Self {
+            accuracy: Accuracy::share(share, Reference::SOFT_STRANDS),
+            ..Self::new(entry, muscle)
         }
     }
 }

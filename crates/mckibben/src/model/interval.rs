@@ -141,18 +141,13 @@ impl fmt::Display for RangeViolation {
         } else {
             rounded.to_string()
         };
-        if low == high {
-            write!(f, "{name} {value}{unit}, which must be {low}{unit}")
+        let must = if low == high {
+            format!("which must be {low}{unit}")
         } else if high.is_infinite() {
-            write!(
-                f,
-                "{name} {value}{unit}, which must be at least {low}{unit}"
-            )
+            format!("which must be at least {low}{unit}")
         } else {
-            write!(
-                f,
-                "{name} {value}{unit}, outside {low}{unit} to {high}{unit}"
-            )
-        }
+            format!("outside {low}{unit} to {high}{unit}")
+        };
+        write!(f, "{name} {value}{unit}, {must}")
     }
 }

@@ -11,10 +11,7 @@
 //! omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
-use super::{
-    Accuracy, ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Reference, Response, Result,
-    Workspace,
-};
+use super::{ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -57,13 +54,8 @@ impl KluteHannaford {
             key: "tube.material",
         })?;
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
-        let accuracy = Accuracy::share(0.55, Reference::SOFT_STRANDS);
-        let info = ModelInfo {
-            accuracy,
-            ..ModelInfo::new(&ENTRY, muscle)
-        };
         Ok(Self {
-            info,
+            info: ModelInfo::of_soft_strands(&ENTRY, muscle, 0.55),
             ideal: Ideal::new(muscle),
             braid: Pantograph::from_muscle(muscle),
             c10,

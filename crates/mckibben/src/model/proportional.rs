@@ -27,6 +27,18 @@ pub(super) struct Proportional<F> {
     pub contraction_at_pull: Option<Inverse>,
 }
 
+/// A model without an inverse for the contraction.
+pub(super) fn proportional(
+    info: ModelInfo,
+    per_pressure: impl Fn(f64) -> Result<PerPressure> + Send + Sync + 'static,
+) -> Result<Box<dyn ForceModel>> {
+    Ok(Box::new(Proportional {
+        info,
+        per_pressure,
+        contraction_at_pull: None,
+    }))
+}
+
 impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportional<F> {
     fn info(&self) -> &ModelInfo {
         &self.info

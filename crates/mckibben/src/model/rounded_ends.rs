@@ -14,7 +14,7 @@
 
 use super::force_balance::balance;
 use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, Proportional};
+use super::proportional::{PerPressure, proportional};
 use super::root::rising_root;
 use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
 use crate::muscle::Muscle;
@@ -34,12 +34,11 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let cot2 = (braid.cos / braid.sin).powi(2);
     let least_mm = 2.0 * braid.r0 * cot2;
     if braid.length <= least_mm {
-        return Err(ModelError::TooShort(format!(
-            "the {} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter \
-             times cot² of its braid angle); this one is {}\u{a0}mm: its ends would take up more \
-             than the middle gives",
-            ENTRY.name, braid.length
-        )));
+        return Err(ModelError::TooShort {
+            model: ENTRY.name,
+            least_mm,
+            length_mm: braid.length,
+        });
     }
     // The λm at which the whole length no longer grows with that of the middle: dr/dλ = −r0 cotθ0
     // c/√(1−c²) with c = λ cosθ0 is −L0/2.
@@ -54,12 +53,7 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             ..middle
         })
     };
-    let info = ModelInfo::new(&ENTRY, muscle);
-    Ok(Box::new(Proportional {
-        info,
-        per_pressure,
-        contraction_at_pull: None,
-    }))
+    proportional(ModelInfo::new(&ENTRY, muscle), per_pressure)
 }
 
 /// λm and dλm/dλ at a contraction of the whole muscle.
@@ -157,7 +151,7 @@ mod tests {
         let least = 30.0 / 28f64.to_radians().tan().powi(2);
         assert!(matches!(
             build(&long(0.99 * least)),
-            Err(ModelError::TooShort(_))
+            Err(ModelError::TooShort { .. })
         ));
         let model = build(&long(1.01 * least)).unwrap();
         assert!(model.force_n(&mut Workspace::new(), 0.2, 0.0).is_ok());

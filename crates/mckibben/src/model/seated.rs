@@ -124,10 +124,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
                 ..response
             })
         })?;
-        ends.zip(last).ok_or(ModelError::NotConverged {
-            pressure_mpa: p,
-            contraction: e,
-        })
+        ends.zip(last).ok_or(ModelError::not_converged(p, e))
     }
 
     /// The state of the ends at a point, where the muscle between them answers by `pull`: from the

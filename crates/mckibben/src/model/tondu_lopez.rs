@@ -58,7 +58,6 @@ impl ForceModel for TonduLopez {
     ) -> Result<Response> {
         let (p, k) = (pressure_mpa, self.factor.at(pressure_mpa));
         let middle = self.ideal.response(workspace, p, k * contraction)?;
-        let stiffness = middle.stiffness_n_per_mm.map(|s| k * s);
         // dF/dP = F/P + ∂F/∂(kε) · k'(P) ε, and ∂F/∂(kε) = −L0 · stiffness of the ideal muscle.
         let by_factor = middle.stiffness_n_per_mm.map_or(0.0, |s| {
             -s * self.muscle().length_mm() * self.factor.slope(p) * contraction
@@ -70,7 +69,7 @@ impl ForceModel for TonduLopez {
             pressure_mpa,
             contraction,
             force_n: middle.force_n,
-            stiffness_n_per_mm: stiffness,
+            stiffness_n_per_mm: middle.stiffness_n_per_mm.map(|s| k * s),
             force_per_pressure_mm2: middle.force_per_pressure_mm2.map(|f| f + by_factor),
             bulged_diameter_mm: Some(diameter),
             ..Response::default()

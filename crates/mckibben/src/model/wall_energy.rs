@@ -1,5 +1,7 @@
 //! The energy of a wall at one state, with its derivatives.
 
+use std::ops::Add;
+
 /// W and its derivatives in λ and ro at one state; W in N (N·mm per mm of length at rest).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WallEnergy {
@@ -15,6 +17,21 @@ pub struct WallEnergy {
     pub lr: f64,
     /// ∂²W/∂ro² in N/mm²
     pub rr: f64,
+}
+
+impl Add for WallEnergy {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            w: self.w + other.w,
+            l: self.l + other.l,
+            r: self.r + other.r,
+            ll: self.ll + other.ll,
+            lr: self.lr + other.lr,
+            rr: self.rr + other.rr,
+        }
+    }
 }
 
 /// W and its derivatives in λ and x = ro² at one state.

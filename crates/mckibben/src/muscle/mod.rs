@@ -384,12 +384,16 @@ impl Muscle {
     /// As [`Muscle::new`], and where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
         let braid = self.braid_on(tube.outer_diameter_mm)?;
-        Ok(Self::from_parts(Parts {
+        self.with_parts(Parts {
             tube,
             braid,
             ..self.parts.clone()
-        })?
-        .with_bench_of(self))
+        })
+    }
+
+    /// The muscle of other parts, with the bench of this one.
+    fn with_parts(&self, parts: Parts) -> Result<Self, MuscleError> {
+        Ok(Self::from_parts(parts)?.with_bench_of(self))
     }
 
     /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named
@@ -419,28 +423,25 @@ impl Muscle {
 
     /// The same muscle with another braid.
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts {
+        self.with_parts(Parts {
             braid,
             ..self.parts.clone()
-        })?
-        .with_bench_of(self))
+        })
     }
 
     /// The same muscle with other terminals.
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts {
+        self.with_parts(Parts {
             terminals,
             ..self.parts.clone()
-        })?
-        .with_bench_of(self))
+        })
     }
 
     /// The same muscle with another friction of its braid.
     pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
-        Ok(Self::from_parts(Parts {
+        self.with_parts(Parts {
             friction,
             ..self.parts.clone()
-        })?
-        .with_bench_of(self))
+        })
     }
 }

@@ -2,7 +2,7 @@
 //! which it is held.
 
 use super::filling::Filling;
-use crate::analysis::{Evaluation, Result, Sweep};
+use crate::analysis::{AnalysisError, Evaluation, Result, Sweep};
 use crate::model::gauss;
 
 /// Parts into which a leg of the way is cut in search of the volume; they grow with the distance
@@ -20,6 +20,9 @@ pub(super) enum Leg {
     Load,
 }
 
+/// A part of a leg that was walked, from one place to another.
+pub(super) type Part = (Leg, f64, f64);
+
 /// The muscle on its way.
 pub(super) struct Way<'a> {
     pub(super) evaluation: Evaluation<'a>,
@@ -33,6 +36,41 @@ impl Way<'_> {
         self.filling
             .load
             .map_or(0.0, |load| load.force_n(contraction * self.length_mm))
+    }
+
+    /// The way until the volume is in, and whether it is: at rest, with the load up to the furthest
+    /// contraction, then where it is held.
+    pub(super) fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<(Vec<Part>, bool)> {
+        let held_at = self.filling.held_at;
+        let extends = self.evaluation.model.muscle().is_extensile();
+        let sign = if extends { -1.0 } else { 1.0 };
+        let stop = held_at.filter(|e| sign * e <= sign * furthest);
+        // The pressure at which the load is lifted.
+        let lifted_mpa = match self.place(Leg::Load, 0.0) {
+            _ if held_at == Some(0.0) => None,
+            Ok((p, _)) => Some(p),
+            Err(AnalysisError::NoPressure { .. }) => None,
+            Err(error) => return Err(error),
+        };
+        let mut walked = vec![];
+        let mut next = Some((Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa)));
+        while let Some((leg, from, to)) = next {
+            let sought = self.seek(leg, (from, to))?;
+            let (Ok(at) | Err(at)) = sought;
+            walked.push((leg, from, at));
+            next = match leg {
+                _ if sought.is_ok() => return Ok((walked, true)),
+                Leg::At(_) if walked.len() == 1 => {
+                    lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(furthest)))
+                }
+                Leg::Load if stop == Some(at) => {
+                    let (from, _) = self.place(leg, at)?;
+                    Some((Leg::At(at), from, highest_mpa))
+                }
+                _ => None,
+            };
+        }
+        Ok((walked, false))
     }
 
     /// (P, ε) at a place of a leg.

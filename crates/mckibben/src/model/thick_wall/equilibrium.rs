@@ -38,33 +38,40 @@ pub(in crate::model) struct State {
     pub(in crate::model) radial: f64,
 }
 
-/// Energy of both strand families per unit length at rest, and its derivatives in (λ, r).
-pub(super) struct BraidEnergy {
-    pub(super) w: f64,
-    pub(super) l: f64,
-    pub(super) r: f64,
-    pub(super) ll: f64,
-    pub(super) lr: f64,
-    pub(super) rr: f64,
-    pub(super) strain: f64,
+/// A radius that is tried at a pressure and a stretch.
+struct Trial {
+    pressure: f64,
+    stretch: f64,
+    radius: f64,
+    /// k of one strand family; 0 without a braid
+    strands: f64,
+    /// λf − 1
+    strain: f64,
+    /// Energy of wall and braid
+    energy: WallEnergy,
+}
+
+impl Trial {
+    /// ∂Π/∂r
+    fn radial_force(&self) -> f64 {
+        self.energy.r - 2.0 * PI * self.radius * self.stretch * self.pressure
+    }
+
+    /// ∂²Π/∂r²
+    fn radial_stiffness(&self) -> f64 {
+        self.energy.rr - 2.0 * PI * self.stretch * self.pressure
+    }
 }
 
 impl ThickWall {
-    pub(super) fn braid(&self, k: f64, l: f64, r: f64) -> BraidEnergy {
+    /// Energy of both strand families per unit length at rest, and λf − 1.
+    fn braid(&self, k: f64, l: f64, r: f64) -> (WallEnergy, f64) {
         let (a, b) = (self.cos2, self.sin2 / (self.rs * self.rs));
         let rb = r + self.offset;
         let stretch = (a * l * l + b * rb * rb).sqrt();
         let strain = stretch - 1.0;
         if strain <= 0.0 && !self.compression {
-            return BraidEnergy {
-                w: 0.0,
-                l: 0.0,
-                r: 0.0,
-                ll: 0.0,
-                lr: 0.0,
-                rr: 0.0,
-                strain,
-            };
+            return (WallEnergy::default(), strain);
         }
         let c = 4.0 * PI * self.rs * k;
         let (fl, fr) = (a * l / stretch, b * rb / stretch);
@@ -75,15 +82,15 @@ impl ThickWall {
                 (c * at[0], at)
             }
         };
-        BraidEnergy {
+        let energy = WallEnergy {
             w,
             l: c * force * fl,
             r: c * force * fr,
             ll: c * (t * fl * fl + force * (a - fl * fl) / stretch),
             lr: c * (t * fl * fr - force * fl * fr / stretch),
             rr: c * (t * fr * fr + force * (b - fr * fr) / stretch),
-            strain,
-        }
+        };
+        (energy, strain)
     }
 
     /// Sum of all strand tensions at a strain: N·T = 4π Rs cosθ0 k (λf − 1).
@@ -98,15 +105,21 @@ impl ThickWall {
     /// braid where strands do not stretch.
     pub(in crate::model) fn energy(&self, l: f64, r: f64) -> WallEnergy {
         let w = self.wall.energy(&self.law, l, r);
-        let Some(k) = self.k else { return w };
-        let b = self.braid(k, l, r);
-        WallEnergy {
-            w: w.w + b.w,
-            l: w.l + b.l,
-            r: w.r + b.r,
-            ll: w.ll + b.ll,
-            lr: w.lr + b.lr,
-            rr: w.rr + b.rr,
+        match self.k {
+            Some(k) => w + self.braid(k, l, r).0,
+            None => w,
+        }
+    }
+
+    fn trial(&self, strands: f64, pressure: f64, stretch: f64, radius: f64) -> Trial {
+        let (braid, strain) = self.braid(strands, stretch, radius);
+        Trial {
+            pressure,
+            stretch,
+            radius,
+            strands,
+            strain,
+            energy: self.wall.energy(&self.law, stretch, radius) + braid,
         }
     }
 
@@ -117,31 +130,28 @@ impl ThickWall {
 
     /// The same from a guess of the outer radius.
     pub(in crate::model) fn state_near(&self, p: f64, l: f64, near: Option<f64>) -> Result<State> {
-        let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
+        let no_shape = ModelError::Geometry {
+            contraction: 1.0 - l,
+            lowest: 1.0 - straight,
+            highest: 1.0,
+        };
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
-            return Err(ModelError::Geometry {
-                contraction,
-                lowest: 1.0 - straight,
-                highest: 1.0,
-            });
+            return Err(no_shape);
         }
         match self.k {
             Some(k) => self.extensible(k, p, l, near),
             None => {
                 let r = self.pantograph(l);
                 if self.wall.bore2(l, r) <= 0.0 {
-                    return Err(ModelError::Geometry {
-                        contraction,
-                        lowest: 1.0 - straight,
-                        highest: 1.0,
-                    });
+                    return Err(no_shape);
                 }
                 let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
                 // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
                 let contact = 2.0 * PI * r * l * p - w.r;
                 if contact < 0.0 && !self.compression {
-                    return self.without_braid(p, l, r);
+                    // The tube alone, short of the braid.
+                    return self.solve(0.0, p, l, r, r);
                 }
                 Ok(self.rigid(p, l, r, &w, contact))
             }
@@ -184,33 +194,23 @@ impl ThickWall {
         }
     }
 
-    /// The tube alone, short of the braid at `r_braid`.
-    fn without_braid(&self, p: f64, l: f64, r_braid: f64) -> Result<State> {
-        let lowest = (self.wall.section() / l).sqrt();
-        self.solve(0.0, p, l, lowest, r_braid, r_braid)
-    }
-
     fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State> {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
-        let b = self.sin2 / (self.rs * self.rs);
-        let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
-        let highest = ((far.max(0.0) / b).sqrt() - self.offset).max(1.0001 * at_rest);
+        let highest = self.largest_radius(l).max(1.0001 * at_rest);
         let guess = near.filter(|r| *r > lowest && *r < highest);
         let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
-        self.solve(k, p, l, lowest, highest, guess)
+        self.solve(k, p, l, highest, guess)
     }
 
-    /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the
+    /// Root of ∂Π/∂r between that of a closed bore and `high`, by Newton's method kept inside the
     /// bracket.
-    fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State> {
-        let (mut low, mut high, mut r) = (low, high, guess);
+    fn solve(&self, k: f64, p: f64, l: f64, high: f64, guess: f64) -> Result<State> {
+        let (mut low, mut high, mut r) = ((self.wall.section() / l).sqrt(), high, guess);
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
         for iteration in 0..ITERATIONS {
-            let w = self.wall.energy(&self.law, l, r);
-            let b = self.braid(k, l, r);
-            let g = w.r + b.r - 2.0 * PI * r * l * p;
-            let g_r = w.rr + b.rr - 2.0 * PI * l * p;
+            let trial = self.trial(k, p, l, r);
+            let (g, g_r) = (trial.radial_force(), trial.radial_stiffness());
             if !g.is_finite() || !g_r.is_finite() {
                 // A law that locks: the root lies below, or above where the bore is nearly closed.
                 if iteration + 1 == ITERATIONS || high - low <= 1e-14 * r {
@@ -228,7 +228,7 @@ impl ThickWall {
             let step = -g / g_r;
             // The last digit of λf is worth r/sin²θ0 of them in r.
             if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r / self.sin2) {
-                return self.at(k, p, l, r, &w, &b, g_r);
+                return self.at(&trial);
             }
             if g > 0.0 {
                 high = r;
@@ -244,54 +244,49 @@ impl ThickWall {
                 0.5 * (low + high)
             };
             if high - low <= 4.0 * f64::EPSILON * high {
-                let at_end = g < 0.0;
-                if at_end && k > 0.0 {
+                if g < 0.0 && k > 0.0 {
                     break;
                 }
-                return self.at(k, p, l, r, &w, &b, g_r);
+                return self.at(&Trial { radius: r, ..trial });
             }
         }
-        if r >= 0.999 * self.radius_at_strand_stretch(LARGEST_STRAND_STRETCH, l) {
+        if r >= 0.999 * self.largest_radius(l) {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
                 contraction: 1.0 - l,
                 strand_stretch: LARGEST_STRAND_STRETCH,
             });
         }
-        Err(ModelError::NotConverged {
-            pressure_mpa: p,
-            contraction: 1.0 - l,
-        })
+        Err(ModelError::not_converged(p, 1.0 - l))
     }
 
-    fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {
-        self.rs * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt()
-            - self.offset
+    /// r with strands as long as they are followed.
+    fn largest_radius(&self, l: f64) -> f64 {
+        let b = self.sin2 / (self.rs * self.rs);
+        let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
+        (far.max(0.0) / b).sqrt() - self.offset
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn at(
-        &self,
-        k: f64,
-        p: f64,
-        l: f64,
-        r: f64,
-        w: &WallEnergy,
-        b: &BraidEnergy,
-        g_r: f64,
-    ) -> Result<State> {
+    /// The equilibrium at a trial without a radial force.
+    fn at(&self, trial: &Trial) -> Result<State> {
+        let &Trial {
+            pressure: p,
+            stretch: l,
+            radius: r,
+            strands,
+            strain,
+            energy: e,
+        } = trial;
+        let (g_r, stretch) = (trial.radial_stiffness(), 1.0 + strain);
         if g_r <= 0.0 {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
                 contraction: 1.0 - l,
-                strand_stretch: 1.0 + b.strain,
+                strand_stretch: stretch,
             });
         }
-        let (axial_l, axial_r, energy_r) = (w.ll + b.ll, w.lr + b.lr, w.r + b.r);
-        let pi_lr = axial_r - 2.0 * PI * r * p;
-        let axial = w.l + b.l;
+        let pi_lr = e.lr - 2.0 * PI * r * p;
         let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
-        let stretch = 1.0 + b.strain;
         let (strain_l, strain_r) = (
             self.cos2 * l / stretch,
             self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch),
@@ -299,18 +294,18 @@ impl ThickWall {
         Ok(State {
             r,
             r_by,
-            force: axial - p * PI * r * r,
-            force_l: axial_l - pi_lr * pi_lr / g_r,
+            force: e.l - p * PI * r * r,
+            force_l: e.ll - pi_lr * pi_lr / g_r,
             force_p: -PI * r * r + pi_lr * 2.0 * PI * r * l / g_r,
-            tension: self.tension(k, b.strain),
-            strain: b.strain,
+            tension: self.tension(strands, strain),
+            strain,
             strain_by: [strain_l + strain_r * r_by[0], strain_r * r_by[1]],
-            energy: w.w + b.w,
-            energy_by: [axial + energy_r * r_by[0], energy_r * r_by[1]],
-            axial,
-            axial_by: [axial_l + axial_r * r_by[0], axial_r * r_by[1]],
-            stretch_by_r: -pi_lr / axial_l,
-            radial: g_r - pi_lr * pi_lr / axial_l,
+            energy: e.w,
+            energy_by: [e.l + e.r * r_by[0], e.r * r_by[1]],
+            axial: e.l,
+            axial_by: [e.ll + e.lr * r_by[0], e.lr * r_by[1]],
+            stretch_by_r: -pi_lr / e.ll,
+            radial: g_r - pi_lr * pi_lr / e.ll,
         })
     }
 
@@ -334,23 +329,20 @@ impl ThickWall {
         };
         let mut r = taut * 1.002;
         for _ in 0..25 {
-            let w = self.wall.energy(&self.law, l, r);
-            let b = self.braid(k, l, r);
-            let (g, g_r) = (w.r + b.r, w.rr + b.rr);
-            let value = w.l + b.l - 0.5 * r / l * g - force;
-            let slope = w.lr + b.lr - 0.5 / l * (g + r * g_r);
+            let e = self.energy(l, r);
+            let value = e.l - 0.5 * r / l * e.r - force;
+            let slope = e.lr - 0.5 / l * (e.r + r * e.rr);
             let step = -value / slope;
             if !(slope > 0.0 && step.is_finite()) {
                 return None;
             }
             r = (r + step).max(taut);
             if step.abs() < 1e-13 * r {
-                let w = self.wall.energy(&self.law, l, r);
-                let b = self.braid(k, l, r);
-                let p = (w.r + b.r) / (2.0 * PI * r * l);
-                let stable =
-                    w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
-                return (b.strain > 0.0 && stable && p >= 0.0).then_some(p);
+                let trial = self.trial(k, 0.0, l, r);
+                let (e, strain) = (trial.energy, trial.strain);
+                let p = e.r / (2.0 * PI * r * l);
+                let stable = e.rr > 2.0 * PI * l * p && strain < LARGEST_STRAND_STRETCH - 1.0;
+                return (strain > 0.0 && stable && p >= 0.0).then_some(p);
             }
         }
         None

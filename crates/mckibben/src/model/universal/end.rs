@@ -215,12 +215,8 @@ impl EndZone {
 
     /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).
     fn linear(&self, l: f64, state: &State, way: Dual, axial: Dual) -> End {
-        let length = if state.radial > 0.0 {
-            (axial.v / (l * state.radial)).sqrt()
-        } else {
-            0.0
-        };
-        let length = if length > 0.0 {
+        let length = (axial.v / (l * state.radial)).sqrt();
+        let length = if state.radial > 0.0 && length > 0.0 {
             length * (MEETING * self.half / length).tanh()
         } else {
             0.0

@@ -122,7 +122,7 @@ impl Universal {
         contraction: f64,
         l: f64,
     ) -> Result<SearchPoint> {
-        let missing = || Self::not_converged(p, contraction);
+        let missing = || ModelError::not_converged(p, contraction);
         let state = self.zone.wall.state_near(p, l, None)?;
         let zero = self.zero(workspace, p).ok_or_else(missing)?;
         let m = &zero.middle;

@@ -47,13 +47,6 @@ impl SearchPoint {
 }
 
 impl Universal {
-    pub(super) fn not_converged(pressure_mpa: f64, contraction: f64) -> ModelError {
-        ModelError::NotConverged {
-            pressure_mpa,
-            contraction,
-        }
-    }
-
     /// λ near which that of the middle is sought.
     pub(super) fn guess(&self, contraction: f64) -> f64 {
         let l = 1.0 - contraction;
@@ -89,7 +82,7 @@ impl Universal {
     ) -> Result<Middle> {
         let state = self.zone.wall.state_near(p, l, near)?;
         self.middle(p, l, state, sections)
-            .ok_or_else(|| Self::not_converged(p, 1.0 - l))
+            .ok_or_else(|| ModelError::not_converged(p, 1.0 - l))
     }
 
     /// −dε/dλ = 1 + (2/L0) ∂δ/∂λ
@@ -147,7 +140,7 @@ impl Universal {
                 low + 0.5 * LARGEST_STEP
             };
         }
-        Err(Self::not_converged(p, contraction))
+        Err(ModelError::not_converged(p, contraction))
     }
 
     /// Where the muscle pulls: the middle and the last step; `Err`: where it pushes or is slack, λ.
@@ -162,10 +155,8 @@ impl Universal {
         }
         // Strands that do not stretch, and the short form: mostly a pull, which the search finds at
         // once.
-        let free = match self.is_coupled() {
-            true => None,
-            false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
-        };
+        let search = || self.nested(p, contraction, self.guess(contraction), 0.0);
+        let free = (!self.is_coupled()).then(search);
         if let Some(Ok((m, step))) = &free
             && m.state.force + m.state.force_l * step >= 0.0
         {
@@ -176,9 +167,7 @@ impl Universal {
             Some(zero) => self
                 .nested(p, contraction, zero.stretch(contraction), zero.middle.l)
                 .map(Ok),
-            None => free
-                .unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0))
-                .map(Ok),
+            None => free.unwrap_or_else(search).map(Ok),
         }
     }
 
@@ -213,7 +202,7 @@ impl Universal {
         let m = self.tried(p, l, near, sections)?;
         let slope = self.slope(&m);
         if slope.is_nan() || slope <= LEAST_SLOPE {
-            return Err(Self::not_converged(p, contraction));
+            return Err(ModelError::not_converged(p, contraction));
         }
         let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
         Ok(SearchPoint {

@@ -1,0 +1,10 @@
+//! The ends of values.
+
+/// The smallest and the largest; infinite of none.
+pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for value in values {
+        (low, high) = (value.min(low), value.max(high));
+    }
+    (low, high)
+}
