@@ -91,7 +91,8 @@ fn main() -> ExitCode {
 }
 
 fn figures(check: bool) -> Done {
-    let (program, made) = (program()?, made("figures")?);
+    let program = program()?;
+    let made = made("figures")?;
     for page in DRAWN {
         let text = fs::read_to_string(page).map_err(|e| format!("{page}: {e}"))?;
         for line in text
@@ -143,7 +144,8 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
 
 /// Figures of the documentation that a study draws: minutes of finite elements.
 fn study_figures(check: bool) -> Done {
-    let (made, kept) = (made("studies")?, Path::new("docs/figures"));
+    let made = made("studies")?;
+    let kept = Path::new("docs/figures");
     for (file, study, more) in [
         ("peers.svg", "peers_figure", None),
         ("universal.svg", "universal_figure", Some("150")),
@@ -162,7 +164,8 @@ fn study_figures(check: bool) -> Done {
 }
 
 fn golds(check: bool) -> Done {
-    let (program, made) = (program()?, made("golds")?);
+    let program = program()?;
+    let made = made("golds")?;
     let campaign = made.join("universal.parquet");
     quiet(
         Command::new(&program)
@@ -212,7 +215,9 @@ fn schemas(check: bool) -> Done {
 
 fn checks(_: bool) -> Done {
     let packages = "mpmath pillow meshio numpy pandas pyarrow duckdb scipy";
-    let (program, python, made) = (program()?, python(packages)?, made("checks")?);
+    let program = program()?;
+    let python = python(packages)?;
+    let made = made("checks")?;
     let script = |name: &str| {
         let mut command = Command::new(&python);
         command.arg(name);
@@ -230,7 +235,8 @@ fn checks(_: bool) -> Done {
             "--model fe3d -e 10% -p 0.05,0.25 --whole",
         ),
     ] {
-        let (folder, answer) = (made.join("vtu"), made.join("answer.json"));
+        let folder = made.join("vtu");
+        let answer = made.join("answer.json");
         let mut simulate = Command::new(&program);
         simulate
             .args([

@@ -119,8 +119,11 @@ impl Show for BuildAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let (length, cut, safety) = (u.length.digits(4), &self.cut, &self.safety);
-        let (sleeve, limits) = (&cut.sleeve, &self.limits);
+        let length = u.length.digits(4);
+        let cut = &self.cut;
+        let safety = &self.safety;
+        let sleeve = &cut.sleeve;
+        let limits = &self.limits;
         let mut page = Page::default();
         page.line(self.muscle.line(u));
         page.rows(
@@ -296,7 +299,8 @@ fn operating(
 ) -> Result<(Operating, Burst)> {
     let choice = Model::choose(&ModelFields::default())?;
     let model = choice.bound(muscle)?;
-    let (model, mut workspace) = (&*model, Workspace::new());
+    let model = &*model;
+    let mut workspace = Workspace::new();
     let mut evaluation = Evaluation::new(model, &mut workspace, Options::default());
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.0);
@@ -319,7 +323,9 @@ fn operating(
     };
     let shape = crate::shape::shape(&shape)?;
     let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
-    let (r, z, across) = (array("r_mm"), array("z_mm"), shape.across.max(1));
+    let r = array("r_mm");
+    let z = array("z_mm");
+    let across = shape.across.max(1);
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);
     let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
     let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);

@@ -133,7 +133,8 @@ pub struct PressureLimits {
 
 impl From<&Burst> for PressureLimits {
     fn from(found: &Burst) -> Self {
-        let (first, allowed) = (found.first(), found.allowed());
+        let first = found.first();
+        let allowed = found.allowed();
         Self {
             burst_pressure_mpa: first.map(|f| f.1),
             burst_by: first.map(|f| f.0),

@@ -136,7 +136,8 @@ type AtPressure = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
-        let (model, asking) = (&request.question.model, request.question.asking);
+        let model = &request.question.model;
+        let asking = request.question.asking;
         let fields = [
             ("pressure_mpa", request.pressure_mpa.is_some()),
             ("model", model.name.is_some()),
@@ -172,7 +173,8 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         (question.muscle, rest_volume_mm3, at_pressure)
     };
     let rubber = &muscle.tube().rubber;
-    let (law, reach) = (&rubber.law, muscle.reach());
+    let law = &rubber.law;
+    let reach = muscle.reach();
     let beyond = rubber
         .fitted_to_stretch
         .filter(|limit| reach > *limit)
@@ -319,14 +321,16 @@ fn findings_of(
 }
 
 fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
-    let (pull, ideal) = (values.blocked_force_n, muscle.max_ideal_contraction());
+    let pull = values.blocked_force_n;
+    let ideal = muscle.max_ideal_contraction();
     let slender = muscle.length_mm() / muscle.tube().outer_diameter_mm;
     let wall = muscle.wall_mm() / muscle.inner_diameter_mm();
     let share = values
         .blocked_force_uncertainty_n
         .map_or(0.0, |half| half / pull);
     let ratio = number(slender, 3);
-    let (angle, ideal_text) = (number(muscle.braid().angle_deg, 4), percent(ideal));
+    let angle = number(muscle.braid().angle_deg, 4);
+    let ideal_text = percent(ideal);
     let [bore, low, high] = [wall, WALLS.0, WALLS.1].map(percent);
     let half = percent((100.0 * share).round() / 100.0);
     let oddities = [
@@ -443,7 +447,8 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
         }
     }
     if pressure_mpa > highest_mpa {
-        let (pressure, most) = (number(pressure_mpa, 3), number(highest_mpa, 3));
+        let pressure = number(pressure_mpa, 3);
+        let most = number(highest_mpa, 3);
         outside.push(format!(
             "the pressure is {pressure}\u{a0}MPa (measured: up to {most}\u{a0}MPa)"
         ));
@@ -515,7 +520,9 @@ impl CheckAnswer {
                 words.and_then(|w| w.bench_in(u)).unwrap_or_default()
             }
             Some(left) => {
-                let (text, least, unit) = (&finding.text, u.force.half_width(left), &u.force.name);
+                let text = &finding.text;
+                let least = u.force.half_width(left);
+                let unit = &u.force.name;
                 format!("{text}; the ± would still be at least {least} {unit}")
             }
             None => finding.text.clone(),

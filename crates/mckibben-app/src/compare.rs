@@ -299,7 +299,9 @@ impl Held<'_> {
         progress: &dyn Progress,
     ) -> Result<(Vec<Compared>, Vec<ComparedModel>, Vec<MeasuredPoint>)> {
         let mut reference = self.measured.map(<[MeasuredPoint]>::to_vec);
-        let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
+        let mut compared = vec![];
+        let mut skipped = vec![];
+        let mut first = None;
         for (i, model) in models.iter().enumerate() {
             progress.report(i, models.len());
             progress.check()?;
@@ -478,7 +480,8 @@ fn fitted(
         return Ok((muscle.clone(), vec![]));
     }
     if points.len() < 2 * known.len() + 1 {
-        let (points, unknowns) = (points.len(), known.len());
+        let points = points.len();
+        let unknowns = known.len();
         let least = 2 * unknowns + 1;
         let message = format!(
             "{points} points are too few to fit {unknowns} constants: measure at least {least}"

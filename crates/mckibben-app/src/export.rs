@@ -82,7 +82,8 @@ pub struct ExportAnswer {
 impl Show for ExportAnswer {
     fn page(&self, u: &Units) -> Page {
         let (exported, errors) = (&self.exported, &self.exported.errors);
-        let (share, error) = (&PERCENT, &PERCENT.digits(2));
+        let share = &PERCENT;
+        let error = &PERCENT.digits(2);
         let pull = (exported.blocked_force_n, exported.uncertainty_n);
         let rows = Rows::default()
             .text("model", &exported.model)
@@ -279,7 +280,8 @@ pub struct ExportJointAnswer {
 /// A joint as files.
 impl Show for ExportJointAnswer {
     fn page(&self, _: &Units) -> Page {
-        let (exported, mut page) = (&self.exported, Page::default());
+        let exported = &self.exported;
+        let mut page = Page::default();
         let rows = Rows::default()
             .text("target", &self.target)
             .quantity(

@@ -411,10 +411,8 @@ fn file_name(name: &Path) -> Option<String> {
 #[cfg(feature = "files")]
 fn rows(path: &Path) -> Result<(Vec<PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    let (plan_hash, seed) = (
-        Some(table.provenance.plan_sha256.clone()),
-        table.provenance.seed,
-    );
+    let plan_hash = Some(table.provenance.plan_sha256.clone());
+    let seed = table.provenance.seed;
     let from = Provenance {
         table: file_name(path),
         plan_hash,

@@ -318,7 +318,8 @@ impl Solver<'_> {
             let points = self.model.along(&mut self.workspaces, pressures, angles);
             let is_gap = |e: &Result<_, JointError>| e.as_ref().is_err_and(JointError::is_of_point);
             let without = points.iter().filter(|point| is_gap(point)).count();
-            let (only, mut gap) = (without == points.len(), None);
+            let only = without == points.len();
+            let mut gap = None;
             for point in points {
                 match point {
                     Err(error) if !only && error.is_of_point() => gap = gap.or(Some(error)),
@@ -371,7 +372,8 @@ impl Solver<'_> {
             )?;
             Ok(Some(there.torque_nm))
         };
-        let (plus, minus) = (turning(Turning::Plus)?, turning(Turning::Minus)?);
+        let plus = turning(Turning::Plus)?;
+        let minus = turning(Turning::Minus)?;
         self.warnings
             .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
         let first = point.muscles.first();

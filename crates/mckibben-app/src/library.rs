@@ -49,7 +49,8 @@ pub struct LibraryDetails {
 
 impl LibraryMuscle {
     fn new(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
-        let (model, w) = (Model::FE.build(muscle)?, &mut Workspace::new());
+        let model = Model::FE.build(muscle)?;
+        let w = &mut Workspace::new();
         let (pressure_mpa, points) = muscle
             .bench()
             .map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));

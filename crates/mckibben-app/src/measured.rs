@@ -203,7 +203,8 @@ fn rubbers(
     };
     let stresses = reported.iter().flat_map(|r| {
         let stress = |group: &RubberGroup| {
-            let (case, fit) = (cases[r.case].facts.name.clone(), r.fit.clone());
+            let case = cases[r.case].facts.name.clone();
+            let fit = r.fit.clone();
             MeasuredStress {
                 case,
                 fit,

@@ -165,7 +165,8 @@ impl MeshFields {
                 Elements::Axisymmetric(spec)
             }
             Elements::ThreeDimensional(spec) => {
-                let (keep, plug) = (self.keep, self.terminal);
+                let keep = self.keep;
+                let plug = self.terminal;
                 Elements::ThreeDimensional(BrickSpec { keep, plug, ..spec })
             }
         };

@@ -69,7 +69,8 @@ impl MuscleFields {
     /// What the fields are of a muscle, each as it may be given; none where it has none of a name
     /// or a number.
     pub fn from_muscle(muscle: &Muscle) -> Self {
-        let (tube, braid) = (muscle.tube(), muscle.braid());
+        let tube = muscle.tube();
+        let braid = muscle.braid();
         let section = braid.strands.and_then(|strands| strands.section);
         let diameter_mm = |(area, _): (f64, f64)| (4.0 * area / PI).sqrt();
         let mut out = Self {

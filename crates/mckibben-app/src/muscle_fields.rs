@@ -139,7 +139,8 @@ impl FromStr for TubeSize {
             Problem::new(ProblemKind::Quantity, message, hint)
         };
         let (inner, outer) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
-        let (inner, outer) = (inner.trim(), outer.trim());
+        let inner = inner.trim();
+        let outer = outer.trim();
         let unit_at = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit()).len();
         // A unit behind both holds for both.
         let inner = match unit_at(inner) == inner.len() {

@@ -128,7 +128,8 @@ pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem>
         }
         Err(error) => return Err(error.into()),
     };
-    let (name, description) = (entry.name.to_string(), entry.description.to_string());
+    let name = entry.name.to_string();
+    let description = entry.description.to_string();
     Ok(Some(ModelDetails {
         name,
         description,
@@ -217,7 +218,9 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     if parts != PartShowAnswer::default() {
         return Ok(parts);
     }
-    let (sleeves, rubbers, muscles) = (sleeves(None)?, rubbers()?, library::names());
+    let sleeves = sleeves(None)?;
+    let rubbers = rubbers()?;
+    let muscles = library::names();
     let all = tubes
         .iter()
         .map(|t| t.name.as_str())

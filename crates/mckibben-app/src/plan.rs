@@ -51,7 +51,10 @@ pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer
     let mut text = format!("{},status\n", COLUMNS.join(","));
     for r in &rows {
         let force = r.force_n.map_or_else(String::new, |f| f.to_string());
-        let (d, s, l, a) = (r.outer_diameter_mm, r.wall_mm, r.length_mm, r.angle_deg);
+        let d = r.outer_diameter_mm;
+        let s = r.wall_mm;
+        let l = r.length_mm;
+        let a = r.angle_deg;
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,

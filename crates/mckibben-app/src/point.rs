@@ -362,7 +362,8 @@ impl Question {
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
-        let (parts, pressure_mpa) = (of.uncertainty_parts_n, of.response.pressure_mpa);
+        let parts = of.uncertainty_parts_n;
+        let pressure_mpa = of.response.pressure_mpa;
         let model = &mut self.evaluation();
         Ok(Background {
             uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa)

@@ -353,7 +353,8 @@ impl From<ModelError> for Problem {
 impl From<AnalysisError> for Problem {
     fn from(error: AnalysisError) -> Self {
         let message = error.to_string();
-        let (mut hint, mut nearest) = (String::new(), None);
+        let mut hint = String::new();
+        let mut nearest = None;
         match error {
             AnalysisError::Model(error) => return error.into(),
             AnalysisError::NoPressure {

@@ -130,7 +130,8 @@ pub(crate) fn report(
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         title_block: request.title_block.fields(),
         lead: {
-            let (pressure, contraction) = (units.pressure.show(pressure_mpa), percent(contraction));
+            let pressure = units.pressure.show(pressure_mpa);
+            let contraction = percent(contraction);
             let by = format!(
                 "by {}, axisymmetric finite elements, unless stated otherwise",
                 point.point.model

@@ -180,10 +180,8 @@ fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
     let stretches = (1..=STEPS).map(|i| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS));
     let (apart, largest) =
         stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
-            let (stress, best) = (
-                law.planar_stress_mpa(stretch),
-                best.planar_stress_mpa(stretch),
-            );
+            let stress = law.planar_stress_mpa(stretch);
+            let best = best.planar_stress_mpa(stretch);
             (apart.max((stress - best).abs()), largest.max(best.abs()))
         });
     apart / largest

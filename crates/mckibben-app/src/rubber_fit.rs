@@ -173,7 +173,8 @@ impl RubberFitAnswer {
 
     /// The muscle with a law.
     fn with_law(&self, law: &FittedLaw, muscle: &Muscle, rubber: Option<String>) -> Result<String> {
-        let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
+        let relaxation = self.relaxation.as_ref();
+        let softening = self.softening.as_ref();
         let over_time = softening
             .map(|s| &s.first_loading)
             .or(relaxation.map(|r| &r.instantaneous));

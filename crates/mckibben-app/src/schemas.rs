@@ -60,7 +60,8 @@ fn schema_of((name, schema_of_type): Root, settings: SchemaSettings) -> Schema {
 /// Beside the keywords of JSON Schema a field has `x-unit` and `x-quantity` (see `annotate`). A measure of the muscle also has its bounds (`minimum`, …), its value where nothing is stated
 /// (`default`), `x-symbol`, its short name in formulas, and `x-key`, its key in a muscle file.
 pub fn bundle() -> Value {
-    let (mut all, mut defs) = (Map::new(), Map::new());
+    let mut all = Map::new();
+    let mut defs = Map::new();
     for command in COMMANDS.iter() {
         let mut parts = command.schema();
         for part in parts

@@ -78,10 +78,8 @@ impl UncertaintyWords {
 
     /// What a selected branch would make of it, in units.
     pub fn branch_in(&self, u: &Units) -> Option<String> {
-        let (half, force) = (
-            u.force.half_width(self.branch_uncertainty_n?),
-            &u.force.name,
-        );
+        let half = u.force.half_width(self.branch_uncertainty_n?);
+        let force = &u.force.name;
         Some(format!(
             "a branch, shortening or lengthening, would reduce the ± to about {half}\u{a0}{force}"
         ))
@@ -128,8 +126,11 @@ pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
     }
     let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
     let low = (LOWER_PRESSURE * high / unit).round() * unit;
-    let (low, high) = (crate::words::number(low, 1), u.pressure.to(pressure_mpa, 3));
-    let (left, pressure, force) = (u.force.half_width(left_n), &u.pressure.name, &u.force.name);
+    let low = crate::words::number(low, 1);
+    let high = u.pressure.to(pressure_mpa, 3);
+    let left = u.force.half_width(left_n);
+    let pressure = &u.pressure.name;
+    let force = &u.force.name;
     Some(format!(
         "{BENCH_POINTS} points on both branches at {low}\u{a0}{pressure} and \
          {high}\u{a0}{pressure} would reduce the ± to about {left}\u{a0}{force}"

@@ -74,7 +74,8 @@ impl Scale {
 
     /// This for each of another.
     fn per(&self, other: &Self) -> Self {
-        let (a, b) = (self.factor, other.factor);
+        let a = self.factor;
+        let b = other.factor;
         Self {
             name: format!("{}/{}", self.name, other.name).into(),
             factor: (a.0 * b.1, a.1 * b.0),
@@ -245,7 +246,8 @@ impl Units {
                 u.slope(),
             ]
         };
-        let (inside, shown) = (scales(&Self::default()), scales(self));
+        let inside = scales(&Self::default());
+        let shown = scales(self);
         let mut parts = text.split(JOIN);
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {

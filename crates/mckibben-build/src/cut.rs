@@ -79,7 +79,8 @@ impl Cut {
             .as_ref()
             .map_or((0.6 * on_mm, 1.2 * on_mm), |s| (s.least_mm, s.largest_mm));
         // As far as muscles of it go, and no further than it opens.
-        let (low, high) = (ends.0.min(on_mm), ends.1.min(1.5 * on_mm).max(on_mm));
+        let low = ends.0.min(on_mm);
+        let high = ends.1.min(1.5 * on_mm).max(on_mm);
         let step = |i: usize| low + (high - low) * i as f64 / (ROWS - 1) as f64;
         let tenth = |d: f64| (10.0 * d).round() / 10.0;
         let rows = (0..ROWS).map(|i| tenth(step(i))).filter_map(|d| {

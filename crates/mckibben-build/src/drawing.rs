@@ -53,10 +53,8 @@ impl<'a> Body<'a> {
             .operating
             .bulged_diameter_mm
             .max(2.0 * self.widest);
-        let (length, height) = (
-            2.0 * self.half + self.left + self.right,
-            2.0 * self.widest + bulged,
-        );
+        let length = 2.0 * self.half + self.left + self.right;
+        let height = 2.0 * self.widest + bulged;
         largest(|s| s * length <= ROOM_MM.0 && s * height <= ROOM_MM.1)
     }
 }
@@ -64,10 +62,8 @@ impl<'a> Body<'a> {
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
 pub(crate) fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::new(plan);
-    let (scale, section_scale) = (
-        body.scale(),
-        largest(|s| s * plan.over_sleeve_mm <= SECTION_MM),
-    );
+    let scale = body.scale();
+    let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
     let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
@@ -111,20 +107,22 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
 
 /// The muscle at rest: above the axis in section, below it from outside.
 fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
-    let (plan, half) = (body.plan, body.half);
-    let (cut, stem) = (&plan.cut, &plan.air_plug.stem);
-    let (ro, ri) = (
-        0.5 * plan.muscle.outer_diameter_mm(),
-        0.5 * plan.muscle.inner_diameter_mm(),
-    );
-    let (inner, wall) = (0.5 * stem.diameter_mm, cut.tube_wall_mm);
+    let plan = body.plan;
+    let half = body.half;
+    let cut = &plan.cut;
+    let stem = &plan.air_plug.stem;
+    let ro = 0.5 * plan.muscle.outer_diameter_mm();
+    let ri = 0.5 * plan.muscle.inner_diameter_mm();
+    let inner = 0.5 * stem.diameter_mm;
+    let wall = cut.tube_wall_mm;
     let outer = 0.5 * plan.clamped_diameter_mm;
     let end = half + stem.length_mm;
     axis(v, half + body.left, half + body.right);
     v.cut((-half, half), (ri, ro), true);
     v.cut((-half, half), (ro, body.sleeve), false);
     for side in [-1.0, 1.0] {
-        let (a, b) = (side * half, side * end);
+        let a = side * half;
+        let b = side * end;
         let x = (a.min(b), a.max(b));
         v.cut(x, (inner, inner + wall), true);
         v.cut(x, (inner + wall, outer), false);
@@ -170,7 +168,8 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     );
     v.across((-end, -half), (outer, ro), row, &clamped);
     v.across((half, end), (ro, outer), row, &clamped);
-    let (left, right) = (half + body.left, half + body.right);
+    let left = half + body.left;
+    let right = half + body.right;
     v.across(
         (-left, right),
         (0.0, 0.0),
@@ -220,9 +219,11 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end
 /// moved by `shift`.
 fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
-    let (half, stem) = (body.half, &body.plan.air_plug.stem);
+    let half = body.half;
+    let stem = &body.plan.air_plug.stem;
     let collar = 0.5 * stem.collar_diameter_mm;
-    let (from, top) = (half + stem.length_mm, half + stem.top_mm());
+    let from = half + stem.length_mm;
+    let top = half + stem.top_mm();
     let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
     let head = body.plan.air_plug.head();
     for sign in sides {
@@ -274,7 +275,8 @@ fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
     };
     for (from, to) in bands {
         for side in [-1.0, 1.0] {
-            let (a, b) = (side * (body.half + from), side * (body.half + to));
+            let a = side * (body.half + from);
+            let b = side * (body.half + to);
             let x = (a.min(b), a.max(b));
             match above {
                 true => v.cut(x, (outer, outer + 1.2), true),
@@ -330,7 +332,8 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
 
 /// The muscle at the working pressure, free to contract.
 fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
-    let (plan, half) = (body.plan, body.half);
+    let plan = body.plan;
+    let half = body.half;
     let operating = &plan.operating;
     let stroke = 2.0 * half * operating.free_contraction;
     let thickness = body.sleeve - 0.5 * plan.muscle.outer_diameter_mm();
@@ -393,10 +396,8 @@ fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
 
 /// The section A–A.
 fn cross_section(plan: &Plan, v: &mut View<'_>) {
-    let (d0, bore) = (
-        plan.muscle.outer_diameter_mm(),
-        plan.muscle.inner_diameter_mm(),
-    );
+    let d0 = plan.muscle.outer_diameter_mm();
+    let bore = plan.muscle.inner_diameter_mm();
     let over = plan.over_sleeve_mm;
     for diameter in [bore, d0, over] {
         v.circle(Pen::Outline, diameter);
@@ -428,7 +429,9 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
 
 /// The data of the muscle, in words.
 fn data(plan: &Plan, sheet: &mut Sheet) {
-    let (muscle, operating, safety) = (&plan.muscle, &plan.operating, &plan.safety);
+    let muscle = &plan.muscle;
+    let operating = &plan.operating;
+    let safety = &plan.safety;
     let x = 104.0;
     let mut y = LOWER_MM - 6.0;
     let known = |value: Option<f64>| {
@@ -468,9 +471,11 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
 
 /// The list of parts above the title block.
 fn parts(plan: &Plan, sheet: &mut Sheet) {
-    let (left, right) = (TITLE_MM.0, FRAME_MM[2]);
+    let left = TITLE_MM.0;
+    let right = FRAME_MM[2];
     let mut y = TITLE_MM.1;
-    let (row, height) = (4.6, 2.0);
+    let row = 4.6;
+    let height = 2.0;
     for part in &plan.parts {
         sheet.text(
             [left + 4.0, y + 1.3],

@@ -48,9 +48,12 @@ pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
 
 /// All files: the steps first, which link to the others.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
-    let (drawing, plugs) = (drawing::on_paper(plan), plug_drawing::on_paper(plan));
-    let (text, bytes) = (File::text, File::bytes);
-    let (air, eye) = (plan.air_plug.mesh(), plan.eye_plug.mesh());
+    let drawing = drawing::on_paper(plan);
+    let plugs = plug_drawing::on_paper(plan);
+    let text = File::text;
+    let bytes = File::bytes;
+    let air = plan.air_plug.mesh();
+    let eye = plan.eye_plug.mesh();
     let mut out = vec![
         text("drawing.svg", "drawing of the muscle", drawing.to_svg()?),
         #[cfg(feature = "pdf")]

@@ -74,8 +74,10 @@ impl Mesh {
                 .map(|(i, corner)| (angle(&corner) + turn(i), corner))
                 .collect()
         };
-        let (outer, inner) = (sorted(outer), sorted(inner));
-        let (mut i, mut j) = (0, 0);
+        let outer = sorted(outer);
+        let inner = sorted(inner);
+        let mut i = 0;
+        let mut j = 0;
         while i + 1 < outer.len() || j + 1 < inner.len() {
             let outer_next = outer.get(i + 1).map(|next| next.0);
             let inner_next = inner.get(j + 1).map(|next| next.0);
@@ -118,10 +120,8 @@ impl Mesh {
         out.extend((self.triangles.len() as u32).to_le_bytes());
         for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|i| self.corners[i]);
-            let (u, v) = (
-                [0, 1, 2].map(|k| b[k] - a[k]),
-                [0, 1, 2].map(|k| c[k] - a[k]),
-            );
+            let u = [0, 1, 2].map(|k| b[k] - a[k]);
+            let v = [0, 1, 2].map(|k| c[k] - a[k]);
             let normal = [
                 u[1] * v[2] - u[2] * v[1],
                 u[2] * v[0] - u[0] * v[2],

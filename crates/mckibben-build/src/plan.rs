@@ -56,7 +56,8 @@ impl Plan {
     const LEAST_INSERTION_MM: f64 = 3.0;
 
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
-        let (length_mm, least_mm) = (muscle.terminals().insertion_mm(), Self::LEAST_INSERTION_MM);
+        let length_mm = muscle.terminals().insertion_mm();
+        let least_mm = Self::LEAST_INSERTION_MM;
         Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
             format!(
                 "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` \
@@ -114,7 +115,8 @@ impl Plan {
         let fitting = wishes
             .fitting
             .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let (air_plug, eye_plug) = (AirPlug::new(stem, fitting), EyePlug::new(stem, bolt_mm));
+        let air_plug = AirPlug::new(stem, fitting);
+        let eye_plug = EyePlug::new(stem, bolt_mm);
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),

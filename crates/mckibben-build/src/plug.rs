@@ -123,11 +123,9 @@ impl Stem {
 
     /// Radii and heights from the inner end to the outer edge of the collar.
     pub fn profile(&self) -> Vec<[f64; 2]> {
-        let (radius, depth, width) = (
-            0.5 * self.diameter_mm,
-            self.groove_depth_mm,
-            self.groove_width_mm,
-        );
+        let radius = 0.5 * self.diameter_mm;
+        let depth = self.groove_depth_mm;
+        let width = self.groove_width_mm;
         let (bevel, tip) = self.bevel_mm();
         let mut out = vec![[tip, 0.0], [radius, bevel]];
         for start in self.groove_starts_mm() {
@@ -197,7 +195,8 @@ impl AirPlug {
 
     /// Radii and heights above the edge of the collar: outside up, and down to the passage.
     pub(crate) fn head(&self) -> Vec<[f64; 2]> {
-        let (top, hole) = (self.stem.top_mm(), 0.5 * self.passage_mm);
+        let top = self.stem.top_mm();
+        let hole = 0.5 * self.passage_mm;
         match (self.fitting, self.fitting.thread_mm()) {
             (_, Some((drill, depth, boss))) => {
                 let end = top + depth;
@@ -212,8 +211,11 @@ impl AirPlug {
             }
             (Fitting::Barb { bore_mm }, _) => {
                 // One sharp barb with a cylinder behind it holds better than several.
-                let (neck, edge, tip) = (0.5 * bore_mm, 0.6 * bore_mm, 0.45 * bore_mm);
-                let (start, end) = (top + 1.5 * bore_mm, top + 2.5 * bore_mm);
+                let neck = 0.5 * bore_mm;
+                let edge = 0.6 * bore_mm;
+                let tip = 0.45 * bore_mm;
+                let start = top + 1.5 * bore_mm;
+                let end = top + 2.5 * bore_mm;
                 vec![
                     [neck, top],
                     [neck, start],
@@ -318,7 +320,8 @@ impl EyePlug {
     /// Outline of the eye from its foot, and its hole, both about the hole's centre and
     /// counter-clockwise.
     pub(crate) fn eye(&self) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
-        let (w, h) = (0.5 * self.width_mm, self.centre_mm);
+        let w = 0.5 * self.width_mm;
+        let h = self.centre_mm;
         let arc = |i: usize| PI * i as f64 / (FACETS / 2) as f64;
         let mut outline = vec![[-w, 0.0], [w, 0.0]];
         outline.extend((0..=FACETS / 2).map(|i| [w * arc(i).cos(), h + w * arc(i).sin()]));
@@ -330,7 +333,8 @@ impl EyePlug {
 
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
-        let (top, t) = (self.stem.top_mm(), 0.5 * self.thickness_mm);
+        let top = self.stem.top_mm();
+        let t = 0.5 * self.thickness_mm;
         let Some((first, last)) = mesh.bands(&self.stem.profile()) else {
             return mesh;
         };
@@ -346,8 +350,10 @@ impl EyePlug {
                 .map(|[x, z]| mesh.corner([*x, y, top + z]))
                 .collect()
         };
-        let (front, back) = (side(&outline, -t), side(&outline, t));
-        let (front_hole, back_hole) = (side(&hole, -t), side(&hole, t));
+        let front = side(&outline, -t);
+        let back = side(&outline, t);
+        let front_hole = side(&hole, -t);
+        let back_hole = side(&hole, t);
         let centre = self.centre_mm + top;
         mesh.face(&front, &front_hole, |[x, _, z]| [x, z], [0.0, centre]);
         let turned = |ring: &[usize]| ring.iter().rev().copied().collect::<Ring>();

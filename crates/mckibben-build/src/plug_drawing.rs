@@ -11,7 +11,8 @@ const ROOM_MM: (f64, f64) = (165.0, 70.0);
 
 /// The drawing on paper; all bodies have one scale.
 pub(crate) fn on_paper(plan: &Plan) -> Sheet {
-    let (air, eye) = (&plan.air_plug, &plan.eye_plug);
+    let air = &plan.air_plug;
+    let eye = &plan.eye_plug;
     let head = air
         .head()
         .iter()
@@ -21,10 +22,8 @@ pub(crate) fn on_paper(plan: &Plan) -> Sheet {
         largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
     let mut sheet = frame::sheet(plan, "Plugs of the muscle", 2, scale);
     let [left, _, right, top] = FRAME_MM;
-    let (widths, y) = (
-        [scale * air.length_mm(), scale * eye.length_mm()],
-        0.5 * (top + 66.0) - 4.0,
-    );
+    let widths = [scale * air.length_mm(), scale * eye.length_mm()];
+    let y = 0.5 * (top + 66.0) - 4.0;
     let gap = (right - left - widths[0] - widths[1]) / 3.0;
     let places = [left + gap, left + 2.0 * gap + widths[0]];
 
@@ -151,7 +150,8 @@ fn hole_at(plan: &Plan, x: f64) -> f64 {
 
 /// The axis of a plug, and the measures of its stem.
 fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
-    let (half, collar) = (0.5 * stem.diameter_mm, 0.5 * stem.collar_diameter_mm);
+    let half = 0.5 * stem.diameter_mm;
+    let collar = 0.5 * stem.collar_diameter_mm;
     let beyond = 4.0 / v.scale;
     v.line(Pen::Axis, &[[-beyond, 0.0], [length_mm + beyond, 0.0]]);
     let above = v.scale * collar + 6.0;

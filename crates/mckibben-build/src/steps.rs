@@ -11,7 +11,8 @@ type Values = Vec<(&'static str, String)>;
 
 /// The whole page, with links to the other files.
 pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
-    let (muscle, operating) = (&plan.muscle, &plan.operating);
+    let muscle = &plan.muscle;
+    let operating = &plan.operating;
     let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);
     let files: Vec<String> = files.iter().map(link).collect();
     let mut values: Values = vec![
@@ -122,7 +123,8 @@ fn bill(plan: &Plan) -> Values {
 }
 
 fn plugs(plan: &Plan) -> Values {
-    let (air, eye) = (&plan.air_plug, &plan.eye_plug);
+    let air = &plan.air_plug;
+    let eye = &plan.eye_plug;
     let stem = &air.stem;
     let (made, change) = if plan.is_printed() {
         (

@@ -75,10 +75,8 @@ pub(crate) fn csv(plan: &Plan) -> String {
         plan.operating.pressure(plan.operating.pressure_mpa)
     );
     for point in &plan.test {
-        let (p, e) = (
-            trimmed(point.pressure_mpa, 5),
-            trimmed(point.contraction, 4),
-        );
+        let p = trimmed(point.pressure_mpa, 5);
+        let e = trimmed(point.contraction, 4);
         let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
         out.push_str(&format!("{p},{e},,{},{distance}\n", point.branch));
     }

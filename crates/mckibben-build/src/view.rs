@@ -97,7 +97,8 @@ impl View<'_> {
             let c = k as f64 * step;
             let mut cuts: Vec<[f64; 2]> = vec![];
             for [a, b] in &edges {
-                let (ha, hb) = (height(*a) - c, height(*b) - c);
+                let ha = height(*a) - c;
+                let hb = height(*b) - c;
                 if (ha < 0.0) != (hb < 0.0) {
                     let t = ha / (ha - hb);
                     cuts.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
@@ -117,7 +118,8 @@ impl View<'_> {
 
     /// A vertical dimension between y of the body at a place x of the body, inside of it.
     pub(crate) fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
-        let (a, b) = (self.at(x, y.0), self.at(x, y.1));
+        let a = self.at(x, y.0);
+        let b = self.at(x, y.1);
         dimension(self.sheet, a, b, text);
     }
 

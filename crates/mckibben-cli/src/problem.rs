@@ -123,7 +123,8 @@ pub fn in_words(mut problem: Problem) -> Problem {
 /// `error: …`, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem) -> String {
     let [message, hint] = [&problem.message, &problem.hint].map(|text| shown::sentence(text));
-    let (message, hint) = (clean::line(&message), clean::line(&hint));
+    let message = clean::line(&message);
+    let hint = clean::line(&hint);
     if hint.is_empty() {
         format!("error: {message}")
     } else {

@@ -23,7 +23,8 @@ static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 pub fn take(root: &Command, matches: Option<&ArgMatches>) {
     let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
     let typed: Vec<String> = args.collect();
-    let (mut command, mut leaf) = (root, matches);
+    let mut command = root;
+    let mut leaf = matches;
     for word in &typed[1..] {
         if let Some(sub) = command.find_subcommand(word) {
             command = sub;

@@ -89,7 +89,8 @@ fn meets(spec: &Spec, is_cut: bool, build: &Build<'_>, product: Product<'_>) -> 
     if points.len() > MOST_POINTS || !fits(&held, build, &muscle) {
         return None;
     }
-    let (model, w) = (build(&muscle).ok()?, &mut Workspace::new());
+    let model = build(&muscle).ok()?;
+    let w = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, w, held.options());
     let mut at = |q: &OperatingPoint| {
         let force_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;

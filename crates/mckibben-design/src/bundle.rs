@@ -71,7 +71,8 @@ impl Bundle {
 
 /// The bundle of the best muscle.
 pub fn of_winner(spec: &Spec, build: &Build<'_>, winner: &Candidate) -> Bundle {
-    let (ratio, count) = (envelope_ratio(spec.count), f64::from(spec.count));
+    let ratio = envelope_ratio(spec.count);
+    let count = f64::from(spec.count);
     let bulged = winner.bulged_diameter_mm();
     let of_envelope = spec.limits.envelope_mm.map(|mm| mm / ratio);
     let pitch_mm = spec.pitch_mm.or(of_envelope).or(bulged);

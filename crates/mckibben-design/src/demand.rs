@@ -247,7 +247,8 @@ impl Demand {
         }
         let sign = if self.extends() { -1.0 } else { 1.0 };
         let senseless = |p: &&OperatingPoint| {
-            let (force_n, way) = (sign * p.force_n, sign * p.contraction);
+            let force_n = sign * p.force_n;
+            let way = sign * p.contraction;
             !(force_n > 0.0 && force_n.is_finite() && (0.0..1.0).contains(&way))
         };
         match points.iter().find(senseless) {

@@ -48,10 +48,8 @@ pub fn design_joint(
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
     };
-    let (by_parts, quiet) = (
-        !spec.tubes.is_empty() && sections > 0,
-        &CancelOnly(progress),
-    );
+    let by_parts = !spec.tubes.is_empty() && sections > 0;
+    let quiet = &CancelOnly(progress);
     let coarse = models.settle.is_some() && sections > 0;
     let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;

@@ -167,7 +167,9 @@ fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option
     }
     let limits = b.excess.len().min(a.excess.len()).min(c.excess.len());
     (0..limits).find_map(|j| {
-        let (l, m, r) = (a.excess[j], b.excess[j], c.excess[j]);
+        let l = a.excess[j];
+        let m = b.excess[j];
+        let r = c.excess[j];
         let dips = m > 0.0 && m < NEARLY && l > m && r >= m;
         let value = |s: &Sample| Merit(s.excess.get(j).copied().unwrap_or(f64::INFINITY), [0.0; 2]);
         let least = dips.then(|| golden(a.x, b.clone(), c.x, STEPS, value, at))?;
@@ -223,7 +225,8 @@ fn segment(
 
 /// The last muscle with an answer between one without and one with.
 fn edge(without: f64, with: &Sample, at: &mut impl FnMut(f64) -> Sample) -> Sample {
-    let (mut without, mut with) = (without, with.clone());
+    let mut without = without;
+    let mut with = with.clone();
     for _ in 0..HALVINGS {
         let middle = at(0.5 * (without + with.x));
         if middle.answered() {
@@ -281,10 +284,8 @@ pub fn refine<S: Abscissa + Clone, M: PartialOrd>(
     merit: impl Fn(&S) -> M,
     at: &mut impl FnMut(f64) -> S,
 ) -> S {
-    let (left, right) = (
-        &samples[i.saturating_sub(1)],
-        &samples[(i + 1).min(samples.len() - 1)],
-    );
+    let left = &samples[i.saturating_sub(1)];
+    let right = &samples[(i + 1).min(samples.len() - 1)];
     golden(
         left.place(),
         samples[i].clone(),

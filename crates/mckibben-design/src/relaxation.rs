@@ -116,7 +116,8 @@ impl Relaxation {
     /// The sentence, with pressures, forces and lengths written by `show`. `spec` is the one that
     /// it changes.
     pub fn describe(&self, spec: &Spec, show: Show<'_>) -> String {
-        let (wanted, count) = (&spec.wanted, f64::from(spec.count));
+        let wanted = &spec.wanted;
+        let count = f64::from(spec.count);
         let points = |points: &[OperatingPoint]| {
             let one = |q: &OperatingPoint| {
                 format!(

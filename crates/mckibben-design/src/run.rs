@@ -272,10 +272,8 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, mut pick: Pick) -> Option<P
         return Some(pick);
     }
     for width in WIDTHS {
-        let (from, to) = (
-            (pick.d0 * (1.0 - width)).max(*low),
-            (pick.d0 * (1.0 + width)).min(*high),
-        );
+        let from = (pick.d0 * (1.0 - width)).max(*low);
+        let to = (pick.d0 * (1.0 + width)).min(*high);
         let (fit, _) = search.best_diameter_within(
             pick,
             (from, to),

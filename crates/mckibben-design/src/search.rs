@@ -263,7 +263,8 @@ impl<'a> Search<'a> {
                 }
             }
             Values::Interval(low, high) => {
-                let (range, steps) = ((*low, *high), self.steps);
+                let range = (*low, *high);
+                let steps = self.steps;
                 let (fit, miss) =
                     self.best_diameter_within(pick(*high), range, self.build, steps, &mut result);
                 result
@@ -306,7 +307,8 @@ impl<'a> Search<'a> {
             if !self.progress.cancelled() {
                 let mut screened = SearchResult::default();
                 let sample = self.sample(pick, THICK_WALL, &mut screened, true);
-                let (missed, unsure) = (sample.violation(), self.ranks(&muscle).1);
+                let missed = sample.violation();
+                let unsure = self.ranks(&muscle).1;
                 if missed.is_finite() && (missed > FAR || unsure > 0.0) {
                     if missed <= FAR {
                         SearchResult::keep(&mut screened.near, sample.score, pick, MOST);

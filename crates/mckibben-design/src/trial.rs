@@ -33,7 +33,8 @@ impl<'a> Trial<'a> {
     pub fn new(spec: &'a Spec, build: &Build<'_>, muscle: &'a Muscle) -> Result<Self> {
         // Of what is to end, not even the model is made.
         cancel::check()?;
-        let (model, thick_wall) = (build(muscle)?, ModelKind::ThickWall.build(muscle)?);
+        let model = build(muscle)?;
+        let thick_wall = ModelKind::ThickWall.build(muscle)?;
         let safety = spec.limits.safety();
         let failures = match burst_below(
             &*model,
@@ -44,7 +45,8 @@ impl<'a> Trial<'a> {
             Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
         };
         let burst = Burst { safety, ..failures };
-        let (workspace, half_widths) = (Workspace::new(), spec.half_widths());
+        let workspace = Workspace::new();
+        let half_widths = spec.half_widths();
         let mut trial = Self {
             spec,
             muscle,
@@ -213,7 +215,8 @@ impl<'a> Trial<'a> {
     /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of
     /// liquid, and whether the thick-wall model gave it.
     pub fn stroke(&mut self, p: f64, contraction: f64) -> (Option<f64>, bool) {
-        let (workspace, options) = (&mut self.workspace, self.spec.options());
+        let workspace = &mut self.workspace;
+        let options = self.spec.options();
         let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {
             let mut model = Evaluation::new(model, workspace, options);
             match &self.spec.liquid {

@@ -104,7 +104,8 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
 /// size.
 pub fn of_size(size: &str, rubber: &str) -> Option<Result<TubePart, TubeError>> {
     let (bore, outer) = size.trim().trim_end_matches("mm").split_once('x')?;
-    let (bore_mm, outer_mm) = (bore.trim().parse().ok()?, outer.trim().parse().ok()?);
+    let bore_mm = bore.trim().parse().ok()?;
+    let outer_mm = outer.trim().parse().ok()?;
     Some(part(
         (format!("{bore_mm}x{outer_mm}-{rubber}"), bore_mm, outer_mm),
         rubber,

@@ -171,7 +171,8 @@ fn sample(
 ) -> Result<Vec<Sample>> {
     let rows = threads::map(pressures, |&q| {
         let w = &mut Workspace::new();
-        let (mut row, mut slack) = (vec![], false);
+        let mut row = vec![];
+        let mut slack = false;
         for &contraction in contractions {
             let mut point = Sample {
                 q,
@@ -294,7 +295,8 @@ const BELOW: f64 = 5e-4;
 const RIDGE: f64 = 3e-5;
 
 fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
-    let (high, n) = (form.contraction_high, form.contractions.len());
+    let high = form.contraction_high;
+    let n = form.contractions.len();
     let spline = Spline {
         low: form.contraction_low,
         high,
@@ -390,18 +392,21 @@ pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Opti
 /// The pull of the model between four samples; `None` where one of them is slack.
 fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
     let columns = at.partition_point(|p| p.q <= at[0].q);
-    let (lines, first) = (at.chunks(columns), &at[..columns]);
+    let lines = at.chunks(columns);
+    let first = &at[..columns];
     let k = lines.clone().position(|line| line[0].q >= q)?.max(1);
     let m = first
         .partition_point(|p| p.contraction < e)
         .clamp(1, columns - 1);
     let in_line = |line: &[Sample]| {
-        let (a, b) = (&line[m - 1], &line[m]);
+        let a = &line[m - 1];
+        let b = &line[m];
         let t = (e - a.contraction) / (b.contraction - a.contraction);
         Some((1.0 - t) * a.pull? + t * b.pull?)
     };
     let mut lines = lines.skip(k - 1);
-    let (a, b) = (lines.next()?, lines.next()?);
+    let a = lines.next()?;
+    let b = lines.next()?;
     let t = (q - a[0].q) / (b[0].q - a[0].q);
     Some((1.0 - t) * in_line(a)? + t * in_line(b)?)
 }

@@ -97,7 +97,8 @@ struct Coefficients {
 
 /// The functions of the pressure at q, and their slopes.
 pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
-    let (mut value, mut slope) = ([0.0; FUNCTIONS], [0.0; FUNCTIONS]);
+    let mut value = [0.0; FUNCTIONS];
+    let mut slope = [0.0; FUNCTIONS];
     (value[0], value[1], slope[1]) = (1.0, q, 1.0);
     for (k, knot) in PRESSURE_KNOTS.into_iter().enumerate() {
         let t = (q - knot).clamp(0.0, 1.0 - knot);
@@ -139,7 +140,8 @@ impl Form {
             6.0 * t * s / h,
             t * (3.0 * t - 2.0),
         ];
-        let (cube, fourth) = (t * t * t, t * t * t * t);
+        let cube = t * t * t;
+        let fourth = t * t * t * t;
         let integral = [
             h * (t - cube + 0.5 * fourth),
             h * h * (0.5 * t * t - 2.0 / 3.0 * cube + 0.25 * fourth),
@@ -148,9 +150,11 @@ impl Form {
         ];
         let mut out = Coefficients::default();
         for i in 0..FUNCTIONS {
-            let (a, b) = (&self.a[i], &self.b[i]);
+            let a = &self.a[i];
+            let b = &self.b[i];
             let here = |w: &[f64; 4]| w[0] * a[n] + w[1] * b[n] + w[2] * a[n + 1] + w[3] * b[n + 1];
-            let (c, by_contraction) = (here(&value), here(&slope));
+            let c = here(&value);
+            let by_contraction = here(&slope);
             let before: f64 = (0..n)
                 .map(|k| {
                     let g = nodes[k + 1] - nodes[k];
@@ -236,10 +240,8 @@ impl Form {
     /// Points q, ε of the box with their pulls, from where it becomes slack to where it pulls
     /// again: the volume of a slack muscle would not be known there.
     pub fn pulls_again(&self) -> Vec<(f64, f64, f64)> {
-        let (low, width) = (
-            self.contraction_low,
-            self.contraction_high - self.contraction_low,
-        );
+        let low = self.contraction_low;
+        let width = self.contraction_high - self.contraction_low;
         // Without pressure a model without a wall is slack nowhere: its pull is rounding.
         let rounding_n = 1e-7 * self.two_sided_n(self.supply_pa, 0.0).0;
         let line = |i: i32| {
@@ -261,7 +263,8 @@ impl Form {
     /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between
     /// bounds, the tangent outside of the box.
     pub fn contraction(&self, force_n: f64, pressure_pa: f64) -> f64 {
-        let (mut low, mut high) = (self.contraction_low, self.contraction_high);
+        let mut low = self.contraction_low;
+        let mut high = self.contraction_high;
         for end in [low, high] {
             let (pull, slope) = self.two_sided_n(pressure_pa, end);
             let beyond = if end == low {

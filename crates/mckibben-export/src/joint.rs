@@ -51,7 +51,9 @@ impl ExportedJoint {
         let angles: Vec<f64> = (0..=STATES[0])
             .map(|k| (low + (high - low) * f64::from(k) / f64::from(STATES[0])).to_radians())
             .collect();
-        let (mut muscles, mut torque, mut stiffness) = (Vec::<ExportedMuscle>::new(), 0.0, 0.0);
+        let mut muscles = Vec::<ExportedMuscle>::new();
+        let mut torque = 0.0;
+        let mut stiffness = 0.0;
         let mut boxes: Vec<BoxRequest> = vec![];
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
             let all = angles

@@ -115,7 +115,8 @@ impl ExportedMuscle {
             blocked_n,
         );
         let muscle_file = to_toml(model.muscle());
-        let (version, model) = (env!("CARGO_PKG_VERSION"), model.info().name.to_string());
+        let version = env!("CARGO_PKG_VERSION");
+        let model = model.info().name.to_string();
         Ok(Self {
             name: name.to_owned(),
             hash: hash(&format!("{muscle_file}{model}{version}{form:?}")),
@@ -139,7 +140,8 @@ impl ExportedMuscle {
     /// The facts in every artefact, a line each.
     pub fn facts(&self) -> Vec<String> {
         let percent = |share: f64| format!("{:.2} %", 100.0 * share);
-        let (e, b) = (&self.errors, &self.bounds);
+        let e = &self.errors;
+        let b = &self.bounds;
         let mut facts = vec![
             format!(
                 "Muscle {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",

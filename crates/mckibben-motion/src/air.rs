@@ -143,7 +143,8 @@ impl Medium for Air {
     }
 
     fn pressure_rate_mpa_per_s(&self, cavity: &Cavity, flows: &[Flow]) -> f64 {
-        let (n, p) = (self.heat.index(), cavity.absolute_mpa);
+        let n = self.heat.index();
+        let p = cavity.absolute_mpa;
         let mut power: f64 = flows.iter().map(|f| n * f.power()).sum();
         if self.heat == Heat::Isothermal {
             power = flows.iter().map(|f| f.mass_g_per_s).sum::<f64>()
@@ -156,7 +157,8 @@ impl Medium for Air {
     }
 
     fn flow_for_rate(&self, rate_mpa_per_s: f64, cavity: &Cavity, supply_k: f64) -> Flow {
-        let (n, p) = (self.heat.index(), cavity.absolute_mpa);
+        let n = self.heat.index();
+        let p = cavity.absolute_mpa;
         let power = rate_mpa_per_s
             * (cavity.volume_mm3 + n * p * cavity.volume_per_pressure_mm3_per_mpa)
             + n * p * cavity.swept_mm3_per_s

@@ -180,7 +180,8 @@ impl System<'_> {
                 .map(|i| (bias_mpa + u * self.turns(i)).max(0.0).min(supply_mpa))
                 .collect()
         };
-        let (least, most) = (-bias_mpa, supply_mpa - bias_mpa);
+        let least = -bias_mpa;
+        let most = supply_mpa - bias_mpa;
         let at = |u: f64| self.net(&pressures(u), q);
         let u = match (at(least)?, at(most)?) {
             (low, _) if low >= 0.0 => least,

@@ -74,7 +74,8 @@ impl System<'_> {
     pub fn guards(&self, t: f64, state: &State, all: bool) -> Result<Vec<(Guard, f64)>> {
         let mut guards = vec![];
         let modes = self.modes.borrow();
-        let (q, v) = (state.coordinate, state.velocity);
+        let q = state.coordinate;
+        let v = state.velocity;
         let mechanism = self.drive.mechanism;
         let (low, high) = mechanism.stops();
         let width = 1e-9 * self.scale.coordinate;

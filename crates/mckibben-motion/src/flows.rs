@@ -111,7 +111,8 @@ impl System<'_> {
         mode: &Mode,
         cavity: &Cavity,
     ) -> FluidRates {
-        let (medium, is_pressure) = (actuated.fluid.medium(), self.drive.target.is_pressure());
+        let medium = actuated.fluid.medium();
+        let is_pressure = self.drive.target.is_pressure();
         let kind = actuated.actuator.kind().unwrap_or(ValveKind::DEFAULT);
         let signal = if is_pressure { error } else { command };
         let wanted = match kind {

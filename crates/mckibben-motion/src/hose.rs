@@ -48,7 +48,8 @@ impl Hose {
 
     /// Its C and b.
     pub fn orifice(&self) -> Orifice {
-        let (d, l) = (1e-3 * self.inner_diameter_mm, 1e-3 * self.length_mm);
+        let d = 1e-3 * self.inner_diameter_mm;
+        let l = 1e-3 * self.length_mm;
         let c = 0.029 * d * d / (l / d.powf(1.25) + 510.0).sqrt();
         let ratio = (474.0 * c / (d * d)).clamp(0.0, 1.0 - 2.0 * LINEAR_SHARE);
         // 1 L/(s bar) = 1e-8 m³/(s Pa)

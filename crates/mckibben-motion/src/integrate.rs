@@ -159,8 +159,11 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
 
     /// Differences by the variables that appear.
     fn jacobian(&self, t: f64, y: &[f64; N], j: &mut Matrix<f64>) {
-        let (mut at, mut rates, mut moved) = (*y, [0.0; N], [0.0; N]);
-        let (core, implicit) = (self.equations.core(), self.equations.implicit());
+        let mut at = *y;
+        let mut rates = [0.0; N];
+        let mut moved = [0.0; N];
+        let core = self.equations.core();
+        let implicit = self.equations.implicit();
         let mut all = vec![0.0; self.equations.len()];
         all.iter_mut()
             .zip(y)
@@ -177,7 +180,8 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
             let Some(x) = at.get_mut(column) else {
                 continue;
             };
-            let (before, step) = (*x, 1e-7 * x.abs().max(*scale));
+            let before = *x;
+            let step = 1e-7 * x.abs().max(*scale);
             *x += step;
             let step = *x - before;
             self.diff(t, &at, &mut moved);
@@ -199,7 +203,8 @@ fn radau<const N: usize>(
     relative: f64,
     first: Option<f64>,
 ) -> Result<Box<dyn Stepper>, String> {
-    let (implicit, relative) = (equations.implicit(), SHARE * relative);
+    let implicit = equations.implicit();
+    let relative = SHARE * relative;
     let mut absolute = vec![relative; N];
     for (a, scale) in absolute.iter_mut().zip(equations.scales()).take(implicit) {
         *a *= scale;
@@ -222,7 +227,9 @@ fn radau<const N: usize>(
     equations.differences(None);
     begun.map_err(|_| NO_START.to_owned())?;
     let before = y.get(implicit..).unwrap_or_default().to_vec();
-    let (state, rates, shorter) = (y.to_vec(), Default::default(), None);
+    let state = y.to_vec();
+    let rates = Default::default();
+    let shorter = None;
     Ok(Box::new(Radau::<_, N> {
         method,
         implicit,
@@ -277,7 +284,8 @@ where
         if matches!(self.method.status(), Status::RejectedStep) {
             return Ok(false);
         }
-        let (from, h) = (self.method.t_prev(), self.method.t() - self.method.t_prev());
+        let from = self.method.t_prev();
+        let h = self.method.t() - self.method.t_prev();
         let quadratures = |all: &[f64]| all.get(self.implicit..).unwrap_or_default().to_vec();
         let mut states = [[0.0; N]; 3];
         for (state, stage) in states.iter_mut().zip(STAGES) {
@@ -327,7 +335,8 @@ where
     }
 
     fn within(&mut self, t: f64) -> Option<Vec<f64>> {
-        let (from, to) = (self.method.t_prev(), self.method.t());
+        let from = self.method.t_prev();
+        let to = self.method.t();
         let t = t.clamp(from, to);
         let core = self.method.interpolate(t).ok()?;
         let mut all: Vec<f64> = core.iter().take(self.implicit).copied().collect();

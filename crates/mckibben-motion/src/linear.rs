@@ -35,7 +35,8 @@ impl Linear {
         };
         let system = System::new(drive)?;
         let start = system.initial_state()?;
-        let (y, coordinate) = (start.to_vec(), start.coordinate);
+        let y = start.to_vec();
+        let coordinate = start.coordinate;
         if system.modes.borrow().stop.is_some() {
             return Err(not_at_rest("the load rests on a stop"));
         }

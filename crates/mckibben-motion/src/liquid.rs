@@ -184,7 +184,8 @@ impl Losses {
             out.linear = out.square * LAMINAR_SHARE * kv;
         }
         if let Some(line) = line {
-            let (d, l) = (1e-3 * line.inner_diameter_mm, 1e-3 * line.length_mm);
+            let d = 1e-3 * line.inner_diameter_mm;
+            let l = 1e-3 * line.length_mm;
             let viscosity = liquid.viscosity_pa_s;
             // Pa s/m³ to MPa s/mm³, and Pa (s/m³)^1.75 likewise.
             out.laminar = 1e-15 * 128.0 * viscosity * l / (PI * d.powi(4));

@@ -146,7 +146,9 @@ impl Memory {
             clamp_slack,
             ..
         } = self;
-        let (kept, next, clamp_slack) = (kept.clone(), next.clone(), clamp_slack.clone());
+        let kept = kept.clone();
+        let next = next.clone();
+        let clamp_slack = clamp_slack.clone();
         Self {
             kept,
             next,
@@ -292,7 +294,8 @@ impl<'a> Member<'a> {
                 if let [Some(force), Some(volume)] = known {
                     return Ok::<_, ModelError>([force, volume]);
                 }
-                let (above, below) = (at(above.0, above.1)?, at(below.0, below.1)?);
+                let above = at(above.0, above.1)?;
+                let below = at(below.0, below.1)?;
                 let [force, volume] =
                     [above.0.force_n - below.0.force_n, above.1 - below.1].map(|d| d / width);
                 Ok([known[0].unwrap_or(force), known[1].unwrap_or(volume)])
@@ -383,7 +386,8 @@ impl<'a> Member<'a> {
                     two_sided: true,
                     ..Options::extrapolating()
                 };
-                let (model, workspace) = (self.muscle.model, &self.memory.workspace);
+                let model = self.muscle.model;
+                let workspace = &self.memory.workspace;
                 let search = Evaluation::new(model, &mut workspace.borrow_mut(), options)
                     .free_contraction(p);
                 let why = |error| format!("a slack muscle has no free contraction: {error}");

@@ -45,11 +45,13 @@ impl Track {
     fn reaches(&self, level: f64, (from, until): (f64, f64)) -> Option<f64> {
         for pair in self.0.windows(2) {
             let [start, end] = pair else { continue };
-            let (a, h) = (start.time, end.time - start.time);
+            let a = start.time;
+            let h = end.time - start.time;
             if end.time <= from || a >= until {
                 continue;
             }
-            let (x, y) = (start.value - level, end.value - level);
+            let x = start.value - level;
+            let y = end.value - level;
             if x == 0.0 && a >= from {
                 return Some(a);
             }
@@ -126,15 +128,15 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
         value: p.gauge_mpa,
         slope: None,
     });
-    let (positions, pressures) = (
-        Track(passed.iter().map(position).collect()),
-        Track(pressures.collect()),
-    );
+    let positions = Track(passed.iter().map(position).collect());
+    let pressures = Track(pressures.collect());
     let mut ends = changes(drive);
     let starts = ends.clone();
     ends.push(drive.until_s);
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
-        let (piece, from, to) = ((begin, end), positions.at(begin), positions.at(end));
+        let piece = (begin, end);
+        let from = positions.at(begin);
+        let to = positions.at(end);
         let step = to - from;
         if step.abs()
             > 1e-9
@@ -167,7 +169,8 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Pas
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }
-        let (p, r) = (pressures.at(begin), pressures.at(end));
+        let p = pressures.at(begin);
+        let r = pressures.at(end);
         let slot = if r > p {
             &mut motion.fill_time_s
         } else {
@@ -231,7 +234,8 @@ pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd,
         .filter(|p| p.time_s >= last)
         .map(|p| p.coordinate)
         .collect();
-    let (first, end) = (*late.first()?, *late.last()?);
+    let first = *late.first()?;
+    let end = *late.last()?;
     let low = late.iter().copied().fold(f64::INFINITY, f64::min);
     let high = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let length = 1.0 / drive.mechanism.lever(0, end).per_coordinate.abs().max(1e-9);

@@ -17,7 +17,8 @@ impl Integration<'_, '_> {
         let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else {
             return;
         };
-        let (from, width) = (self.t, t - self.t);
+        let from = self.t;
+        let width = t - self.t;
         let mut speed = |i: usize| {
             let at = self.within(method, from + width * i as f64 / PIECES as f64);
             at.map_or(0.0, |state| state.velocity.abs())
@@ -35,7 +36,8 @@ impl Integration<'_, '_> {
     /// Notes a point that was passed.
     pub fn pass_by(&mut self, time_s: f64, state: &State) {
         let velocity = if self.rests() { 0.0 } else { state.velocity };
-        let (coordinate, gauge_mpa) = (state.coordinate, state.first_gauge_mpa());
+        let coordinate = state.coordinate;
+        let gauge_mpa = state.first_gauge_mpa();
         self.passed.push(Passed {
             time_s,
             coordinate,
@@ -62,12 +64,10 @@ impl Integration<'_, '_> {
         if step * self.outputs as f64 == t {
             return self.record(t, end.clone());
         }
-        let (from, ends) = (
-            self.t,
-            (
-                system.answers(self.t, &self.state)?,
-                system.answers(t, end)?,
-            ),
+        let from = self.t;
+        let ends = (
+            system.answers(self.t, &self.state)?,
+            system.answers(t, end)?,
         );
         loop {
             let due = step * self.outputs as f64;

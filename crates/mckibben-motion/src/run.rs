@@ -260,7 +260,9 @@ impl<'s, 'd> Integration<'s, 'd> {
                     method.next_step()
                 };
                 if h.is_nan() || h < shortest {
-                    let (time_s, steps, step_s) = (self.t, self.steps, h);
+                    let time_s = self.t;
+                    let steps = self.steps;
+                    let step_s = h;
                     let what = "the step has become too small";
                     return Err(failed.unwrap_or(ended_after(time_s, steps, step_s, what)));
                 }
@@ -324,7 +326,9 @@ impl<'s, 'd> Integration<'s, 'd> {
     fn check_steps(&mut self, end: f64) -> Result<()> {
         self.steps += 1;
         if self.steps > self.system.drive.most_steps {
-            let (time_s, steps, step_s) = (self.t, self.steps, end - self.t);
+            let time_s = self.t;
+            let steps = self.steps;
+            let step_s = end - self.t;
             return Err(ended_after(
                 time_s,
                 steps,

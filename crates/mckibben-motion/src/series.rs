@@ -170,11 +170,9 @@ impl MotionSeries {
 
     /// A point, in the order of [`MotionSeries::names`]; `None` beyond the last one.
     pub fn row(&self, i: usize) -> Option<Vec<f64>> {
-        let (time, q, v) = (
-            *self.time_s.get(i)?,
-            *self.coordinate.get(i)?,
-            *self.velocity.get(i)?,
-        );
+        let time = *self.time_s.get(i)?;
+        let q = *self.coordinate.get(i)?;
+        let v = *self.velocity.get(i)?;
         let mut row = match self.kind {
             Coordinate::Angle => vec![time, q.to_degrees(), v.to_degrees()],
             Coordinate::Shortening { .. } => vec![time, v],

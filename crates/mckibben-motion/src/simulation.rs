@@ -30,7 +30,8 @@ impl Simulation {
         let mut at = Integration::begin(&system, progress)?;
         system.within.set(0.5 * drive.output_step_s);
         at.record(0.0, at.state.clone())?;
-        let (state, motion) = (at.state, at.motion);
+        let state = at.state;
+        let motion = at.motion;
         let modes = system.modes.borrow().clone();
         let memories = system.members.into_iter().map(|m| m.memory).collect();
         Ok(Self {
@@ -44,10 +45,8 @@ impl Simulation {
 
     /// One step on. A step that fails leaves it as it was.
     pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<()> {
-        let (from, end) = (
-            self.time_s(drive),
-            drive.output_step_s * (self.done + 1) as f64,
-        );
+        let from = self.time_s(drive);
+        let end = drive.output_step_s * (self.done + 1) as f64;
         let mut system = System::new(drive)?;
         system.layout.check(&mut self.state)?;
         for (member, memory) in system
@@ -58,7 +57,8 @@ impl Simulation {
             member.memory = memory;
         }
         *system.modes.borrow_mut() = self.modes.clone();
-        let (points, events) = (self.motion.series.points(), self.motion.events.len());
+        let points = self.motion.series.points();
+        let events = self.motion.events.len();
         let motion = std::mem::take(&mut self.motion);
         let mut at = Integration::at((&system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;
@@ -67,7 +67,8 @@ impl Simulation {
         if stepped.is_ok() && at.outputs == self.done + 1 {
             stepped = at.record(end, at.state.clone());
         }
-        let (state, motion) = (at.state, at.motion);
+        let state = at.state;
+        let motion = at.motion;
         self.motion = motion;
         if stepped.is_ok() {
             (self.state, self.modes) = (state, system.modes.borrow().clone());
@@ -144,7 +145,8 @@ impl Simulation {
         progress: &dyn Progress,
     ) -> Result<()> {
         let system = System::new(drive)?;
-        let (len, mut rest) = (system.layout.len, numbers);
+        let len = system.layout.len;
+        let mut rest = numbers;
         let mut take = |count: usize| {
             let (taken, others) = rest.split_at_checked(count)?;
             rest = others;
@@ -152,7 +154,8 @@ impl Simulation {
         };
         let mut modes = self.modes.clone();
         let mut read = || {
-            let (head, state) = (take(2)?, system.layout.state(take(len)?));
+            let head = take(2)?;
+            let state = system.layout.state(take(len)?);
             modes.stop = head.last().copied().filter(|side| *side != 0.0);
             for mode in &mut modes.muscles {
                 let &[slack, sign, switch, turns] = take(4)? else {
@@ -178,7 +181,8 @@ impl Simulation {
         let t = drive.output_step_s * done as f64;
         let mut at = Integration::at((&system, progress), t, state, motion);
         at.record(t, at.state.clone())?;
-        let (state, motion) = (at.state, at.motion);
+        let state = at.state;
+        let motion = at.motion;
         *self = Self {
             done,
             state,

@@ -53,7 +53,8 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
             .collect();
         equilibrium(drive, &pressures).map(|e| e.coordinate)
     };
-    let (from, to) = (still(0.5 * begin)?, still(0.5 * (begin + end))?);
+    let from = still(0.5 * begin)?;
+    let to = still(0.5 * (begin + end))?;
     if from == to {
         return Err(no_rise());
     }
@@ -81,7 +82,8 @@ fn smallest(
     rise: impl Fn(f64) -> Result<(Option<f64>, Motion)>,
 ) -> Result<Option<SizedValve>> {
     let met = |rise: Option<f64>| rise.is_some_and(|r| r <= rise_time_s);
-    let (mut c, mut best) = (given.min(LARGEST), None);
+    let mut c = given.min(LARGEST);
+    let mut best = None;
     loop {
         let (reached_s, motion) = rise(c)?;
         if met(reached_s) {

@@ -210,7 +210,8 @@ impl Layout {
 
     /// Whether a state has as many numbers.
     pub fn check(&self, state: &mut State) -> Result<()> {
-        let (given, needed) = (state.each(|_| {}), self.len);
+        let given = state.each(|_| {});
+        let needed = self.len;
         MotionError::require(given == needed, || {
             format!("{given} numbers were given for a state of {needed}")
         })

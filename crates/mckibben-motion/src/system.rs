@@ -132,14 +132,12 @@ impl<'a> System<'a> {
     fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
-        let (q, v) = (
-            state.coordinate,
-            if modes.stop.is_some() {
-                0.0
-            } else {
-                state.velocity
-            },
-        );
+        let q = state.coordinate;
+        let v = if modes.stop.is_some() {
+            0.0
+        } else {
+            state.velocity
+        };
         let control = self.control(t, state);
         let mut net = 0.0;
         let Point { muscles, rates, .. } = point;
@@ -157,7 +155,8 @@ impl<'a> System<'a> {
         for (i, ((member, now), mode)) in parts.enumerate() {
             let (muscle, medium) = (member.muscle, member.muscle.fluid.medium());
             let lever = mechanism.lever(i, q);
-            let (absolute_mpa, gauge) = (now.absolute_mpa, now.gauge_mpa());
+            let absolute_mpa = now.absolute_mpa;
+            let gauge = now.gauge_mpa();
             let at = member.at(mode.slack, gauge, lever.contraction);
             let at =
                 at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
@@ -227,10 +226,8 @@ impl<'a> System<'a> {
             .enumerate();
         parts
             .map(|(i, ((member, (now, rate)), mode))| {
-                let (p, lever) = (
-                    now.gauge_mpa(),
-                    self.drive.mechanism.lever(i, state.coordinate),
-                );
+                let p = now.gauge_mpa();
+                let lever = self.drive.mechanism.lever(i, state.coordinate);
                 let at = member.at(mode.slack, p, lever.contraction);
                 let at =
                     at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
@@ -252,8 +249,10 @@ fn cavity(
     at: &Answer,
     contraction_rate: f64,
 ) -> Cavity {
-    let (medium, absolute_mpa) = (member.muscle.fluid.medium(), now.absolute_mpa);
-    let (inside, contraction) = (at.volume_mm3, at.contraction);
+    let medium = member.muscle.fluid.medium();
+    let absolute_mpa = now.absolute_mpa;
+    let inside = at.volume_mm3;
+    let contraction = at.contraction;
     let volume_mm3 = inside.value + member.muscle.outside_mm3(now.opening);
     let length_mm = member.length_mm * (1.0 - contraction.value);
     Cavity {
@@ -312,7 +311,8 @@ fn pulls(
     at: &Answer,
     contraction: f64,
 ) -> (f64, Pulls) {
-    let (muscle, pressure_mpa) = (member.muscle, now.gauge_mpa());
+    let muscle = member.muscle;
+    let pressure_mpa = now.gauge_mpa();
     let wall_n = if muscle.rubber.0.is_empty() {
         0.0
     } else {
@@ -410,10 +410,8 @@ impl Equations for System<'_> {
             .zip(&modes.muscles)
             .enumerate();
         for (i, ((member, now), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
-            let (p, e) = (
-                now.gauge_mpa(),
-                self.drive.mechanism.lever(i, state.coordinate).contraction,
-            );
+            let p = now.gauge_mpa();
+            let e = self.drive.mechanism.lever(i, state.coordinate).contraction;
             member.substitute.set(
                 member
                     .answer(p, e)

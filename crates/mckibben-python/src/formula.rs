@@ -50,10 +50,8 @@ impl Formula {
         nan: bool,
     ) -> PyResult<()> {
         let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
-        let (numbers, places) = (
-            points.as_slice().map_err(wrong)?,
-            out.as_slice_mut().map_err(wrong)?,
-        );
+        let numbers = points.as_slice().map_err(wrong)?;
+        let places = out.as_slice_mut().map_err(wrong)?;
         let count = places.len();
         let mut rows = numbers.chunks_exact(count.max(1));
         let [Some(p), Some(e), Some(s), Some(d)] =

@@ -151,10 +151,8 @@ pub fn rollout(
 ) -> PyResult<()> {
     let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
     let count = commands.as_array().ncols();
-    let (rows, places) = (
-        commands.as_slice().map_err(wrong)?,
-        out.as_slice_mut().map_err(wrong)?,
-    );
+    let rows = commands.as_slice().map_err(wrong)?;
+    let places = out.as_slice_mut().map_err(wrong)?;
     let width = py.detach(|| last(&simulation.drive()).len());
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
@@ -164,7 +162,8 @@ pub fn rollout(
     }
     let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {
-        let (done, total) = (AtomicUsize::new(0), places.len() / whole);
+        let done = AtomicUsize::new(0);
+        let total = places.len() / whole;
         let failed: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
         Threads::shared().fill(places, whole, |place, part| {
             let copy = place / whole;

@@ -153,7 +153,8 @@ impl<'a> Grid<'a, '_> {
     }
 
     fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes> {
-        let (panel, cell) = (&self.panels[i], (self.cell)(i));
+        let panel = &self.panels[i];
+        let cell = (self.cell)(i);
         let (x_data, y_data) = extents(panel);
         let plot = Rect {
             x: cell.x + gutters.left,
@@ -275,7 +276,9 @@ impl<'a> Grid<'a, '_> {
     }
 
     fn place_one(&self, index: usize, gutters: Gutters, below: f64) -> Result<Placed<'a>> {
-        let (panel, cell, metrics) = (&self.panels[index], (self.cell)(index), self.metrics);
+        let panel = &self.panels[index];
+        let cell = (self.cell)(index);
+        let metrics = self.metrics;
         let axes = self.axes(index, gutters)?;
         let mut room = room_of(panel, &axes);
         let legend = (below > 0.0).then(|| {

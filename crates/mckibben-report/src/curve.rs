@@ -90,7 +90,8 @@ impl Frame {
             let mut kept = Vec::with_capacity(spots.len() + 4);
             for (i, to) in spots.iter().enumerate() {
                 let from = &spots[(i + spots.len() - 1) % spots.len()];
-                let (a, b) = (inside(from), inside(to));
+                let a = inside(from);
+                let b = inside(to);
                 if (a < 0.0) != (b < 0.0) {
                     kept.push(between(*from, *to, a / (a - b)));
                 }
@@ -169,8 +170,10 @@ fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
 
 /// The part of a segment within a rectangle (Liang and Barsky).
 fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
-    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    let dx = b.0 - a.0;
+    let dy = b.1 - a.1;
+    let mut from = 0.0_f64;
+    let mut to = 1.0_f64;
     let walls = [
         (-dx, a.0 - frame.x),
         (dx, frame.right() - a.0),

@@ -30,7 +30,8 @@ impl Figure {
 
 fn table(out: &mut String, panel: &Panel) {
     let head = ["Data", panel.title.trim()].join(" ");
-    let (x, y) = (escape(&panel.x.label), escape(&panel.y.label));
+    let x = escape(&panel.x.label);
+    let y = escape(&panel.y.label);
     let _ = writeln!(
         out,
         "<details><summary>{}</summary><table>\n<tr><th></th><th>{x}</th><th>{y}</th></tr>",

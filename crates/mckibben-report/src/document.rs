@@ -69,7 +69,8 @@ impl Document {
     pub fn to_html(&self, viewer: &str) -> Result<String> {
         let scripts = "; script-src 'unsafe-inline'; img-src data:";
         let mut out = head(&self.title, STYLE, VIEWPORT, scripts);
-        let (title, lead) = (escape(&self.title), escape(&self.lead));
+        let title = escape(&self.title);
+        let lead = escape(&self.lead);
         let block = title_block(&self.title_block);
         let _ = writeln!(
             out,

@@ -144,7 +144,8 @@ fn leader(spot: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
         spot.0.clamp(rect.x - 1.0, rect.right() + 1.0),
         spot.1.clamp(rect.y, rect.bottom()),
     );
-    let (dx, dy) = (near.0 - spot.0, near.1 - spot.1);
+    let dx = near.0 - spot.0;
+    let dy = near.1 - spot.1;
     let length = dx.hypot(dy);
     (length > RING + 5.5).then(|| {
         let part = RING / length;

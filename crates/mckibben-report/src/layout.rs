@@ -76,7 +76,8 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         return Err(FigureError::Drawing(message));
     }
     let (columns, rows) = grid(figure);
-    let (single, panels_mm) = (figure.panels.len() == 1, 64.0 * rows as f64);
+    let single = figure.panels.len() == 1;
+    let panels_mm = 64.0 * rows as f64;
     let usual_mm = if single { 0.0 } else { 84.0 * columns as f64 };
     let width_mm = figure.size_mm.map_or(usual_mm.max(160.0), |size| size.0);
     let width = width_mm * PER_MM;

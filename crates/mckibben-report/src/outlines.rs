@@ -18,7 +18,8 @@ pub fn texts_as_outlines(svg: &str) -> Result<String> {
     let texts = document
         .descendants()
         .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
-    let (mut out, mut copied) = (String::with_capacity(2 * svg.len()), 0);
+    let mut out = String::with_capacity(2 * svg.len());
+    let mut copied = 0;
     for (i, text) in texts.enumerate() {
         let range = text.range();
         out.push_str(&svg[copied..range.start]);
@@ -39,7 +40,9 @@ fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) 
         let value = text.attribute(name).and_then(|v| v.parse::<f64>().ok());
         value.ok_or_else(|| FigureError::image(format!("a text has no {name}")))
     };
-    let (x, y, size) = (number_of("x")?, number_of("y")?, number_of("font-size")?);
+    let x = number_of("x")?;
+    let y = number_of("y")?;
+    let size = number_of("font-size")?;
     let words = text.text().unwrap_or_default();
     let width = metrics.width(words, size);
     let start = match text.attribute("text-anchor") {
@@ -96,10 +99,8 @@ impl Pen {
     fn command(&mut self, letter: char, points: &[(f32, f32)]) {
         self.out.push(letter);
         for (i, (x, y)) in points.iter().enumerate() {
-            let (x, y) = (
-                self.x + f64::from(*x) * self.scale,
-                self.y - f64::from(*y) * self.scale,
-            );
+            let x = self.x + f64::from(*x) * self.scale;
+            let y = self.y - f64::from(*y) * self.scale;
             // Writing into a string does not fail.
             let _ = write!(self.out, "{}{x:.3} {y:.3}", if i > 0 { " " } else { "" });
         }

@@ -74,7 +74,8 @@ fn ramp(part: f64) -> [u8; 3] {
     let at = part.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
     let left = (at.floor() as usize).min(RAMP.len() - 2);
     let part = at - left as f64;
-    let (a, b) = (RAMP[left], RAMP[left + 1]);
+    let a = RAMP[left];
+    let b = RAMP[left + 1];
     std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
 }
 

@@ -27,7 +27,8 @@ impl Figure {
 /// A drawing as a PDF page of its size.
 pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     let tree = tree(svg)?;
-    let (width, height) = (tree.size().width() * POINTS, tree.size().height() * POINTS);
+    let width = tree.size().width() * POINTS;
+    let height = tree.size().height() * POINTS;
     let mut drawn = Drawn {
         content: Content::new(),
         opacities: vec![],
@@ -168,7 +169,8 @@ impl Drawn {
     }
 
     fn outline(&mut self, segments: impl Iterator<Item = PathSegment>) {
-        let (mut from, mut start) = (Point::zero(), Point::zero());
+        let mut from = Point::zero();
+        let mut start = Point::zero();
         for segment in segments {
             match segment {
                 PathSegment::MoveTo(to) => {

@@ -26,7 +26,8 @@ pub(crate) struct Rect {
 impl Rect {
     /// A square about its middle.
     pub fn about((x, y): Spot, half: f64) -> Self {
-        let (w, h) = (0.0, 0.0);
+        let w = 0.0;
+        let h = 0.0;
         Self { x, y, w, h }.grown(half)
     }
 

@@ -42,7 +42,8 @@ impl Room {
     /// Notes a drawn line.
     pub fn add_line(&mut self, line: &[Spot]) {
         for pair in line.windows(2) {
-            let (a, b) = (pair[0], pair[1]);
+            let a = pair[0];
+            let b = pair[1];
             let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / (0.5 * CELL))
                 .ceil()
                 .max(1.0);
@@ -57,7 +58,8 @@ impl Room {
 
     /// Notes a drawn point.
     pub fn add_spot(&mut self, (x, y): Spot) {
-        let (column, row) = (self.column(x), self.row(y));
+        let column = self.column(x);
+        let row = self.row(y);
         self.cells[row * self.columns + column] = true;
     }
 

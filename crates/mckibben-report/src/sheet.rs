@@ -110,7 +110,9 @@ impl Sheet {
     /// A circle.
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let ((x, y), r) = (self.place(centre), n(radius_mm * PER_MM));
-        let (x, y, stroke) = (n(x), n(y), pen.stroke());
+        let x = n(x);
+        let y = n(y);
+        let stroke = pen.stroke();
         let _ = writeln!(
             self.drawn,
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{stroke}/>"

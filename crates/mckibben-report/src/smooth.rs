@@ -29,7 +29,8 @@ pub(crate) fn smooth(run: &[Spot]) -> Vec<Spot> {
     let at = |i: usize| i.checked_sub(1).and_then(|i| seconds.get(i)).copied();
     let mut out = Vec::with_capacity(2 * run.len());
     for (i, pair) in run.windows(2).enumerate() {
-        let (a, b) = (pair[0], pair[1]);
+        let a = pair[0];
+        let b = pair[1];
         out.push(a);
         // The first and last piece go on as their neighbour does.
         let ends = match (at(i), at(i + 1)) {
@@ -67,7 +68,8 @@ fn second_difference(a: Spot, b: Spot, c: Spot) -> f64 {
 }
 
 fn alike(d: f64, e: f64) -> bool {
-    let (low, high) = (d.abs().min(e.abs()), d.abs().max(e.abs()));
+    let low = d.abs().min(e.abs());
+    let high = d.abs().max(e.abs());
     d * e > 0.0 && high <= ALIKE * low
 }
 

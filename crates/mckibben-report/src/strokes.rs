@@ -21,7 +21,8 @@ pub(crate) fn series(
     colours: &Colours,
 ) {
     if style == Style::Points {
-        let (shape, mut shapes) = (palette::shape(number), String::new());
+        let shape = palette::shape(number);
+        let mut shapes = String::new();
         runs.iter()
             .flatten()
             .for_each(|spot| marker(&mut shapes, shape, *spot));
@@ -109,7 +110,10 @@ pub(crate) fn text(
     attributes: &str,
     content: &str,
 ) {
-    let (x, y, size, content) = (n(x), n(y), n(size), escape(content));
+    let x = n(x);
+    let y = n(y);
+    let size = n(size);
+    let content = escape(content);
     let _ = writeln!(
         out,
         "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" fill=\"{fill}\"{attributes}>{content}</text>"
@@ -140,7 +144,8 @@ fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
     let r = MARKER;
     match shape {
         Shape::Circle => {
-            let (d, r2) = (n(2.0 * r), n(r));
+            let d = n(2.0 * r);
+            let r2 = n(r);
             let _ = write!(
                 path,
                 "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z",
@@ -160,7 +165,8 @@ fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
         }
         Shape::Triangle | Shape::TriangleDown => {
             let up = if shape == Shape::Triangle { 1.0 } else { -1.0 };
-            let (top, foot) = (y - 1.2 * r * up, y + 0.85 * r * up);
+            let top = y - 1.2 * r * up;
+            let foot = y + 0.85 * r * up;
             around(
                 path,
                 &[(x, top), (x + 1.15 * r, foot), (x - 1.15 * r, foot)],

@@ -34,7 +34,8 @@ impl Figure {
 
 /// The beginning of a drawing on white paper, in units of a quarter of a millimetre.
 pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
-    let (w, h) = (n(width), n(height));
+    let w = n(width);
+    let h = n(height);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 \
          {w} {h}\" \
@@ -166,7 +167,9 @@ fn draw_axes(out: &mut String, axes: &Axes) {
 /// Lines at the ticks, through zero, and the axes themselves.
 fn draw_grid(out: &mut String, frame: &Frame) {
     let (plot, bottom) = (frame.plot, frame.plot.bottom());
-    let (mut grid, mut small, mut zero) = (String::new(), String::new(), String::new());
+    let mut grid = String::new();
+    let mut small = String::new();
+    let mut zero = String::new();
     let upright = |v: f64| [(frame.at_x(v), plot.y), (frame.at_x(v), bottom)];
     let level = |v: f64| [(plot.x, frame.at_y(v)), (plot.right(), frame.at_y(v))];
     for v in &frame.x.ticks {
@@ -206,7 +209,9 @@ fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
             continue;
         };
         any = true;
-        let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
+        let x = n(x);
+        let y = n(y);
+        let r = n(labels::RING - 0.7);
         let _ = writeln!(
             out,
             "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" \

@@ -66,7 +66,8 @@ pub async fn ask(
     let cancel = Cancel::default();
     let _ends = EndsWith(cancel.clone());
     let work = move || {
-        let (_place, _entered) = (place, cancel.enter());
+        let _place = place;
+        let _entered = cancel.enter();
         let answer = command.read(request)?.answer(&Silent)?;
         Ok::<_, Problem>(match kind {
             Some(_) => mckibben_app::packed(answer),

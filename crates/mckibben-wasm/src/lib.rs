@@ -48,10 +48,8 @@ pub extern "C" fn reserve(bytes: usize) -> *mut u8 {
 pub extern "C" fn ask(command_bytes: usize) -> u32 {
     let input = INPUT.take();
     let (command, request) = input.split_at(command_bytes.min(input.len()));
-    let (command, request) = (
-        String::from_utf8_lossy(command),
-        String::from_utf8_lossy(request),
-    );
+    let command = String::from_utf8_lossy(command);
+    let request = String::from_utf8_lossy(request);
     let (bytes, wrong) = match ask_packed(&command, &request, &Host) {
         Ok(bytes) => (bytes, 0),
         Err(problem) => (serde_json::to_vec(&problem).unwrap_or_default(), 1),

@@ -126,7 +126,8 @@ impl Evaluation<'_> {
         contraction: f64,
         hanging: &mut Option<SlackState>,
     ) -> Result<Answer> {
-        let (model, options) = (self.model, self.options);
+        let model = self.model;
+        let options = self.options;
         let said = self.check_range(pressure_mpa, contraction)?;
         let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
         warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));

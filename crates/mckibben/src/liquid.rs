@@ -139,7 +139,8 @@ impl Liquid {
 
     /// −dφ/dP in 1/MPa.
     pub fn compliance_per_mpa(&self, pressure_mpa: f64) -> f64 {
-        let (k, absolute) = (self.bulk_modulus_mpa, ATMOSPHERE_MPA + pressure_mpa);
+        let k = self.bulk_modulus_mpa;
+        let absolute = ATMOSPHERE_MPA + pressure_mpa;
         (1.0 - self.gas_share) * (-pressure_mpa / k).exp() / k
             + self.gas_share * ATMOSPHERE_MPA / (absolute * absolute)
     }

@@ -29,7 +29,8 @@ pub struct TooLarge {
 
 /// Refuses more than [`MAX_POINTS`].
 pub fn points(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    let (limit, advice) = (MAX_POINTS as f64, "take larger steps or fewer values");
+    let limit = MAX_POINTS as f64;
+    let advice = "take larger steps or fewer values";
     at_most(TooLarge {
         field,
         estimate,

@@ -201,7 +201,8 @@ fn findings(
         .collect::<Vec<_>>()
         .join(" / ");
     let steepest = |i: usize| (0..3).all(|j| ideal(i, contractions[j]) >= forces[j][0]);
-    let (mut isotonic_falls, mut shorter) = (true, true);
+    let mut isotonic_falls = true;
+    let mut shorter = true;
     for &f in &PULLS_N {
         let list = each(&|m| m.contraction_at(f, HIGHEST_MPA))?;
         isotonic_falls &= list.windows(2).all(|w| w[0] >= w[1]);

@@ -129,7 +129,8 @@ impl Threads {
         let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
         let cancel = Cancel::current();
         pool.in_place_scope(|scope| {
-            let (work, cancel) = (&work, &cancel);
+            let work = &work;
+            let cancel = &cancel;
             scope.spawn(move |_| {
                 let give = |sender: &mut SyncSender<R>, item: &T| {
                     let _entered = cancel.enter();

@@ -71,7 +71,8 @@ impl VerificationRow {
         let ours = ours.filter(|x| x.is_finite());
         let error = ours.map(|x| (x - reference).abs() / scale);
         let ok = error.is_some_and(|e| e <= tolerance);
-        let (kind, measure) = (CaseKind::Verification, Measure::Value);
+        let kind = CaseKind::Verification;
+        let measure = Measure::Value;
         Self {
             name,
             kind,

@@ -15,7 +15,8 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 /// A random muscle, a pressure and the strain of its strands at rest.
 fn random(r: &mut Random) -> Option<(Muscle, f64)> {
     let d0 = r.between(10.0, 60.0);
-    let (wall_mm, length_mm) = (d0 * r.between(0.03, 0.15), d0 * r.between(5.0, 20.0));
+    let wall_mm = d0 * r.between(0.03, 0.15);
+    let length_mm = d0 * r.between(5.0, 20.0);
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.05, 1.0);
     let p = mu * r.log(0.1, 5.0);
@@ -55,7 +56,8 @@ fn main() {
     ];
     let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
-        let (w, stiff_w) = (&mut Workspace::new(), &mut Workspace::new());
+        let w = &mut Workspace::new();
+        let stiff_w = &mut Workspace::new();
         let Ok(fe) = Axisymmetric::new(&muscle) else {
             continue;
         };
@@ -93,7 +95,8 @@ fn main() {
             }
             for (i, (list, model)) in errors.iter_mut().zip(&models).enumerate() {
                 // Inextensible strands are held against finite elements with inextensible strands.
-                let (mut force, mut blocked) = (force, blocked);
+                let mut force = force;
+                let mut blocked = blocked;
                 if i == RIGID {
                     let Ok(fe) = &stiff_fe else { continue };
                     let (Ok(f), Ok(b)) = (fe.force_n(stiff_w, p, e), fe.force_n(stiff_w, p, 0.0))

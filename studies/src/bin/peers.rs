@@ -35,7 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut muscle = Continuation::new(MuscleMesh::new(&muscle, &spec)?.at_rest()?);
     let setup = start.elapsed().as_secs_f64();
     let half = muscle.body.mesh.tube.half_mm;
-    let (mut points, mut trail) = (vec![], Trail::default());
+    let mut points = vec![];
+    let mut trail = Trail::default();
     let began = Instant::now();
     for (e, p) in increments(contraction, &pressures)? {
         increment(&mut muscle, &mut trail, p, -e * half).map_err(|end| end.reason)?;

@@ -17,7 +17,8 @@ fn main() {
             .and_then(|n| n.parse().ok())
             .unwrap_or(usual)
     };
-    let (count, seed) = (number(1, 500) as usize, number(2, 7));
+    let count = number(1, 500) as usize;
+    let seed = number(2, 7);
     let samples = held_out_samples(count, seed);
     let mut rows: Vec<HeldOutRow> = held_out(&samples);
     rows.extend(rubber_laws(count / 5, seed + 1));
@@ -66,7 +67,9 @@ fn small_pressures(samples: &[Sample]) {
          at P/mu 1 (worst), worst in N"
     );
     for ratio in [0.001, 0.003, 0.01, 0.02, 0.05, 0.1] {
-        let (mut here, mut at_modulus, mut newtons) = (vec![], 0.0_f64, 0.0_f64);
+        let mut here = vec![];
+        let mut at_modulus = 0.0_f64;
+        let mut newtons = 0.0_f64;
         for s in samples {
             let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
             let (Ok(fe), Ok(model)) = (
@@ -110,7 +113,8 @@ fn small_pressures(samples: &[Sample]) {
 
 /// Contraction at which the pull ends, between 0 and a largest one, by halves.
 fn zero(model: &dyn ForceModel, p: f64, largest: f64) -> f64 {
-    let (mut low, mut high) = (0.0, largest);
+    let mut low = 0.0;
+    let mut high = largest;
     for _ in 0..30 {
         let mid = 0.5 * (low + high);
         if model

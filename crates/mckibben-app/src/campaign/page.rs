@@ -10,7 +10,9 @@ impl Show for Summary {
     fn page(&self, _: &Units) -> Page {
         let of = &self.provenance;
         let failed = self.failed.iter().map(|(status, f)| {
-            let (points, muscle, cause) = (f.points, f.first_muscle, &f.first_cause);
+            let points = f.points;
+            let muscle = f.first_muscle;
+            let cause = &f.first_cause;
             format!("{status} points {points}, first_muscle {muscle}, first_cause {cause}")
         });
         let mut page = Page::from(
@@ -36,7 +38,8 @@ impl Show for Summary {
                 .unaligned("largest", &value, |r| r.largest),
         );
         for (status, f) in &self.failed {
-            let (muscle, cause) = (f.first_muscle, &f.first_cause);
+            let muscle = f.first_muscle;
+            let cause = &f.first_cause;
             page.paragraph(format!("The first {status} is of muscle {muscle}: {cause}"));
         }
         if self.missing_parts > 0 {
@@ -58,7 +61,9 @@ impl Show for Summary {
 
 impl Show for Merged {
     fn page(&self, _: &Units) -> Page {
-        let (points, muscles, out) = (self.points, self.muscles, place(&self.output));
+        let points = self.points;
+        let muscles = self.muscles;
+        let out = place(&self.output);
         let mut page = Page::default();
         page.line(format!("{points} points of {muscles} muscles are in {out}"));
         page
@@ -67,7 +72,9 @@ impl Show for Merged {
 
 impl Show for CampaignStatus {
     fn page(&self, _: &Units) -> Page {
-        let (parts, wanted, out) = (self.parts, self.parts_wanted, place(&self.output));
+        let parts = self.parts;
+        let wanted = self.parts_wanted;
+        let out = place(&self.output);
         let mut page = Page::default();
         page.line(format!("{parts} of {wanted} parts are in {out}"));
         page.rows(

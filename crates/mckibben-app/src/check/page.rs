@@ -97,13 +97,15 @@ impl CheckAnswer {
     }
 
     fn understood(&self, u: &Units) -> Rows {
-        let (m, summary) = (&self.muscle, &self.summary);
+        let m = &self.muscle;
+        let summary = &self.summary;
         let braid = self.stiffness_n_per_mm.map(|k| {
             let stiffness = u.stiffness().show(k);
             format!("{} ({stiffness} a strand family)", braid_name(m))
         });
         let bulk = MEGAPASCALS.of(self.bulk_modulus_mpa);
-        let (strands, estimate) = (m.braid().strands, summary.estimate());
+        let strands = m.braid().strands;
+        let estimate = summary.estimate();
         let strength = strands.and_then(|s| Some(u.force.show(s.strength_n?) + estimate));
         let end_factor = m.terminals().end_factor.map(|factor| match factor {
             EndFactor::Constant(k) => number(k, 4),
@@ -145,7 +147,8 @@ impl CheckAnswer {
     }
 
     fn derived_rows(&self, u: &Units) -> Rows {
-        let (derived, summary) = (&self.derived, &self.summary);
+        let derived = &self.derived;
+        let summary = &self.summary;
         let both = GRAMS.of(summary.mass_g);
         let rubber = GRAMS.of(summary.rubber_mass_g).filter(|_| both.is_none());
         Rows::default()
@@ -176,7 +179,8 @@ impl CheckAnswer {
 
     /// What to cut and clamp.
     fn build_rows(&self, u: &Units) -> Rows {
-        let (m, sheet) = (&self.muscle, self.muscle.build_sheet());
+        let m = &self.muscle;
+        let sheet = self.muscle.build_sheet();
         let mm = |v: f64| u.length.show(v);
         let assumed = match m.terminals().insertion_mm {
             None => ", assumed",
@@ -186,7 +190,8 @@ impl CheckAnswer {
             None => ", and what a tight fit adds",
             Some(_) => "",
         };
-        let (tube, clamp) = (mm(sheet.tube_cut_mm), mm(m.terminals().insertion_mm()));
+        let tube = mm(sheet.tube_cut_mm);
+        let clamp = mm(m.terminals().insertion_mm());
         let (braid, angle) = (mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4));
         let strands = sheet
             .strands
@@ -222,7 +227,8 @@ fn reach(m: &Muscle) -> String {
 
 fn friction(m: &Muscle, u: &Units) -> Option<String> {
     let f = m.friction()?;
-    let (force, exponent) = (u.force.show(f.coefficient), number(f.exponent, 3));
+    let force = u.force.show(f.coefficient);
+    let exponent = number(f.exponent, 3);
     let rule = format!("± {force} · (P/MPa)^{exponent}");
     let contact = format!("of the strands' contact, μw {}", u.length.show(f.lever_mm));
     Some(match (f.coefficient > 0.0, f.lever_mm > 0.0) {

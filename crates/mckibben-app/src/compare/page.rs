@@ -80,7 +80,8 @@ impl CompareAnswer {
             ""
         };
         let names = in_a_row(self.understood.iter().map(|table| table.data.clone()));
-        let (points, largest) = (self.points, u.force.show(self.largest_force_n));
+        let points = self.points;
+        let largest = u.force.show(self.largest_force_n);
         format!("{points} points of {names}{which}, largest {largest}")
     }
 }

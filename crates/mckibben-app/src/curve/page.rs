@@ -54,7 +54,8 @@ impl CurveAnswer {
             Test::Isotonic => "%",
             _ => &u.force.name,
         };
-        let (low, high) = (half_width(low), half_width(high));
+        let low = half_width(low);
+        let high = half_width(high);
         page.paragraph(format!(
             "± {low} to {high} {unit}: 95 %, against a measured muscle"
         ));

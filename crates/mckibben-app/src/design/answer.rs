@@ -258,7 +258,8 @@ impl SearchedAnswer {
 /// The rubber that is searched with.
 fn rubber_of(spec: &Spec) -> String {
     if !spec.tubes.is_empty() {
-        let (n, of) = (spec.tubes.len(), rubbers(&spec.tubes).join(", "));
+        let n = spec.tubes.len();
+        let of = rubbers(&spec.tubes).join(", ");
         return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
     }
     let names: Vec<&str> = spec
@@ -355,7 +356,8 @@ pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
 /// That neighbours of a bundle touch before the largest contraction that is wanted.
 pub(super) fn touches(bundle: &Bundle) -> Option<Warning> {
     let (touch, largest) = bundle.touches_before()?;
-    let (touch, largest) = (percent(touch), percent(largest));
+    let touch = percent(touch);
+    let largest = percent(largest);
     Some(Warning::from(format!(
         "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and \
          {largest} is required: beyond that they press on each other, which is not computed"
@@ -398,10 +400,8 @@ pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
     } else {
         format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
     };
-    let (at, most) = (
-        number(smallest, 4),
-        percent((most(smallest) * 1e3).round() / 1e3),
-    );
+    let at = number(smallest, 4);
+    let most = percent((most(smallest) * 1e3).round() / 1e3);
     Some(format!(
         "A braid at {at}° contracts by {most} at most; {reach}."
     ))

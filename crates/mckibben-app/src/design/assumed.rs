@@ -25,7 +25,8 @@ pub(super) struct Stated {
 
 impl Stated {
     pub(super) fn new(request: &DesignRequest) -> Self {
-        let (stroke, contraction) = (request.stroke_mm.is_some(), request.contraction.is_some());
+        let stroke = request.stroke_mm.is_some();
+        let contraction = request.contraction.is_some();
         let has_file = request.file().is_some();
         let length_by = match (stroke, contraction) {
             _ if request.length_mm.is_some() || has_file => None,
@@ -111,7 +112,8 @@ pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
     /// Tubes and hoses of rubber have walls of at least half a millimetre, and of a fiftieth of
     /// their diameter.
     const LEAST: (f64, f64) = (0.5, 0.02);
-    let (wall, diameter) = (muscle.wall_mm(), muscle.outer_diameter_mm());
+    let wall = muscle.wall_mm();
+    let diameter = muscle.outer_diameter_mm();
     let least = LEAST.0.max(LEAST.1 * diameter);
     (wall < least * (1.0 - 1e-9)).then(|| {
         let [wall, diameter, least] =

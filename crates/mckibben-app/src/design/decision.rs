@@ -154,7 +154,8 @@ fn parts(c: &Candidate) -> String {
 
 /// The pressures: to set, of the relief valve, and why no more.
 fn set(first: &Candidate) -> String {
-    let (set_mpa, highest_mpa) = (first.pressure_mpa, first.highest_pressure_mpa);
+    let set_mpa = first.pressure_mpa;
+    let highest_mpa = first.highest_pressure_mpa;
     // What is typed as printed is allowed.
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
     let most_mpa = rounded(highest_mpa, 4, f64::floor);

@@ -139,7 +139,8 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
         .iter()
         .max_by(|a, b| half(a).total_cmp(&half(b)))?
         .response;
-    let (model, workspace) = (build(&winner.muscle).ok()?, &mut Workspace::new());
+    let model = build(&winner.muscle).ok()?;
+    let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());
     let parts = model.uncertainty(
         response.pressure_mpa,

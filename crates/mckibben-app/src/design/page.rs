@@ -94,7 +94,8 @@ impl DesignAnswer {
 
     /// What was required, searched and limited.
     fn search_onto(&self, page: &mut Page, u: &Units) {
-        let (searched, liquid) = (&self.searched, self.liquid.as_ref());
+        let searched = &self.searched;
+        let liquid = self.liquid.as_ref();
         let each = self
             .several()
             .map(|count| format!(" of each of {count} muscles"));
@@ -151,7 +152,8 @@ impl DesignAnswer {
 
     /// The muscles as sold that would do.
     fn bought_onto(&self, page: &mut Page, u: &Units) {
-        let (length, force) = (u.length.digits(4), u.force.digits(4));
+        let length = u.length.digits(4);
+        let force = u.force.digits(4);
         let each = self.several().map(|count| format!(", {count} of one"));
         let table = Table::of(&self.bought)
             .text("product", |b| &b.product)
@@ -171,7 +173,8 @@ impl DesignAnswer {
 
 /// What the muscles of a bundle do together.
 fn bundle_onto(bundle: &Bundle, page: &mut Page, u: &Units) {
-    let (length, force) = (u.length.digits(3), u.force.digits(4));
+    let length = u.length.digits(3);
+    let force = u.force.digits(4);
     let is_one = bundle.muscles < 2;
     let apart = (!is_one && bundle.touch_contraction.is_none()).then_some("do not touch");
     page.paragraph(format!(
@@ -224,7 +227,8 @@ impl DemandAnswer {
             }
             Self::Joint { torques, .. } => {
                 let one = |t: &super::TorqueWanted| {
-                    let (torque, angle) = (NEWTON_METRES.show(t.torque_nm), number(t.angle_deg, 4));
+                    let torque = NEWTON_METRES.show(t.torque_nm);
+                    let angle = number(t.angle_deg, 4);
                     format!("{torque} at ±{angle}°")
                 };
                 torques.iter().map(one).collect::<Vec<_>>().join(", ")

@@ -35,7 +35,8 @@ impl ModelPolicy {
 
     /// Does something with the models of a search.
     pub(super) fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
-        let (look, decide) = (|m: &Muscle| self.look(m), |m: &Muscle| self.model.bound(m));
+        let look = |m: &Muscle| self.look(m);
+        let decide = |m: &Muscle| self.model.bound(m);
         let settle = self
             .quick
             .as_ref()

@@ -503,7 +503,8 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
             Values::List(list.collect::<Result<_>>()?)
         }
         Choice::Between { low, high } => {
-            let (low, high) = (finite(field, *low)?, finite(field, *high)?);
+            let low = finite(field, *low)?;
+            let high = finite(field, *high)?;
             if low > high {
                 let message = format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"

@@ -74,7 +74,8 @@ pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
     let edge = |q: &CurvePoint| {
         let a = q.answer.as_ref().ok().filter(|a| !a.slack)?;
         let edges = |v: f64, half: f64| ((v - half).max(v.min(0.0)), v + half);
-        let (pull, pressure) = (|v| u.force.value(v), u.pressure.value(q.pressure_mpa));
+        let pull = |v| u.force.value(v);
+        let pressure = u.pressure.value(q.pressure_mpa);
         let of_pull = || Some(edges(a.response.force_n, a.uncertainty_n?));
         let (x, (low, high)) = match test {
             Test::Isobaric => (q.contraction?, of_pull()?),
@@ -227,7 +228,8 @@ pub fn design(
             .max(reach)
             .min(model.info().range.contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
-        let (max_pressure_mpa, needed) = (candidate.highest_pressure_mpa, candidate.pressure_mpa);
+        let max_pressure_mpa = candidate.highest_pressure_mpa;
+        let needed = candidate.pressure_mpa;
         let workspace = &mut Workspace::new();
         let mut evaluation = Evaluation::new(model.as_ref(), workspace, options);
         for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
@@ -299,7 +301,8 @@ pub fn compare(
     u: &Units,
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
-    let (mut bands, mut formulas) = (vec![], vec![]);
+    let mut bands = vec![];
+    let mut formulas = vec![];
     for (number, mut evaluation) in models.into_iter().enumerate() {
         let model = evaluation.model;
         let colour = model_colour(&model.info().name, &mut formulas);

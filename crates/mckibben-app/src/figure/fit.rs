@@ -94,7 +94,8 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
     let diameters = distinct(m.walls.iter().map(|w| w.outer_diameter_mm));
     let walls = distinct(m.lines.iter().map(|l| l.wall_mm));
     let pressures = distinct(m.curves.iter().map(|c| c.pressure_mpa));
-    let (d, s) = (nearest(&diameters, SHOWN.0), nearest(&walls, SHOWN.1));
+    let d = nearest(&diameters, SHOWN.0);
+    let s = nearest(&walls, SHOWN.1);
     let top = pressures.last().copied().unwrap_or(0.0);
     let about = |text: &str| {
         caption(format!(

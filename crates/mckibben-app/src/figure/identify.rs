@@ -199,7 +199,8 @@ fn fit(
         .bench
         .as_ref()
         .filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
-    let (mut bands, offset) = (vec![], identified.candidate.contraction_offset);
+    let mut bands = vec![];
+    let offset = identified.candidate.contraction_offset;
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
         let key = |f: &&&PointFit| same(levels.key(f), value);
@@ -337,7 +338,8 @@ fn panel(
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
-    let (all, last) = (pressures.len(), pressures.len().saturating_sub(1));
+    let all = pressures.len();
+    let last = pressures.len().saturating_sub(1);
     let shown: Vec<f64> = match pressures.len() {
         n if n <= MEASURED_CURVES => pressures,
         _ => (1..=MEASURED_CURVES)

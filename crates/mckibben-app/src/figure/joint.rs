@@ -12,7 +12,8 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         .first()
         .map_or_else(String::new, |m| m.line(u));
     let mut figure = Figure::new("Joint").palette(Palette::Sequential);
-    let (mut said, mut bands) = ("", vec![]);
+    let mut said = "";
+    let mut bands = vec![];
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
     };

@@ -78,7 +78,8 @@ const LAST: f64 = 0.9;
 
 /// The ± of the end, from the time on from which the load rests.
 fn end_band(run: &MotionRun) -> Option<Series> {
-    let (motion, end) = (&run.motion, &run.end);
+    let motion = &run.motion;
+    let end = &run.end;
     let time = &motion.series.time_s;
     let last = time.last().copied()?;
     let settled = motion

@@ -99,7 +99,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     figure = figure
         .panel(shape.title("outer and inner surface"))
         .panel(tension.title("strand tension"));
-    let (drawn, all) = (shown.len(), solved.len());
+    let drawn = shown.len();
+    let all = solved.len();
     let some = if drawn < all {
         some_of(drawn, all, "shapes")
     } else {

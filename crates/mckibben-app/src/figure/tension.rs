@@ -57,7 +57,8 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
         .filter(|p| p.mode == Mode::General)
         .collect();
     let measured = || points.iter().map(|p| p.nominal_stress_mpa);
-    let (low, high) = (measured().reduce(f64::min)?, measured().reduce(f64::max)?);
+    let low = measured().reduce(f64::min)?;
+    let high = measured().reduce(f64::max)?;
     let room = 0.05 * (high - low).max(1e-9);
     let ends = (low - room, high + room);
     let x = Axis::new("measured P [MPa]").range(ends.0, ends.1);

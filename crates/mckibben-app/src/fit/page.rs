@@ -188,7 +188,8 @@ fn section_errors(errors: &FormulaErrors, page: &mut Page) {
         let name = format!("{} {}", region.quantity, number(region.value, 4));
         (name, &region.errors)
     }));
-    let (share, force) = (PERCENT.digits(3), Units::default().force.digits(3));
+    let share = PERCENT.digits(3);
+    let force = Units::default().force.digits(3);
     page.table(
         Table::of(&rows)
             .text("points that pull", |e| &e.0)
@@ -222,7 +223,8 @@ fn intermediate(f: &FittedFormula, failed: usize, page: &mut Page) {
         "{unused} points were not used, {failed} had no answer"
     ));
     if let Some(g) = &f.global {
-        let (chosen, candidates) = (g.terms.terms.len(), g.candidates);
+        let chosen = g.terms.terms.len();
+        let candidates = g.candidates;
         let step = g.steps.get(chosen.saturating_sub(1));
         let why = step.and_then(|step| step.left_out).map(|rms| {
             let rms = 100.0 * rms;
@@ -249,7 +251,9 @@ fn steps(m: &PaperMethod, page: &mut Page) {
          over s (9) {walls:.4}; X over D0 (11) {diameters:.4}"
     ));
     for c in m.curves.iter().filter(|c| !c.rule.is_empty()) {
-        let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
+        let d = c.outer_diameter_mm;
+        let s = c.wall_mm;
+        let p = c.pressure_mpa;
         page.line(format!("Curve D0 {d}, s {s} mm at {p} MPa: {}", c.rule));
     }
     page.paragraph("Signs that section 3.3.1 of the paper states (pairs of neighbouring curves)");
@@ -269,7 +273,8 @@ fn steps(m: &PaperMethod, page: &mut Page) {
 
 impl Show for Results {
     fn page(&self, _: &Units) -> Page {
-        let (u, share) = (Units::default(), PERCENT.digits(3));
+        let u = Units::default();
+        let share = PERCENT.digits(3);
         let mut page = Page::default();
         page.line(
             "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over \

@@ -9,7 +9,9 @@ use mckibben_fit::identify::{Identification, Identified};
 
 impl Show for IdentifyAnswer {
     fn page(&self, u: &Units) -> Page {
-        let (model, data, points) = (&self.model, &self.data, self.points.len());
+        let model = &self.model;
+        let data = &self.data;
+        let points = self.points.len();
         let mut page = Page::default();
         page.lines(self.understood.iter().map(UnderstoodTable::line));
         page.line(format!("model {model}, {points} points of {data}"));
@@ -45,7 +47,8 @@ impl Show for IdentifyAnswer {
 
 impl IdentifyAnswer {
     fn residuals(&self, u: &Units) -> Rows {
-        let (identified, force) = (&self.identified, u.force.digits(3));
+        let identified = &self.identified;
+        let force = u.force.digits(3);
         let pulls = self.points.iter().map(|p| p.point.at.force_n);
         let largest_n = pulls.fold(0.0, f64::max);
         let bench = identified.bench.as_ref();
@@ -152,7 +155,9 @@ fn bench_text(bench: &Bench, u: &Units) -> String {
     } else {
         ", and the part for friction beside it"
     };
-    let (e, f, unit) = (percent(e), percent(f), &u.force.name);
+    let e = percent(e);
+    let f = percent(f);
+    let unit = &u.force.name;
     format!(
         "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
     )

@@ -132,7 +132,8 @@ impl BoundModel {
         let burst = burst_of(&self.choice, &*self.model)?;
         let done = AtomicUsize::new(0);
         let answer = |&(p, e): &(f64, f64)| {
-            let (p, e) = (finite("pressure_mpa", p)?, ratio(e)?);
+            let p = finite("pressure_mpa", p)?;
+            let e = ratio(e)?;
             let workspace = &mut Workspace::new();
             let mut answer = Evaluation::new(&*self.model, workspace, self.options).point(p, e)?;
             put_first(&mut answer.warnings, said_of(&burst, p, QUIET_MPA));
@@ -185,11 +186,9 @@ impl BoundModel {
         } else {
             BLOCK
         };
-        let (done, failed, first) = (
-            AtomicUsize::new(0),
-            AtomicUsize::new(0),
-            AtomicUsize::new(usize::MAX),
-        );
+        let done = AtomicUsize::new(0);
+        let failed = AtomicUsize::new(0);
+        let first = AtomicUsize::new(usize::MAX);
         let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
         let refuse = |index: usize, problem: Problem| {
             if first.fetch_min(index, Ordering::Relaxed) > index
@@ -207,7 +206,8 @@ impl BoundModel {
         };
         let work = |place: usize, part: &mut [f64]| {
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
-                let (from, length) = (place / width + i * BLOCK, places.len() / width);
+                let from = place / width + i * BLOCK;
+                let length = places.len() / width;
                 // Points behind one without an answer are left out.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() {
                     return;

@@ -39,7 +39,8 @@ impl BoundModel {
         {
             return Ok(0);
         }
-        let (mut failed, mut free) = (0, None);
+        let mut failed = 0;
+        let mut free = None;
         let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in points.enumerate() {
             // A point has the same digits alone and among others: nothing is kept of the one
@@ -82,7 +83,8 @@ impl BoundModel {
         let is_checked =
             self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
         let holds = |(low, high): (f64, f64), v: f64| (low - 1e-12..=high + 1e-12).contains(&v);
-        let (rounding_mm2, pushes) = (ROUNDING * self.outer_area_mm2(), self.options.two_sided);
+        let rounding_mm2 = ROUNDING * self.outer_area_mm2();
+        let pushes = self.options.two_sided;
         let mut points = p.iter().zip(e).zip(out);
         is_checked
             && points.all(|((&p, &e), place)| {
@@ -121,16 +123,19 @@ impl BoundModel {
     ) -> Result<()> {
         let (value, p, e) = match many.wanted {
             PointQuantity::Force => {
-                let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
+                let p = finite("pressure_mpa", a)?;
+                let e = ratio(b)?;
                 (self.force(workspace, p, e, free)?, p, e)
             }
             PointQuantity::Pressure => {
-                let (f, e) = (self.pull(a)?, ratio(b)?);
+                let f = self.pull(a)?;
+                let e = ratio(b)?;
                 let p = self.evaluation(workspace).sought_pressure(f, e)?;
                 (p, p, e)
             }
             PointQuantity::Contraction => {
-                let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
+                let f = self.pull(a)?;
+                let p = finite("pressure_mpa", b)?;
                 let e = self.evaluation(workspace).sought_contraction(f, p)?;
                 (e, p, e)
             }

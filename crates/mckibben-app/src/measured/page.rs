@@ -72,7 +72,8 @@ impl MeasuredCase {
         );
         let results = results.iter().filter(|r| r.case == self.facts.name);
         let results: Vec<&MeasuredResult> = results.collect();
-        let (force, share) = (u.force.digits(3), PERCENT.digits(3));
+        let force = u.force.digits(3);
+        let share = PERCENT.digits(3);
         page.table(
             Table::of(&results)
                 .quantity("rms", &force, |r| r.group.means.rms_n)

@@ -149,7 +149,8 @@ impl Moved {
         file: &DriveFile,
         pressures_mpa: &[f64],
     ) -> Option<EndUncertainty> {
-        let (model, load) = (self.models.first()?, file.load.as_ref()?);
+        let model = self.models.first()?;
+        let load = file.load.as_ref()?;
         let last = run
             .motion
             .series
@@ -160,7 +161,8 @@ impl Moved {
             .copied();
         let contraction = run.motion.equilibrium_contraction.or(last)?;
         let length_mm = model.muscle().length_mm();
-        let (low, high) = (file.stops_mm.0 / length_mm, file.stops_mm.1 / length_mm);
+        let low = file.stops_mm.0 / length_mm;
+        let high = file.stops_mm.1 / length_mm;
         if contraction <= low + ON_STOP || contraction >= high - ON_STOP {
             return None;
         }

@@ -272,8 +272,10 @@ impl Fit<'_> {
         self.progress.check()?;
         let found = found?;
         let one = |(i, free): (usize, &Free)| {
-            let (value, at_bound) = (found.x[i], found.at_bound[i]);
-            let (half_width, limit) = (found.half_widths[i], 0.5 * value.abs());
+            let value = found.x[i];
+            let at_bound = found.at_bound[i];
+            let half_width = found.half_widths[i];
+            let limit = 0.5 * value.abs();
             Identified {
                 target: None,
                 name: free.name.clone(),

@@ -46,7 +46,8 @@ impl Show for MotionAnswer {
 impl MotionRun {
     /// Where it ends; the ± belongs to where it rests.
     fn end_rows(&self, u: &Units) -> Rows {
-        let (run, end) = (&self.motion, &self.end);
+        let run = &self.motion;
+        let end = &self.end;
         let last = |list: &[f64]| list.last().copied();
         let degrees = run.series.degrees();
         let angle_deg = degrees.as_ref().and_then(|[angle, _]| last(angle));

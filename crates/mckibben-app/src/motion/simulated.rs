@@ -42,7 +42,8 @@ impl Setup {
                         _ => of_file.constant(values),
                     };
                     held.ok_or_else(|| {
-                        let (wanted, given) = (of_file.commands().len(), values.len());
+                        let wanted = of_file.commands().len();
+                        let given = values.len();
                         let message = format!("the drive has {wanted} commands, not {given}");
                         Problem::new(ProblemKind::Usage, message, "").in_field("command")
                     })?
@@ -151,7 +152,8 @@ impl SimulatedDrive {
     /// Another one in the same state.
     #[must_use]
     pub fn duplicate(&self) -> Self {
-        let (setup, simulation) = (Arc::clone(&self.setup), self.simulation.duplicate());
+        let setup = Arc::clone(&self.setup);
+        let simulation = self.simulation.duplicate();
         Self {
             setup,
             simulation,

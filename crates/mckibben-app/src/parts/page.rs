@@ -251,8 +251,11 @@ impl RubberDetails {
 
 impl LibraryDetails {
     fn rows(&self, u: &Units) -> Rows {
-        let (of, facts, a) = (&self.muscle, &self.muscle.facts, &self.agreement);
-        let (length, force) = (u.length.digits(4), u.force.digits(3));
+        let of = &self.muscle;
+        let facts = &self.muscle.facts;
+        let a = &self.agreement;
+        let length = u.length.digits(4);
+        let force = u.force.digits(3);
         Rows::default()
             .text("name", &facts.name)
             .text("title", &facts.title)

@@ -55,12 +55,14 @@ impl PointQuantity {
 
 impl PointAnswer {
     pub(crate) fn rows(&self, u: &Units) -> Rows {
-        let (a, background) = (&self.point, &self.background);
+        let a = &self.point;
+        let background = &self.background;
         let r = &a.response;
         let length = u.length.digits(4);
         // The ± belongs to what was sought.
         let quantity = |quantity: PointQuantity| {
-            let (scale, value) = (quantity.scale(u), quantity.value(a));
+            let scale = quantity.scale(u);
+            let value = quantity.value(a);
             match quantity.half_width(a) {
                 _ if quantity != self.sought => scale.of(value),
                 None => Some(format!("{} ± unknown {}", scale.bare(value), scale.name)),

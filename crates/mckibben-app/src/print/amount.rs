@@ -100,7 +100,8 @@ impl Amount {
             Self::Nothing => return None,
             Self::Words(text) => text.clone(),
             Self::Within(number, Some(half)) => {
-                let (number, half) = (scale.rounded(*number), scale.rounded(*half));
+                let number = scale.rounded(*number);
+                let half = scale.rounded(*half);
                 format!("{} ± {}", within(number, half), half_width(half))
             }
             Self::Number(number) | Self::Within(number, None) => scale.bare(*number),

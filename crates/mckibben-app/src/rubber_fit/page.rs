@@ -140,7 +140,9 @@ impl RubberFitAnswer {
     fn closing(&self, page: &mut Page) {
         for law in &self.laws {
             if let Some(free) = law.quality.free_r_squared {
-                let (name, how, with) = (law.form.name(), law.held(), law.quality.r_squared);
+                let name = law.form.name();
+                let how = law.held();
+                let with = law.quality.r_squared;
                 page.line(format!("{name} {how}: R² {with:.5} instead of {free:.5}."));
             }
         }

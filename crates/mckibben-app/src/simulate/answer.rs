@@ -103,7 +103,8 @@ impl From<&Simulated> for SimulatedRow {
         let s = match &q.solution {
             Ok(s) => s,
             Err(error) => {
-                let (status, cause) = (q.status, error.to_string());
+                let status = q.status;
+                let cause = error.to_string();
                 return Self::Failed(FailedPoint {
                     requested: q.requested,
                     status,

@@ -166,10 +166,12 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         ));
     };
     model.admit(&muscle)?;
-    let (ends, inner) = (muscle.ends(), muscle.between_ends());
+    let ends = muscle.ends();
+    let inner = muscle.between_ends();
     let meshed = Meshed::new(elements, &inner)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
-    let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::new());
+    let simulation = meshed.simulation(&muscle);
+    let workspace = &mut Workspace::new();
     let questions = request.questions(&*simulation, workspace)?;
     let deck = request
         .deck

@@ -54,7 +54,8 @@ fn table<'a>(lines: &'a [Line<'a>], u: &Units) -> Table<'a, Line<'a>> {
         SimulatedRow::Answered(point) => Some(point.response.contraction),
         SimulatedRow::Failed(_) => question.requested.contraction,
     };
-    let (length, force) = (u.length.digits(4), u.force.digits(4));
+    let length = u.length.digits(4);
+    let force = u.force.digits(4);
     Table::of(lines)
         .quantity("P", &u.pressure, |line| line.0.requested.pressure_mpa)
         .quantity("ε", &PERCENT, contraction)

@@ -37,13 +37,15 @@ const KINDS: [(&str, CaseKind, Measure, &str); 4] = [
 
 impl Show for ValidateAnswer {
     fn page(&self, _: &Units) -> Page {
-        let (mut page, mut summary) = (Page::default(), vec![]);
+        let mut page = Page::default();
+        let mut summary = vec![];
         for (name, kind, measure, title) in KINDS {
             let is_one = |c: &&VerificationRow| {
                 c.kind == kind && (kind == CaseKind::Verification || c.measure == measure)
             };
             let list: Vec<&VerificationRow> = self.cases.iter().filter(is_one).collect();
-            let (value, error) = (NUMBER.digits(9), NUMBER.digits(2));
+            let value = NUMBER.digits(9);
+            let error = NUMBER.digits(2);
             let mut table = Table::of(&list)
                 .text("ok", |c| c.ok)
                 .text("case", |c| &c.name)

@@ -16,7 +16,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there
 /// are no files.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
-    let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
+    let done = AtomicUsize::new(0);
+    let total = plan.muscles() as usize;
     let rows_of = |&number: &u64| -> Result<Vec<PointRow>, Cancelled> {
         progress.check()?;
         let rows = rows(plan, number);

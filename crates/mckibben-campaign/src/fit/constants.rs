@@ -79,7 +79,8 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
         ..Section::default()
     };
     let point = |contraction: f64, pressure_mpa: f64| {
-        let (force_n, branch) = (force(pressure_mpa, contraction)?, Some(Direction::Mean));
+        let force_n = force(pressure_mpa, contraction)?;
+        let branch = Some(Direction::Mean);
         let at = MeasuredPoint {
             pressure_mpa,
             contraction,
@@ -144,8 +145,11 @@ fn values<const N: usize>(
 
 /// The constants with which our finite elements come nearest to Table 1 and (11).
 pub fn fit_constants() -> Result<Constants> {
-    let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
-    let (table, formula) = (points(TABLE_1_SECTION, table_1), formula_points());
+    let c10 = Target::Law(0);
+    let k = Target::Stiffness;
+    let n = Target::StiffnessExponent;
+    let table = points(TABLE_1_SECTION, table_1);
+    let formula = formula_points();
     let both = [table.clone(), formula.clone()].concat();
     let free = [(c10, 0.1), (k, 600.0), (n, 1.0)];
     let [c10_mpa, ..] = values(free, &[], &both, Loss::Squares)?;

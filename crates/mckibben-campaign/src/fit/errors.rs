@@ -47,7 +47,8 @@ pub fn compared(
         }
     }
     let compare = |p: &FitPoint| {
-        let (outer_diameter_mm, wall_mm) = (p.outer_diameter_mm, p.wall_mm);
+        let outer_diameter_mm = p.outer_diameter_mm;
+        let wall_mm = p.wall_mm;
         let missing = FitError::Refused(format!(
             "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
              so that its errors cannot be stated as shares of its blocked force"

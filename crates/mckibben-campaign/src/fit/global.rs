@@ -68,8 +68,10 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         return Err(FitError::empty(" where the muscle pulls"));
     }
     let values = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
-    let (diameters, walls) = (values(|p| p.outer_diameter_mm), values(|p| p.wall_mm));
-    let (pressures, contractions) = (values(|p| p.pressure_mpa), values(|p| p.contraction));
+    let diameters = values(|p| p.outer_diameter_mm);
+    let walls = values(|p| p.wall_mm);
+    let pressures = values(|p| p.pressure_mpa);
+    let contractions = values(|p| p.contraction);
     let last =
         |list: &[f64], default: f64| list.last().copied().filter(|v| *v > 0.0).unwrap_or(default);
     let scales = Scales {
@@ -168,7 +170,8 @@ fn select(problem: &Problem) -> Vec<usize> {
         .map(|c| c.into_owned())
         .collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
-    let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
+    let mut rest = problem.values.clone();
+    let all = problem.values.norm_squared();
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
     while chosen.len() < MOST_TERMS.min(problem.values.len())
@@ -208,7 +211,8 @@ fn nested(
     chosen: &[usize],
 ) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
     let qr = problem.matrix.select_columns(chosen).qr();
-    let (r, turned) = (qr.r(), qr.q().transpose() * &problem.values);
+    let r = qr.r();
+    let turned = qr.q().transpose() * &problem.values;
     let mut left = problem.values.norm_squared();
     let rows = problem.values.len() as f64;
     let rms_of = |v: &f64| {
@@ -238,7 +242,8 @@ fn leave_out(
         return None;
     }
     let mut sums = vec![0.0; MOST_TERMS];
-    let (mut rows, mut length) = (0, MOST_TERMS);
+    let mut rows = 0;
+    let mut length = MOST_TERMS;
     for &d in inner {
         let (out, kept): (Vec<Compared>, Vec<Compared>) = used
             .iter()

@@ -12,7 +12,8 @@ use mckibben_fem::verification::VerificationRow;
 /// The formulas by both methods, fitted without D0 35, and the published one.
 pub fn cases() -> Vec<VerificationRow> {
     let base = Muscle::prototype();
-    let (campaign, held) = (Grid::PAPER.points(&base), Grid::HELD_OUT.points(&base));
+    let campaign = Grid::PAPER.points(&base);
+    let held = Grid::HELD_OUT.points(&base);
     let row = |name: &str, tolerance: f64, largest: Option<f64>| {
         let name = format!("{name} on D0 35, held out: largest error / blocked force");
         VerificationRow::new(name, "fe", 0.0, largest, tolerance)

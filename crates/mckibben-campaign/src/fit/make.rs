@@ -285,10 +285,8 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
             ..made.clone()
         };
         let fits = |r: &PointRow| {
-            let (a, b) = (
-                made.stiffness_n_per_mm(r.outer_diameter_mm),
-                r.stiffness_of_braid_n_per_mm,
-            );
+            let a = made.stiffness_n_per_mm(r.outer_diameter_mm);
+            let b = r.stiffness_of_braid_n_per_mm;
             a.zip(b).map_or(a == b, |(a, b)| close(a, b))
         };
         if rows.iter().all(fits) {

@@ -132,7 +132,9 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
     enough("outer_diameter_mm", diameters.len(), 3, || {
         "the table".into()
     })?;
-    let (mut curves, mut lines, mut walls) = (vec![], vec![], vec![]);
+    let mut curves = vec![];
+    let mut lines = vec![];
+    let mut walls = vec![];
     for &d in &diameters {
         let of_diameter: Vec<&FitPoint> = points
             .iter()

@@ -44,7 +44,8 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
                 let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");
                 let key =
                     |c: &(f64, f64, [f64; 3])| if with == "P" { (c.0, c.1) } else { (c.1, c.0) };
-                let (mut holding, mut pairs) = (0, 0);
+                let mut holding = 0;
+                let mut pairs = 0;
                 for a in &curves {
                     let (fixed, from) = key(a);
                     let next = curves

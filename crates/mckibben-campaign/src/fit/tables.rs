@@ -60,12 +60,10 @@ fn cells(row: Value) -> Vec<Value> {
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
         let abc = [0, 1, 2].map(|k| c.abc.map(|f| f.coefficients[k]));
-        let (d, s, p, r2) = (
-            c.outer_diameter_mm,
-            c.wall_mm,
-            c.pressure_mpa,
-            c.abc.map(|f| f.r2),
-        );
+        let d = c.outer_diameter_mm;
+        let s = c.wall_mm;
+        let p = c.pressure_mpa;
+        let r2 = c.abc.map(|f| f.r2);
         json!([d, s, p, abc, r2, c.points.len(), c.rule])
     });
     let lines = m.lines.iter().map(|l| {
@@ -88,7 +86,9 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        let (d, holding, pairs) = (s.outer_diameter_mm, s.holding, s.pairs);
+        let d = s.outer_diameter_mm;
+        let holding = s.holding;
+        let pairs = s.pairs;
         json!([d, s.coefficient, s.with, way, holding, pairs, verdict])
     });
     vec![

@@ -31,7 +31,8 @@ pub struct Build {
 
 impl Build {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
-        let (folder, target) = (self.output.as_deref(), self.report.as_deref());
+        let folder = self.output.as_deref();
+        let target = self.report.as_deref();
         check_ending(target, &["html", "htm", "pdf"])?;
         let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
         let browser = is_pdf.then(pdf::browser).transpose()?;
@@ -52,7 +53,8 @@ impl Build {
         folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
         let add = |page: &mut Page| {
             if let Some(folder) = folder {
-                let (count, place) = (answer.files.len(), place(folder));
+                let count = answer.files.len();
+                let place = place(folder);
                 page.paragraph(format!(
                     "{count} files are in {place}; begin with README.md."
                 ));

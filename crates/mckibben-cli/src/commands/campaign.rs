@@ -143,8 +143,10 @@ fn run(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, 
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {
-    let (counts, seconds) = (outcome.counts, time.as_secs_f64());
-    let (muscles, points) = (counts.muscles, counts.points);
+    let counts = outcome.counts;
+    let seconds = time.as_secs_f64();
+    let muscles = counts.muscles;
+    let points = counts.points;
     let (of, path) = if outcome.complete {
         (String::new(), place(&outcome.output))
     } else {
@@ -156,7 +158,8 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
     }
     out.push('\n');
     if points > 0 {
-        let (time, rate) = (number(seconds, 3), number(points as f64 / seconds, 3));
+        let time = number(seconds, 3);
+        let rate = number(points as f64 / seconds, 3);
         out += &format!("{points} points in {time} s ({rate} a second)");
         if counts.failed > 0 {
             out += &format!(

@@ -96,7 +96,8 @@ impl Fit {
 }
 
 fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
-    let (mut tables, mut files) = (Map::new(), vec![]);
+    let mut tables = Map::new();
+    let mut files = vec![];
     for table in std::mem::take(&mut answer.tables) {
         files.push((format!("{}.csv", table.name), table.to_csv()));
         tables.insert(table.name.into(), table.to_value());

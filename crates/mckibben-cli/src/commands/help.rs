@@ -21,7 +21,8 @@ pub struct Help {
 
 impl Help {
     pub fn run(self) -> Result<u8, Problem> {
-        let (mut root, words) = (built(), self.command);
+        let mut root = built();
+        let words = self.command;
         let mut command = &mut root;
         for word in &words {
             command = command
@@ -52,7 +53,8 @@ pub struct ManPages {
 
 impl ManPages {
     pub fn run(self) -> Result<u8, Problem> {
-        let (root, words) = (built(), self.command);
+        let root = built();
+        let words = self.command;
         let Some(folder) = self.output else {
             let command = words
                 .iter()
@@ -60,7 +62,8 @@ impl ManPages {
             emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
             return Ok(0);
         };
-        let (mut left, mut pages) = (vec![&root], vec![]);
+        let mut left = vec![&root];
+        let mut pages = vec![];
         while let Some(command) = left.pop() {
             pages.push((Man::new(command.clone()).get_filename(), page(command)?));
             left.extend(command.get_subcommands());

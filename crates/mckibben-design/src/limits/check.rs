@@ -38,7 +38,8 @@ impl Check {
     /// What the muscle has and what it may have, with pressures, forces and lengths written by
     /// `show`.
     pub fn describe(&self, show: Show<'_>) -> String {
-        let (value, bound) = (self.value, self.bound);
+        let value = self.value;
+        let bound = self.bound;
         if let Some(entry) = self.limit.at_points() {
             return (entry.missed)(value, bound, show);
         }
@@ -149,7 +150,8 @@ impl AtPoint<'_, '_> {
 
 /// The pull at the highest pressure against what is wanted.
 fn pull(trial: &mut Trial<'_>, point: &OperatingPoint) -> Result<Check> {
-    let (pressure_mpa, contraction) = (trial.highest_mpa, point.contraction);
+    let pressure_mpa = trial.highest_mpa;
+    let contraction = point.contraction;
     if !trial.spec.extrapolate {
         let info = trial.model.info();
         info.range.check(&info.name, pressure_mpa, contraction)?;

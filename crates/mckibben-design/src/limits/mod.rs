@@ -159,7 +159,8 @@ pub static AT_POINTS: [LimitAtPoints; 4] = [
             stroke => Ok(stroke),
         },
         missed: |value_mm3, bound_mm3, _| {
-            let (volume, limit) = ((0.1 * value_mm3).ceil() / 100.0, round(1e-3 * bound_mm3));
+            let volume = (0.1 * value_mm3).ceil() / 100.0;
+            let limit = round(1e-3 * bound_mm3);
             format!("takes {volume} mL of liquid, at most {limit} mL allowed")
         },
         allow: |liquid_volume_mm3| Relaxation::MaxLiquidVolume { liquid_volume_mm3 },

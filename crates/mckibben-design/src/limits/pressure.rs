@@ -112,7 +112,8 @@ impl PressureLimit {
 
     /// The change that allows a pressure.
     pub fn allow(self, needed_mpa: f64, trial: &mut Trial<'_>) -> Option<Change> {
-        let (limits, supply_mpa) = (&trial.spec.limits, trial.spec.max_pressure_mpa);
+        let limits = &trial.spec.limits;
+        let supply_mpa = trial.spec.max_pressure_mpa;
         if self != Self::Supply && needed_mpa > supply_mpa {
             return None;
         }

@@ -140,7 +140,8 @@ fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
 }
 
 pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
-    let (f, id) = (&muscle.form, muscle.identifier());
+    let f = &muscle.form;
+    let id = muscle.identifier();
     let braces = ["{", "}"];
     let one = |v: f64| format!("MCKIBBEN_R({})", number(v));
     let mut values = common(muscle);

@@ -55,13 +55,15 @@ fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
 
 /// Of dF/dL where both pull, over the blocked force over the stroke at the supply.
 fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
-    let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let form = &muscle.form;
+    let blocked_n = muscle.blocked_force_n;
     let errors: Vec<f64> = muscle
         .held_out
         .iter()
         .filter(|p| p.contraction >= 0.0 && p.pull.is_some_and(|pull| pull > 0.0))
         .filter_map(|p| {
-            let (q, x) = (p.q, 1.0 - p.contraction);
+            let q = p.q;
+            let x = 1.0 - p.contraction;
             let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
             let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
             let stiffness = form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m;
@@ -73,7 +75,8 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
 
 /// The muscle of native actuators as a part of any model, and what is to be known of it.
 fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> {
-    let (f, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let f = &muscle.form;
+    let blocked_n = muscle.blocked_force_n;
     let refused = || {
         ExportError::Host(
             "the pull of this muscle is not of the form that MuJoCo's actuators \
@@ -84,8 +87,10 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
     let (k, error) = fitted(muscle)
         .filter(|(_, error)| error.worst <= LIMIT)
         .ok_or_else(refused)?;
-    let (length, per_pa) = (f.length_m, blocked_n / f.supply_pa);
-    let (span, cord) = (2.0 * REACH * length, muscle.cord_m / length);
+    let length = f.length_m;
+    let per_pa = blocked_n / f.supply_pa;
+    let span = 2.0 * REACH * length;
+    let cord = muscle.cord_m / length;
     let per_square = (span / length).powi(2);
     // A parabola that opens upwards lies on the first quarter, one that opens downwards on the
     // third, which begins at 1.
@@ -150,7 +155,8 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
 
 /// The form itself with one control for a muscle, as a part of any model.
 fn plugin(muscle: &ExportedMuscle, way: Way<'_>) -> Vec<File> {
-    let (id, supply) = (muscle.identifier(), number(muscle.form.supply_pa));
+    let id = muscle.identifier();
+    let supply = number(muscle.form.supply_pa);
     let actuator = render(
         include_str!("../../templates/muscle_plugin.xml"),
         &[],
@@ -262,12 +268,11 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
 
 /// A scene in which a mass hangs from the muscle.
 fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> File {
-    let (length, blocked_n, id) = (
-        muscle.form.length_m,
-        muscle.blocked_force_n,
-        muscle.identifier(),
-    );
-    let (mass_kg, stiffness) = (0.4 * blocked_n / 9.81, 6.0 * blocked_n / length);
+    let length = muscle.form.length_m;
+    let blocked_n = muscle.blocked_force_n;
+    let id = muscle.identifier();
+    let mass_kg = 0.4 * blocked_n / 9.81;
+    let stiffness = 6.0 * blocked_n / length;
     let places = [
         ("part", format!("{id}{kind}_part.xml")),
         ("below", number(-length - muscle.cord_m)),
@@ -286,8 +291,12 @@ fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> F
 
 /// The joint as a hinge with its link, by native actuators and by the plugins of its muscles.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
-    let (id, link, paths) = (joint.identifier(), joint.joint.link(), joint.paths());
-    let (mut parts, mut plugins, mut notes) = (vec![], vec![], vec![]);
+    let id = joint.identifier();
+    let link = joint.joint.link();
+    let paths = joint.paths();
+    let mut parts = vec![];
+    let mut plugins = vec![];
+    let mut notes = vec![];
     for (muscle, path) in joint.muscles.iter().zip(&paths) {
         let (part, said) = native(muscle, Some((path, &id)))?;
         notes.extend(
@@ -300,7 +309,8 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mass = link.mass_kg + link.payload_kg;
     let moment = 1e-3 * (link.mass_kg * link.centre_mm + link.payload_kg * link.payload_at_mm);
     let centre = if mass > 0.0 { moment / mass } else { 0.0 };
-    let (inertia, least) = (link.whole_inertia_kg_m2(), moment * centre);
+    let inertia = link.whole_inertia_kg_m2();
+    let least = moment * centre;
     if inertia < (1.0 - 1e-9) * least {
         return Err(ExportError::Host(format!(
             "[joint] inertia: {inertia:.3e} kg m2 with the payload is less than {least:.3e} kg m2, \

@@ -25,7 +25,8 @@ pub(super) const TARGET: Target = Target {
 };
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let (form, blocked_n) = (&muscle.form, muscle.blocked_force_n);
+    let form = &muscle.form;
+    let blocked_n = muscle.blocked_force_n;
     let refused = || {
         ExportError::Host(
             "the pull of this muscle is not of the form that OpenSim's actuator has; \
@@ -40,7 +41,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     )
     .ok_or_else(refused)?;
     let (_, alone) = fit(muscle, |q, x| [q, q * x * x], false).ok_or_else(refused)?;
-    let (per_pa, length) = (blocked_n / form.supply_pa, form.length_m);
+    let per_pa = blocked_n / form.supply_pa;
+    let length = form.length_m;
     // P (3 L² − thread²)/(4π turns²) needs a parabola that opens upwards and is negative at L = 0.
     if !(k[1] > 0.0 && k[0] < 0.0 && error.worst <= LIMIT) {
         return Err(refused());

@@ -56,7 +56,8 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
 }
 
 fn module(muscle: &ExportedMuscle) -> File {
-    let (f, round) = (&muscle.form, ["(", ")"]);
+    let f = &muscle.form;
+    let round = ["(", ")"];
     let mut values = common(muscle);
     values.extend([
         ("py_nodes", list(&f.contractions, round, number)),

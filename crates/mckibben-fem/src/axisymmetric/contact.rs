@@ -106,7 +106,11 @@ fn contact_at(
     // Curvature of the meridian, positive where it bulges.
     let nodes = d.mesh.line(slab, 2 * l.through);
     let (n, slope) = along(GAUSS2[g].0);
-    let (mut r, mut r1, mut z1, mut r2, mut z2) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    let mut r = 0.0;
+    let mut r1 = 0.0;
+    let mut z1 = 0.0;
+    let mut r2 = 0.0;
+    let mut z2 = 0.0;
     for a in 0..3 {
         let r_a = nodes[a][0] + line[2 * a];
         let z_a = nodes[a][1] + line[2 * a + 1];

@@ -179,7 +179,8 @@ impl BrickSpec {
 
     /// Heights of the rows of nodes, and of the last ones at the terminal.
     fn row_heights(&self, tube: &Quarter, around: usize, along: usize) -> (f64, f64) {
-        let (order, half) = (self.brick.order(), tube.half_mm);
+        let order = self.brick.order();
+        let half = tube.half_mm;
         let (_, height) = self.cell(tube, around * order);
         let rows = (along * order) as f64;
         match (self.keep, self.along) {

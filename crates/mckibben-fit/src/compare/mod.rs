@@ -55,7 +55,8 @@ pub fn compare(
 ) -> Result<Comparison, ModelError> {
     let info = evaluation.model.info();
     let mut differences = vec![];
-    let (mut unanswered, mut first) = (0, None);
+    let mut unanswered = 0;
+    let mut first = None;
     for point in pulls {
         cancel::check()?;
         let MeasuredPoint {
@@ -92,7 +93,8 @@ pub fn compare(
     let points = differences.len();
     let errors =
         |differences: Vec<f64>| Some(Errors::new(differences)).filter(|errors| errors.points > 0);
-    let (pulls, volumes) = (errors(differences), errors(volume_differences));
+    let pulls = errors(differences);
+    let volumes = errors(volume_differences);
     Ok(Comparison {
         model: info.name.to_string(),
         rms_n: pulls.as_ref().map(|e| e.rms),

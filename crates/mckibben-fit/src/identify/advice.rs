@@ -70,7 +70,9 @@ fn no_branch(points: &[DataPoint]) -> Option<String> {
 
 /// Sentences about the points before anything is computed.
 pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
-    let (mut notes, muscle, history) = (vec![], request.muscle, request.history);
+    let mut notes = vec![];
+    let muscle = request.muscle;
+    let history = request.history;
     let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
     if let Some(sentence) = units(muscle, points) {
         if !free.iter().any(|t| t.is_geometry()) {
@@ -157,7 +159,8 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         return None;
     }
     ratios.sort_by(f64::total_cmp);
-    let (middle, high) = (ratios[ratios.len() / 2], ratios[9 * ratios.len() / 10]);
+    let middle = ratios[ratios.len() / 2];
+    let high = ratios[9 * ratios.len() / 10];
     let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
     let pressure = show(highest);
     let (ratio, why) = if middle > 2.5 {
@@ -232,7 +235,8 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
         .filter(|p| p.measured == Quantity::Force)
         .collect();
     order.sort_by(|a, b| {
-        let (p, q) = (&a.at, &b.at);
+        let p = &a.at;
+        let q = &b.at;
         p.pressure_mpa
             .total_cmp(&q.pressure_mpa)
             .then(p.contraction.total_cmp(&q.contraction))
@@ -242,7 +246,8 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
         .map(|p| p.at.force_n.abs())
         .fold(0.0, f64::max);
     let clash = |pair: &&[&DataPoint]| {
-        let (a, b) = (pair[0], pair[1]);
+        let a = pair[0];
+        let b = pair[1];
         let same = (a.at.pressure_mpa - b.at.pressure_mpa).abs() < 1e-9
             && (a.at.contraction - b.at.contraction).abs() < 1e-9
             && a.section == b.section
@@ -260,12 +265,11 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
         "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer \
          than later ones)"
     };
-    let (which, f, g) = (
-        lines(&[a.line, b.line]),
-        show(a.at.force_n),
-        show(b.at.force_n),
-    );
-    let (p, e) = (show(a.at.pressure_mpa), show(a.at.contraction));
+    let which = lines(&[a.line, b.line]);
+    let f = show(a.at.force_n);
+    let g = show(b.at.force_n);
+    let p = show(a.at.pressure_mpa);
+    let e = show(a.at.contraction);
     let more = if pairs.len() > 1 {
         format!(", and {} more pairs", pairs.len() - 1)
     } else {
@@ -317,7 +321,8 @@ pub(super) fn after(result: &Identification, request: &Request<'_>) -> Vec<Strin
         } else {
             ""
         };
-        let (which, s) = (lines(&far), if far.len() == 1 { "s" } else { "" });
+        let which = lines(&far);
+        let s = if far.len() == 1 { "s" } else { "" };
         notes.push(format!(
             "{which} lie{s} more than {FAR} robust deviations from the model{robust}"
         ));
@@ -363,7 +368,9 @@ fn never_locks(result: &Identification, target: Target) -> Option<&'static str> 
 
 fn unidentifiable(result: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
-        let (name, unit, value) = (&p.name, p.unit, show(p.value));
+        let name = &p.name;
+        let unit = p.unit;
+        let value = show(p.value);
         if p.implausible {
             format!(
                 "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer \
@@ -399,7 +406,8 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
                  one of them"
             )
         } else {
-            let (half, limit) = (show(p.half_width), format!("{} {unit}", show(p.limit)));
+            let half = show(p.half_width);
+            let limit = format!("{} {unit}", show(p.limit));
             let limit = limit.trim();
             format!(
                 "{name} is not identifiable from these data: ± {half} is more than {limit}; hold \
@@ -443,7 +451,8 @@ fn correlated(result: &Identification) -> Vec<String> {
         for j in 0..i {
             let rho = result.correlation[i][j];
             if rho.abs() > TOGETHER {
-                let (a, b) = (&result.parameters[j].name, &result.parameters[i].name);
+                let a = &result.parameters[j].name;
+                let b = &result.parameters[i].name;
                 let way = if rho > 0.0 {
                     "together"
                 } else {
@@ -533,7 +542,8 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     Some(if wrong.is_empty() {
         format!("{left}; the model agrees that the muscle is slack there")
     } else {
-        let (n, which) = (wrong.len(), lines(&wrong));
+        let n = wrong.len();
+        let which = lines(&wrong);
         format!("{left}; at {n} of them the model pulls by more than twice the rms ({which})")
     })
 }

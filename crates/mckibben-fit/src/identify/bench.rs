@@ -60,7 +60,8 @@ pub(super) fn bench(
     let seen = |b: &Direction| stated && points.iter().any(|f| f.point.at.branch == Some(*b));
     let branches: Vec<Direction> = Direction::ALL.into_iter().filter(seen).collect();
     // A muscle that would have to push may have no equilibrium; its ± is not needed.
-    let (long, w) = (ThickWall::new(muscle), &mut Workspace::new());
+    let long = ThickWall::new(muscle);
+    let w = &mut Workspace::new();
     let mut half_width_n = |p: f64, e: f64| {
         long.force_n(w, p, e).ok().filter(|f| *f > 0.0)?;
         let at = MeasuredPoint {
@@ -120,7 +121,8 @@ impl Minimum<'_> {
 /// The residual in N that a further one does not exceed in 95 of 100 cases: of the muscle's points
 /// where they are many, else of all.
 fn scatter_n(result: &Identification, points: &[&PointFit]) -> f64 {
-    let (all, freedom) = (&result.points, result.freedom as f64);
+    let all = &result.points;
+    let freedom = result.freedom as f64;
     let of_all = || largest_of_95(&all.iter().collect::<Vec<_>>());
     match largest_of_95(points).or_else(of_all) {
         // Constants that were fitted to the points make the residuals smaller.
@@ -140,7 +142,8 @@ fn largest_of_95(points: &[&PointFit]) -> Option<f64> {
     let mut sizes: Vec<f64> = points.iter().map(|f| f.residual_n.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let place = 0.95 * (sizes.len() + 1) as f64 - 1.0;
-    let (left, share) = (place.floor() as usize, place.fract());
+    let left = place.floor() as usize;
+    let share = place.fract();
     let low = sizes.get(left).filter(|_| sizes.len() >= MANY)?;
     let high = sizes.get(left + 1).unwrap_or(low);
     Some((1.0 - share) * low + share * high)

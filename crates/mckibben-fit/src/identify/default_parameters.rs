@@ -93,7 +93,8 @@ pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Bu
     let (Some(a), Some(b)) = (model(value), model(other)) else {
         return false;
     };
-    let (mut wa, mut wb) = (Workspace::new(), Workspace::new());
+    let mut wa = Workspace::new();
+    let mut wb = Workspace::new();
     points.iter().any(|p| {
         let (p, e) = (p.at.pressure_mpa, p.at.contraction);
         match (a.force_n(&mut wa, p, e), b.force_n(&mut wb, p, e)) {

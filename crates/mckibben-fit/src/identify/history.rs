@@ -50,7 +50,8 @@ pub(super) fn shares(
 ) -> Option<Vec<f64>> {
     let friction = muscle.friction()?;
     let mut last: Option<(&DataPoint, Presliding)> = None;
-    let (mut remaining, mut out) = (points.iter().peekable(), vec![]);
+    let mut remaining = points.iter().peekable();
+    let mut out = vec![];
     for row in rows {
         let at_mm = row.at.contraction * row.section.length_mm.unwrap_or(muscle.length_mm());
         let before = last.take().filter(|(before, _)| continues(row, before));

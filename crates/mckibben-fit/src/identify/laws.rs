@@ -128,7 +128,8 @@ fn doubt(law: &Law) -> Option<String> {
     let negative = values
         .iter()
         .find(|c| c.constant.is_modulus() && c.value < 0.0)?;
-    let (name, value) = (&negative.name, negative.value);
+    let name = &negative.name;
+    let value = negative.value;
     Some(format!(
         "{name} is {value:.3} MPa, below zero: the law may lose its stability"
     ))

@@ -89,7 +89,8 @@ fn at_measured_pull(
     offset: f64,
 ) -> Result<Local> {
     let at = &point.at;
-    let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
+    let mut p = at.pressure_mpa;
+    let mut e = at.contraction + offset;
     const STEPS: usize = 30;
     for _ in 0..STEPS {
         let here = local(m, w, p, e, at.direction())?;
@@ -121,7 +122,8 @@ impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history;
     /// `start`: values of the free targets.
     pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
-        let (chunks, scales) = (chunks(points), [1.0; 4]);
+        let chunks = chunks(points);
+        let scales = [1.0; 4];
         let mut out = Self {
             request,
             points,
@@ -155,7 +157,8 @@ impl<'a> Problem<'a> {
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
             let (at, branch) = (&point.at, point.at.direction());
-            let (p, e) = (at.pressure_mpa, at.contraction + offset);
+            let p = at.pressure_mpa;
+            let e = at.contraction + offset;
             let off = match point.measured {
                 Quantity::Force => match shares.as_ref().and_then(|list| list.get(i)) {
                     Some(share) => {
@@ -307,7 +310,8 @@ impl<'a> Problem<'a> {
         names: &[String],
         here: &Local,
     ) -> Result<Vec<f64>> {
-        let (p, e) = (here.pressure_mpa, here.contraction);
+        let p = here.pressure_mpa;
+        let e = here.contraction;
         let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
@@ -352,7 +356,8 @@ fn chain_rule(
     muscle: &Muscle,
     candidate: &Candidate,
 ) -> Vec<(String, f64)> {
-    let (d, family) = (muscle.outer_diameter_mm(), candidate.family);
+    let d = muscle.outer_diameter_mm();
+    let family = candidate.family;
     let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
     match target {
         Target::Modulus => {
@@ -436,7 +441,8 @@ fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
     let mut out = vec![];
     for mut group in groups {
         group.rows.sort_by(|&a, &b| {
-            let (a, b) = (&points[a].at, &points[b].at);
+            let a = &points[a].at;
+            let b = &points[b].at;
             a.contraction
                 .total_cmp(&b.contraction)
                 .then(b.pressure_mpa.total_cmp(&a.pressure_mpa))

@@ -43,7 +43,9 @@ impl<'a> Request<'a> {
         points: &'a [DataPoint],
         build: &'a Build<'a>,
     ) -> Self {
-        let (fixed, progress, loss) = (&[], &Silent, Loss::Squares);
+        let fixed = &[];
+        let progress = &Silent;
+        let loss = Loss::Squares;
         Self {
             muscle,
             free,
@@ -134,7 +136,8 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     let without = points.iter().find(|p| p.error.is_none());
     if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
-        let (all, line) = (points.len(), *line);
+        let all = points.len();
+        let line = *line;
         return Err(DataError::SomeErrors { stated, all, line }.into());
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
@@ -176,7 +179,8 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
     let too_few = |points| {
-        let (dropped, parameters) = (slack.len(), unknowns.len());
+        let dropped = slack.len();
+        let parameters = unknowns.len();
         IdentifyError::Data(DataError::TooFew {
             points,
             dropped,
@@ -309,7 +313,10 @@ type Kept = (Vec<DataPoint>, Vec<f64>, Option<String>);
 /// Points without an answer at the start are left out, where they are few: those that remain with
 /// their residuals, and a sentence on the others.
 fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result<Kept> {
-    let (mut kept, mut residuals, mut lines, mut first) = (vec![], vec![], vec![], None);
+    let mut kept = vec![];
+    let mut residuals = vec![];
+    let mut lines = vec![];
+    let mut first = None;
     for (point, row) in points.iter().zip(rows) {
         match row {
             Ok(residual) => {
@@ -322,7 +329,8 @@ fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result
             }
         }
     }
-    let (all, n) = (points.len(), lines.len());
+    let all = points.len();
+    let n = lines.len();
     let Some(error) = first else {
         return Ok((kept, residuals, None));
     };

@@ -49,7 +49,9 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
         .filter(|(p, _)| p.at.force_n < 0.0)
         .map(|(p, _)| p.line)
         .collect();
-    let (n, all, lines) = (negative.len(), pulls.len(), lines(&negative));
+    let n = negative.len();
+    let all = pulls.len();
+    let lines = lines(&negative);
     let which = format!(
         "the force is below zero at {n} of the {all} points where this muscle pulls{lines}"
     );
@@ -73,7 +75,10 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
     let compare =
         |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
-    let (mut curves, mut rising, mut lines_of_rising, mut stretched) = (0, 0, vec![], vec![]);
+    let mut curves = 0;
+    let mut rising = 0;
+    let mut lines_of_rising = vec![];
+    let mut stretched = vec![];
     for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {
         cancel::check()?;
         let Some(rise) = rise(curve) else { continue };

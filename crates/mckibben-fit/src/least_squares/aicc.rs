@@ -8,7 +8,8 @@ const ROUNDING: f64 = 1e-24;
 /// Anderson 2002 \[burnham2002\]). The lower, the better; differences alone mean something. Errors
 /// are taken as independent and normal. With n ≤ k + 2 the last term is that of n = k + 2.5.
 pub fn aicc(points: usize, constants: usize, mean_square: f64) -> f64 {
-    let (n, k) = (points as f64, constants as f64);
+    let n = points as f64;
+    let k = constants as f64;
     n * mean_square.max(ROUNDING).ln()
         + 2.0 * (k + 1.0)
         + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5)

@@ -15,7 +15,10 @@ pub(crate) struct Errors {
 
 impl Errors {
     pub fn new(differences: impl IntoIterator<Item = f64>) -> Self {
-        let (mut points, mut squares, mut largest, mut sum) = (0, 0.0, 0.0_f64, 0.0);
+        let mut points = 0;
+        let mut squares = 0.0;
+        let mut largest = 0.0_f64;
+        let mut sum = 0.0;
         for difference in differences {
             points += 1;
             squares += difference * difference;

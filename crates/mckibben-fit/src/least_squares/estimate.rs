@@ -269,10 +269,12 @@ pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Opt
     let column = |i: usize| {
         let unknown = &unknowns[i];
         let h = 1e-5 * unknown.scale;
-        let (mut up, mut down) = (x.to_vec(), x.to_vec());
+        let mut up = x.to_vec();
+        let mut down = x.to_vec();
         up[i] = (x[i] + h).min(unknown.high);
         down[i] = (x[i] - h).max(unknown.low);
-        let (a, b) = (residuals.at(&up)?, residuals.at(&down)?);
+        let a = residuals.at(&up)?;
+        let b = residuals.at(&down)?;
         let width = up[i] - down[i];
         Some(a.iter().zip(&b).map(|(a, b)| (a - b) / width).collect())
     };

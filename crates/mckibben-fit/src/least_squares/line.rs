@@ -15,7 +15,8 @@ impl Line {
     pub fn through(points: &[(f64, f64)]) -> Self {
         let mean_x = Errors::new(points.iter().map(|p| p.0)).mean;
         let mean_y = Errors::new(points.iter().map(|p| p.1)).mean;
-        let (mut together, mut square) = (0.0, 0.0);
+        let mut together = 0.0;
+        let mut square = 0.0;
         for (x, y) in points {
             together += (x - mean_x) * (y - mean_y);
             square += (x - mean_x).powi(2);

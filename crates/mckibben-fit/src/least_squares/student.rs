@@ -12,7 +12,9 @@ pub fn t95(freedom: usize) -> f64 {
         n => {
             let n = n as f64;
             let z3 = Z.powi(3);
-            let (z5, z7, z9) = (z3 * Z * Z, z3 * Z.powi(4), z3 * Z.powi(6));
+            let z5 = z3 * Z * Z;
+            let z7 = z3 * Z.powi(4);
+            let z9 = z3 * Z.powi(6);
             Z + (z3 + Z) / (4.0 * n)
                 + (5.0 * z5 + 16.0 * z3 + 3.0 * Z) / (96.0 * n * n)
                 + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * Z) / (384.0 * n.powi(3))

@@ -110,7 +110,8 @@ pub struct DataPoint {
 impl DataPoint {
     /// A measured pull of the muscle itself.
     pub fn new(at: MeasuredPoint) -> Self {
-        let (measured, section) = (Quantity::Force, Section::default());
+        let measured = Quantity::Force;
+        let section = Section::default();
         Self {
             at,
             measured,

@@ -59,7 +59,8 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
         .zip(pulls.iter().copied())
         .step_by(times.len().div_ceil(ROWS).max(1))
         .collect();
-    let (begin, end) = (log.first()?.0, log.last()?.0);
+    let begin = log.first()?.0;
+    let end = log.last()?.0;
     let (low, high) = ends(times.iter().copied());
     let (least, most) = ends(log.iter().map(|p| p.1));
     let half = 0.5 * (end - begin).min(high - low);
@@ -71,7 +72,8 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
             .filter(|(_, r)| r.is_finite());
         known.max_by(|a, b| a.1.total_cmp(&b.1))
     };
-    let (first, last) = (low + half - end, high - half - begin);
+    let first = low + half - end;
+    let last = high - half - begin;
     let width = 0.5 * (last - first);
     let (coarse, _) = best(0.5 * (first + last), width)?;
     let (fine, found) = best(coarse, 2.0 * width / f64::from(SHIFTS))?;
@@ -118,8 +120,10 @@ pub(crate) fn runs(values: &[f64], share: f64) -> Vec<(usize, Option<bool>)> {
     let (low, high) = ends(values.iter().copied());
     let step = share * (high - low);
     // Place and value of the extreme since the last turn.
-    let (mut place, mut extreme) = (0, values.first().copied().unwrap_or_default());
-    let (mut rises, mut out) = (None, vec![]);
+    let mut place = 0;
+    let mut extreme = values.first().copied().unwrap_or_default();
+    let mut rises = None;
+    let mut out = vec![];
     for (i, &value) in values.iter().enumerate() {
         let moved = value - extreme;
         let (turns, further) = match rises {

@@ -114,10 +114,8 @@ fn of_log(text: &str, options: &PointOptions) -> Result<Table> {
 
 /// The pressures of a log at the times of the rows, without rows outside of it.
 fn join(log: &PressureLog, table: &mut Table) -> Result<(Vec<f64>, Note)> {
-    let (times, pulls) = (
-        table.numbers(table.needed(TIME)?)?,
-        table.numbers(table.needed(FORCE)?)?,
-    );
+    let times = table.numbers(table.needed(TIME)?)?;
+    let pulls = table.numbers(table.needed(FORCE)?)?;
     let (pressures, joined) = log.at(&times, &pulls);
     table.retain(|row| pressures[row].is_some());
     let outside = pressures.len() - table.lines().len();
@@ -127,10 +125,8 @@ fn join(log: &PressureLog, table: &mut Table) -> Result<(Vec<f64>, Note)> {
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
 fn leave_blank_out(table: &mut Table) -> Result<()> {
-    let (contraction, force) = (
-        table.needed(CONTRACTION)?.meaning,
-        table.needed(FORCE)?.meaning,
-    );
+    let contraction = table.needed(CONTRACTION)?.meaning;
+    let force = table.needed(FORCE)?.meaning;
     table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
         Some((_, "contraction")) => contraction,
         Some((_, "pressure")) => Meaning::Pressure,
@@ -200,7 +196,8 @@ fn contractions(
         Meaning::Extension => {
             let free = table.above_zero(Meaning::FreeLength, MEASURE)?;
             let one = |(at, free): (usize, Option<f64>)| {
-                let (free, rest) = (free?, rest[at].or(muscle)?);
+                let free = free?;
+                let rest = rest[at].or(muscle)?;
                 Some(rounded(1.0 - (free + raw[at]) / rest))
             };
             let ratios: Option<Vec<f64>> = free.into_iter().enumerate().map(one).collect();

@@ -86,7 +86,8 @@ fn with_active(
     cuts: &[Inequality],
     active: Vec<usize>,
 ) -> Option<Solution> {
-    let (m, a) = (n.nrows(), active.len());
+    let m = n.nrows();
+    let a = active.len();
     // Unknowns in units that make the diagonal of N one.
     let unit: Vec<f64> = (0..m).map(|i| 1.0 / n[(i, i)].sqrt()).collect();
     if unit.iter().any(|u| !u.is_finite()) {

@@ -20,7 +20,8 @@ pub fn read_tension(text: &str) -> Result<Vec<TensionPoint>> {
 /// are uniaxial.
 pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, Understood)> {
     let table = Table::read(text, &TESTS, columns)?;
-    let (stretch, stress) = (table.needed(STRETCH)?, table.needed(STRESS)?);
+    let stretch = table.needed(STRETCH)?;
+    let stress = table.needed(STRESS)?;
     let gauges = match stretch.meaning {
         Meaning::Extension | Meaning::Length => {
             let needs =

@@ -45,7 +45,9 @@ pub struct StressErrors {
 impl StressErrors {
     /// The errors of computed stresses, from stretches, measured and computed stresses.
     pub fn new(list: impl Iterator<Item = (f64, f64, f64)>) -> Self {
-        let (mut differences, mut to_stretch, mut all) = (vec![], 0.0_f64, 0.0);
+        let mut differences = vec![];
+        let mut to_stretch = 0.0_f64;
+        let mut all = 0.0;
         for (stretch, measured, computed) in list {
             differences.push(measured - computed);
             to_stretch = to_stretch.max(stretch);
@@ -263,7 +265,8 @@ fn judged(
 fn parameters(law: &Law, raw: &Raw) -> Vec<Parameter> {
     let t = t95(raw.freedom);
     let one = |(i, constant): (usize, ConstantValue)| {
-        let (error, value) = (raw.standard_errors[i], constant.value);
+        let error = raw.standard_errors[i];
+        let value = constant.value;
         let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
         Parameter {
             name: constant.name,
@@ -310,7 +313,8 @@ pub struct HeldOutError {
 }
 
 fn held_out_error(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Option<HeldOutError> {
-    let (mut both, mut all) = (0.0, 0.0);
+    let mut both = 0.0;
+    let mut all = 0.0;
     for p in points {
         both += p.stress_mpa(law) * p.nominal_stress_mpa;
         all += p.nominal_stress_mpa * p.nominal_stress_mpa;

@@ -160,7 +160,9 @@ pub(super) fn stable(
 /// The smallest eigenvalue of H(c), and vᵀHᵢv with its eigenvector v.
 fn deepest(of_basis: &[[f64; 3]], c: &[f64]) -> (f64, Vec<f64>) {
     let sum = |k: usize| of_basis.iter().zip(c).map(|(h, c)| h[k] * c).sum::<f64>();
-    let (xx, xy, yy) = (sum(0), sum(1), sum(2));
+    let xx = sum(0);
+    let xy = sum(1);
+    let yy = sum(2);
     // Angle of the principal axes: tan 2φ = 2 xy/(xx − yy); the smaller eigenvalue lies across.
     let phi = 0.5 * (2.0 * xy).atan2(xx - yy) + std::f64::consts::FRAC_PI_2;
     let (s, k) = phi.sin_cos();

@@ -92,7 +92,8 @@ pub fn fit_tension_with(
         )));
     }
     let fitted_to_stretch = problem.fitted_to_stretch();
-    let (mut laws, mut failed) = (vec![], vec![]);
+    let mut laws = vec![];
+    let mut failed = vec![];
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
         progress.check()?;
@@ -181,7 +182,8 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
         .collect();
     match (forms.is_empty(), requested.first()) {
         (true, Some(first)) => {
-            let (law, fewest) = (first.name(), first.fewest_points());
+            let law = first.name();
+            let fewest = first.fewest_points();
             Err(TensionFitError::TooFew {
                 points,
                 law,

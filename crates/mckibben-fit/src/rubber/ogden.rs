@@ -47,8 +47,10 @@ impl Residuals for Terms<'_> {
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let mut columns = vec![];
         for (t, s) in x.chunks_exact(2).zip(&self.signs) {
-            let (mu, alpha) = (s * t[0], s * t[1]);
-            let (mut by_mu, mut by_alpha) = (vec![], vec![]);
+            let mu = s * t[0];
+            let alpha = s * t[1];
+            let mut by_mu = vec![];
+            let mut by_alpha = vec![];
             for (p, d) in self.problem.points.iter().zip(&self.problem.divisors) {
                 let [l1, l2, l3] = p.stretches();
                 let (less, over) = if p.difference {
@@ -56,7 +58,8 @@ impl Residuals for Terms<'_> {
                 } else {
                     (l3, l1)
                 };
-                let (up, down) = (l1.powf(alpha) / over, less.powf(alpha) / over);
+                let up = l1.powf(alpha) / over;
+                let down = less.powf(alpha) / over;
                 by_mu.push(s * (up - down) / d);
                 by_alpha.push(s * mu * (l1.ln() * up - less.ln() * down) / d);
             }
@@ -94,10 +97,8 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
         if cancel::check().is_err() {
             break;
         }
-        let (n, d) = (
-            all.select_rows(&places).select_columns(&places),
-            right.select_rows(&places),
-        );
+        let n = all.select_rows(&places).select_columns(&places);
+        let d = right.select_rows(&places);
         let Some(solution) = solve(&n, &d, &Inequality::positive(count)) else {
             continue;
         };

@@ -140,7 +140,8 @@ impl Problem {
         let Some(column) = self.scaled_stresses(&unit) else {
             return 0.0;
         };
-        let (mut aa, mut ab) = (0.0, 0.0);
+        let mut aa = 0.0;
+        let mut ab = 0.0;
         for ((a, b), w) in column.iter().zip(self.measured()).zip(&self.weights) {
             aa += w * a * a;
             ab += w * a * b;

@@ -40,7 +40,9 @@ pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
             pulled.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
             ends = vec![pulled.len()];
         }
-        let (mut from, mut lost, mut broken) = (0, 0, false);
+        let mut from = 0;
+        let mut lost = 0;
+        let mut broken = false;
         for end in ends {
             let run = &pulled[from..end];
             from = end;

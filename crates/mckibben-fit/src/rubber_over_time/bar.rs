@@ -34,7 +34,9 @@ impl TimePoint {
 pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
     let table = Table::read(text, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
-    let (times, stretches, stresses) = (column(0)?, column(1)?, column(2)?);
+    let times = column(0)?;
+    let stretches = column(1)?;
+    let stresses = column(2)?;
     let rows = times.into_iter().zip(stretches).zip(stresses);
     Ok(rows
         .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint {

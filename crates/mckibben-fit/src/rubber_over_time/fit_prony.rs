@@ -77,7 +77,8 @@ impl PronyFit {
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
-    let (first, last) = (history.first(), history.last());
+    let first = history.first();
+    let last = history.last();
     let duration_s = first.zip(last).map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
         "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
@@ -117,10 +118,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
             Unknown::free(0.8 * c.value, scale)
         }
     };
-    let (low, high) = (
-        (2.0 * step).min(0.1 * duration_s).ln(),
-        (0.5 * duration_s).ln(),
-    );
+    let low = (2.0 * step).min(0.1 * duration_s).ln();
+    let high = (0.5 * duration_s).ln();
     let width = (high - low) / branches as f64;
     let time = |i: usize| {
         let start = low + width * (i as f64 + 0.5);

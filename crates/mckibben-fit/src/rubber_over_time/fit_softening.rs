@@ -50,7 +50,8 @@ pub struct SofteningFit {
 pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> {
     check(history)?;
     let mut virgin = vec![];
-    let (mut low, mut high) = (1.0, 1.0);
+    let mut low = 1.0;
+    let mut high = 1.0;
     // A first loading in tension, in compression, or one after the other.
     for p in history {
         let beyond = p.stretch > high || p.stretch < low;
@@ -62,7 +63,8 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
     let later = history.len() - first.len();
     let needed = form.fewest_points();
     if first.len() < needed || later < 4 {
-        let (points, virgin) = (history.len(), first.len());
+        let points = history.len();
+        let virgin = first.len();
         return Err(OverTimeFitError::Refused(format!(
             "of {points} points {virgin} lie on the first loading and {later} below it: a law \
              needs {needed} of the former, softening 4 of the latter. Give a test from the first \

@@ -61,10 +61,8 @@ fn a_bar_bears_eta_times_the_stress_of_the_first_loading() {
         );
     }
     for stretch in [3.0, 3.3] {
-        let (a, b) = (
-            soft.uniaxial_stress_mpa(stretch),
-            law.uniaxial_stress_mpa(stretch),
-        );
+        let a = soft.uniaxial_stress_mpa(stretch);
+        let b = law.uniaxial_stress_mpa(stretch);
         assert!((a / b - 1.0).abs() < 1e-12);
     }
     let eta = 1.0 - erf(w_max / 0.965) / 1.25;
@@ -84,7 +82,8 @@ fn a_closed_cycle_loses_the_integral_of_one_minus_eta() {
         }),
     ] {
         let mut bar = Bar::new(&law, Some(SOFTENING), &none);
-        let (steps, top) = (4000, 2.5);
+        let steps = 4000;
+        let top = 2.5;
         let way = |i: usize| 1.0 + (top - 1.0) * i as f64 / steps as f64;
         let simpson = |stress: &[f64]| {
             let weight = |i: usize| {
@@ -128,7 +127,8 @@ fn a_closed_cycle_loses_the_integral_of_one_minus_eta() {
 /// stretch and time.
 #[test]
 fn a_held_bar_relaxes_as_the_series_says() {
-    let (law, prony) = (yeoh(), series());
+    let law = yeoh();
+    let prony = series();
     for stretch in [0.7, 1.2, 2.5] {
         let mut bar = Bar::new(&law, None, &prony);
         let at_once = bar.at(0.0, stretch);
@@ -151,8 +151,10 @@ fn a_held_bar_relaxes_as_the_series_says() {
 /// step, a quarter of the error.
 #[test]
 fn small_oscillations_lose_the_work_of_the_loss_modulus_with_second_order() {
-    let (law, prony) = (Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), series());
-    let (omega, strain) = (0.4_f64, 1e-5);
+    let law = Law::NeoHookean(NeoHookean { mu_mpa: 0.3 });
+    let prony = series();
+    let omega = 0.4_f64;
+    let strain = 1e-5;
     let of_branch = |b: &Branch| {
         let x = omega * b.time_constant_s;
         b.share * x / (1.0 + x * x)
@@ -162,7 +164,8 @@ fn small_oscillations_lose_the_work_of_the_loss_modulus_with_second_order() {
     let error = |steps: usize| {
         let mut bar = Bar::new(&law, None, &prony);
         let dt = std::f64::consts::TAU / omega / steps as f64;
-        let (mut work, mut before) = (0.0, (1.0, bar.at(0.0, 1.0)));
+        let mut work = 0.0;
+        let mut before = (1.0, bar.at(0.0, 1.0));
         // Long enough for the slowest branch to have forgotten the start.
         let cycles = 100;
         for i in 1..=cycles * steps {
@@ -175,7 +178,8 @@ fn small_oscillations_lose_the_work_of_the_loss_modulus_with_second_order() {
         }
         (work / exact - 1.0).abs()
     };
-    let (coarse, fine) = (error(40), error(80));
+    let coarse = error(40);
+    let fine = error(80);
     assert!(
         fine < 5e-3 && (coarse / fine / 4.0 - 1.0).abs() < 0.1,
         "{coarse} {fine}"
@@ -217,7 +221,9 @@ fn known_softening_comes_back_from_its_cycles() {
     for (a, b) in fit.first_loading.values().iter().zip(law.values()) {
         assert!((a - b).abs() < 1e-5 * b.abs(), "{fit:?}");
     }
-    let (r, m_mpa, beta) = (fit.r, fit.m_mpa, fit.beta);
+    let r = fit.r;
+    let m_mpa = fit.m_mpa;
+    let beta = fit.beta;
     assert!(
         (r - 1.6).abs() < 1e-3 && (m_mpa - 0.05).abs() < 1e-3 && (beta - 0.15).abs() < 3e-3,
         "{fit:?}"
@@ -230,7 +236,8 @@ fn known_softening_comes_back_from_its_cycles() {
 
 #[test]
 fn a_known_series_comes_back_from_cycles_and_a_hold() {
-    let (law, prony) = (yeoh(), series());
+    let law = yeoh();
+    let prony = series();
     let mut history = cycles(&law, None, &prony, 0.05);
     let mut bar = Bar::new(&law, None, &prony);
     for p in &history {
@@ -351,12 +358,11 @@ fn a_held_law_has_what_is_left_of_every_stress() {
     let prony = series();
     for law in Law::examples() {
         for held in [Held::For(0.0), Held::For(20.0), Held::Long] {
-            let (left, later) = (prony.left(held), prony.held(&law, held));
+            let left = prony.left(held);
+            let later = prony.held(&law, held);
             for stretch in [0.7, 1.2, 1.9] {
-                let (a, b) = (
-                    later.uniaxial_stress_mpa(stretch),
-                    left * law.uniaxial_stress_mpa(stretch),
-                );
+                let a = later.uniaxial_stress_mpa(stretch);
+                let b = left * law.uniaxial_stress_mpa(stretch);
                 assert!(
                     (a - b).abs() < 1e-13 * (1.0 + b.abs()),
                     "{} {held:?}",

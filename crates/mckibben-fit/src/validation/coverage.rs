@@ -18,7 +18,8 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
     let of_set = |&set: &&'static MuscleCase| {
         let all = first_fit_residuals(set, set.friction_share(), by).unwrap_or_default();
         let errors = |mean| ForceErrors::new(all.iter().filter(|r| r.branch.is_mean() == mean));
-        let (means, single) = (errors(true), errors(false));
+        let means = errors(true);
+        let single = errors(false);
         let mut rows = vec![rms(set, &means), covered(set, &means, "points")];
         if single.points > 0 {
             rows.push(covered(set, &single, "points of single branches"));

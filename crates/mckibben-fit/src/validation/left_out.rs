@@ -87,11 +87,9 @@ fn means(set: &MuscleCase) -> Vec<DataPoint> {
 
 fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> VerificationRow {
     let errors = ForceErrors::new(residuals.iter());
-    let (title, points, width) = (
-        &set.facts.title,
-        errors.points,
-        100.0 * errors.half_width_of_blocked,
-    );
+    let title = &set.facts.title;
+    let points = errors.points;
+    let width = 100.0 * errors.half_width_of_blocked;
     let name = format!(
         "{title}: {points} points by fe with the constants of {from}, within the ± ({width:.1} % \
          of the blocked force)"

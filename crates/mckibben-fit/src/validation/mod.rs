@@ -52,7 +52,8 @@ pub fn cases(
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => {
             let name = format!("measured muscles: {error}");
-            let (none, least) = (ForceErrors::default(), Coverage::Calibrated);
+            let none = ForceErrors::default();
+            let least = Coverage::Calibrated;
             return Ok(vec![share_row(name, "", &none, least)]);
         }
     };
@@ -81,7 +82,8 @@ fn hand_made(
     let points = points();
     let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::new(m)));
-    let (modulus, ends) = (Target::Modulus, Target::Measure(&END_FACTOR));
+    let modulus = Target::Modulus;
+    let ends = Target::Measure(&END_FACTOR);
     let cases: [Comparison<'_>; 4] = [
         ("ideal, nothing fitted", ideal, &[], 0.10),
         ("thick-wall, modulus fitted", thick, &[modulus], 0.03),
@@ -140,7 +142,8 @@ fn row(
 ) -> VerificationRow {
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = fitted(build, parameters, points).and_then(|m| {
-        let (model, workspace) = (build(&m).ok()?, &mut Workspace::new());
+        let model = build(&m).ok()?;
+        let workspace = &mut Workspace::new();
         compare(
             &mut Evaluation::new(model.as_ref(), workspace, Options::default()),
             points,

@@ -78,7 +78,8 @@ pub fn counted() -> Vec<Counted> {
     let rows: Vec<Row> = TABLE.lines().filter_map(vented).collect();
     let mut out: Vec<Counted> = vec![];
     for group in rows.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-        let (length_mm, contraction) = (group[0].0, group[0].1);
+        let length_mm = group[0].0;
+        let contraction = group[0].1;
         let tests = group.chunk_by(|a, b| a.2 == b.2).filter_map(|test| {
             let pressures: Vec<f64> = test.iter().map(|r| r.3).collect();
             Some(place(&pressures, BETWEEN.0)? - place(&pressures, BETWEEN.1)?)
@@ -149,7 +150,8 @@ pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelErr
     let volumes = |list: &[Counted]| -> Result<Vec<f64>, ModelError> {
         list.iter().map(|c| let_out(build, muscle, c)).collect()
     };
-    let (at_rest, at_contraction) = (volumes(&rest)?, volumes(&contracted)?);
+    let at_rest = volumes(&rest)?;
+    let at_contraction = volumes(&contracted)?;
     // n = a A + b: a = 1/k, b = Vd ln(p1/p2)/k.
     let pulses = |list: &[Counted]| -> Vec<f64> { list.iter().map(|c| c.pulses).collect() };
     let points: Vec<(f64, f64)> = at_rest.into_iter().zip(pulses(&rest)).collect();
@@ -187,10 +189,8 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
             "{}: air let out by pulses of a valve, {}{angle}",
             set.facts.title, fit.name
         );
-        let (measured, ours) = (
-            pulses.map_or(0.0, |p| p.measured),
-            pulses.map(|p| p.predicted),
-        );
+        let measured = pulses.map_or(0.0, |p| p.measured);
+        let ours = pulses.map(|p| p.predicted);
         let row = VerificationRow::new(name, &set.facts.source, measured, ours, tolerance);
         validated(row, Measure::Value, pulses.map(|p| p.bias().abs()))
     };

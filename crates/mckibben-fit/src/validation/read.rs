@@ -180,7 +180,8 @@ fn identified(files: &MeasuredFolder) -> Result<Option<Box<Muscle>>, CaseError> 
 }
 
 fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
-    let (case, name) = (&files.name, text.name);
+    let case = &files.name;
+    let name = text.name;
     let muscle = parse_muscle(&with(files, number)?);
     let muscle = muscle.map_err(|error| {
         CaseError::Refused(format!("{case}/muscle.toml, fit \"{name}\": {error}"))

@@ -29,7 +29,8 @@ impl RubberCaseFit {
     }
 
     fn settings(&self) -> FitSettings {
-        let (forms, fit_modes) = (vec![self.form], self.modes.clone());
+        let forms = vec![self.form];
+        let fit_modes = self.modes.clone();
         FitSettings {
             forms,
             fit_modes,
@@ -80,7 +81,8 @@ impl RubberCaseFit {
             }));
         }
         groups.retain(|g| g.errors.points > 0);
-        let (stable, parameters) = (fitted.quality.stable, fitted.parameters);
+        let stable = fitted.quality.stable;
+        let parameters = fitted.parameters;
         Ok(RubberFit {
             stable,
             parameters,

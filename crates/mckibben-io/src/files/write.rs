@@ -31,7 +31,8 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     overwrite: bool,
 ) -> std::result::Result<(), (PathBuf, Error)> {
     std::fs::create_dir_all(folder).map_err(|e| (folder.into(), e))?;
-    let (mut whole, files) = (vec![], files.into_iter().collect::<Vec<_>>());
+    let mut whole = vec![];
+    let files = files.into_iter().collect::<Vec<_>>();
     // One file of a long series is not worth a look through its folder.
     if files.len() > 1 {
         files

@@ -164,7 +164,8 @@ fn values<T: DataType>(
     rows: usize,
     mut levels: Option<&mut Vec<i16>>,
 ) -> Result<Vec<T::T>> {
-    let (mut out, mut read) = (Vec::with_capacity(rows), 0);
+    let mut out = Vec::with_capacity(rows);
+    let mut read = 0;
     while read < rows {
         let levels = levels.as_deref_mut();
         match reader.read_records(rows - read, levels, None, &mut out)?.0 {

@@ -36,7 +36,8 @@ impl Columns {
                 ))
             };
             let (name, heading) = part.split_once('=').ok_or_else(form)?;
-            let (name, heading) = (name.trim(), heading.trim());
+            let name = name.trim();
+            let heading = heading.trim();
             let inner = heading.strip_prefix('"').and_then(|h| h.strip_suffix('"'));
             let heading = inner.unwrap_or(heading).trim();
             if name.is_empty() || heading.is_empty() {
@@ -136,7 +137,8 @@ impl Vocabulary {
     /// The choices, each for a quantity of this kind of table.
     pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
         let named = |name: &str| {
-            let (word, all) = (plain(name), &self.quantities);
+            let word = plain(name);
+            let all = &self.quantities;
             let by_word = || {
                 all.iter()
                     .find(|m| m.words().all().any(|known| known == word))
@@ -255,12 +257,11 @@ impl Choice {
             return Ok(stated);
         }
         let typed = self.vocabulary.unit_of(self.meaning, given);
-        let (unit, text) = (short(given), short(&self.text));
+        let unit = short(given);
+        let text = short(&self.text);
         let Some(typed) = typed else {
-            let (name, units) = (
-                &self.meaning.words().name,
-                self.vocabulary.units(self.meaning),
-            );
+            let name = &self.meaning.words().name;
+            let units = self.vocabulary.units(self.meaning);
             return Err(TableError::Refused(format!(
                 "`columns`: \"{unit}\" is not a unit of {name}; its units are {units}"
             )));

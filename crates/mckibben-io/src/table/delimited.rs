@@ -251,7 +251,8 @@ fn fields(line: &str, separator: Separator) -> Option<StringRecord> {
 fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableError> {
     let mut out = vec![];
     let mut reader = reader(text, mark);
-    let (mut line, mut fields) = (1, StringRecord::new());
+    let mut line = 1;
+    let mut fields = StringRecord::new();
     loop {
         cancel::check()?;
         let broken = |e: csv::Error| TableError::Refused(format!("after line {line}: {e}"));

@@ -38,7 +38,8 @@ impl TableError {
         headings: impl Iterator<Item = &'a str>,
         example: &str,
     ) -> Self {
-        let (name, columns) = (&meaning.words().name, listed(headings));
+        let name = &meaning.words().name;
+        let columns = listed(headings);
         Self::Refused(format!(
             "the columns {columns} could all be {name}: select one with `columns` \
              {name}=\"{example}\""

@@ -229,7 +229,8 @@ impl Vocabulary {
         };
         self.cut(heading, known)
             .or_else(|| {
-                let (label, meanings) = (plain(heading), self.quantities.iter());
+                let label = plain(heading);
+                let meanings = self.quantities.iter();
                 let column = |meaning: &Meaning| {
                     Some(Column {
                         rank: rank(heading, &label, meaning.words())?,

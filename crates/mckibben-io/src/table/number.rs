@@ -33,7 +33,8 @@ fn evidence(text: &str) -> Option<Decimal> {
         (None, None) => None,
         (point, comma) => {
             let at = point.or(comma)?;
-            let (before, behind) = (&number[..at], &number[at + 1..]);
+            let before = &number[..at];
+            let behind = &number[at + 1..];
             let whole = before.contains(['.', ',']) || (behind.len() == 3 && is_lead(before));
             let mark = if point.is_some() {
                 Decimal::Point
@@ -52,7 +53,10 @@ fn is_lead(text: &str) -> bool {
 
 /// The decimal mark of a table, from all of its numbers.
 pub(crate) fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Separator) -> Decimal {
-    let (mut point, mut comma, mut points, mut commas) = (false, false, false, false);
+    let mut point = false;
+    let mut comma = false;
+    let mut points = false;
+    let mut commas = false;
     for field in fields {
         match evidence(field) {
             Some(Decimal::Point) => point = true,

@@ -46,7 +46,8 @@ pub fn read_over_time(text: &str, what: OverTime, rest_length_mm: f64) -> Result
     } else {
         1.0
     };
-    let (times, values) = (table.numbers(table.needed(0)?)?, table.numbers(column)?);
+    let times = table.numbers(table.needed(0)?)?;
+    let values = table.numbers(column)?;
     Ok(times
         .into_iter()
         .zip(values.into_iter().map(|value| value / length))

@@ -95,7 +95,8 @@ impl Table {
             let values = self.some_numbers(column.meaning).unwrap_or_default();
             let end = |of: fn(f64, f64) -> f64| values.iter().copied().flatten().reduce(of);
             let range = words.dimension.and_then(|dimension| {
-                let (low, high) = (tidy(end(f64::min)?, 7), tidy(end(f64::max)?, 7));
+                let low = tidy(end(f64::min)?, 7);
+                let high = tidy(end(f64::max)?, 7);
                 Some(format!("{low}..{high}{}", dimension.unit_inside().name))
             });
             UnderstoodColumn {

@@ -126,7 +126,8 @@ impl Table {
         let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
-            let (expected, hint) = (self.headings.len(), TableError::AS_MANY);
+            let expected = self.headings.len();
+            let hint = TableError::AS_MANY;
             return Err(TableError::fields(row.line, row.width(), expected, hint));
         }
         let decimal = if column.is_constant() {
@@ -193,7 +194,8 @@ impl Table {
 
     /// The line and the word of a row in a column, where there is one.
     pub fn text(&self, row: usize, meaning: Meaning) -> Option<(u64, &str)> {
-        let (column, row) = (self.column(meaning)?, self.rows.get(row)?);
+        let column = self.column(meaning)?;
+        let row = self.rows.get(row)?;
         Some((row.line, row.field(column.index)))
     }
 
@@ -208,7 +210,8 @@ impl Table {
         let Some(column) = self.column(meaning) else {
             return Ok(None);
         };
-        let (line, text) = (self.rows[row].line, self.rows[row].field(column.index));
+        let line = self.rows[row].line;
+        let text = self.rows[row].field(column.index);
         if text.is_empty() {
             return Ok(None);
         }

@@ -33,10 +33,8 @@ impl Sheet {
         let mut out = String::new();
         let mut at = (0, 0);
         for (place, text) in &self.cells {
-            let (lines, tabs) = (
-                place.0 - at.0,
-                place.1 - if place.0 > at.0 { 0 } else { at.1 },
-            );
+            let lines = place.0 - at.0;
+            let tabs = place.1 - if place.0 > at.0 { 0 } else { at.1 };
             if out.len() + (lines + tabs) as usize + text.len() > MAX_BYTES {
                 let message = format!(
                     "the sheet is larger than {} MB; take fewer rows",

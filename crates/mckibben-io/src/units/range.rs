@@ -117,7 +117,8 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
 fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Values, RangeError> {
     let factors = factors(parts, text, dimension)?;
     let value = |i: usize| convert(parts[i].0, factors[i]);
-    let (low, high) = (value(0), value(1));
+    let low = value(0);
+    let high = value(1);
     if low > high {
         return Err(RangeError::Form(format!(
             "the range \"{text}\" is reversed: write the smaller value first"
@@ -138,7 +139,8 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
     }
     // Counted in the step's own unit, so that the points are the decimals the user had in mind.
     let (num, den) = factors[2];
-    let (from, by) = (low * den / num, parts[2].0);
+    let from = low * den / num;
+    let by = parts[2].0;
     let whole = (steps + 1e-9).floor() as usize;
     let mut list: Vec<f64> = (0..=whole)
         .map(|i| convert(tidy(from + by * i as f64, 12), factors[2]))

@@ -69,10 +69,8 @@ fn read_valve(
     source: &Source<'_>,
     is_liquid: bool,
 ) -> Result<Actuator, FileError> {
-    let (kind, hose) = (
-        valve.moves(),
-        hose(valve.hose_length, valve.hose_diameter, source, "valve")?,
-    );
+    let kind = valve.moves();
+    let hose = hose(valve.hose_length, valve.hose_diameter, source, "valve")?;
     if is_liquid {
         return Ok(Actuator::LiquidValve(liquid::valve(
             valve, source, kind, hose,

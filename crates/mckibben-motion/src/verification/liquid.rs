@@ -165,10 +165,12 @@ pub fn liquid() -> Vec<VerificationRow> {
     };
     let nan = |value: Option<f64>| value.unwrap_or(f64::NAN);
     // Δp = a Q² + b Q at 1 bar and Kv, with the laminar term of a thousandth; from 0.6 to 0.15 MPa.
-    let (square, kv) = (0.1 * 0.9982 / KV_MM3_PER_S.powi(2), KV_MM3_PER_S);
+    let square = 0.1 * 0.9982 / KV_MM3_PER_S.powi(2);
+    let kv = KV_MM3_PER_S;
     let linear = 1e-3 * square * kv;
     let flow = |p: f64| ((linear * linear + 4.0 * square * p).sqrt() - linear) / (2.0 * square);
-    let (fast, slow) = (flow(0.6), flow(0.15));
+    let fast = flow(0.6);
+    let slow = flow(0.15);
     let until_s =
         VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln());
     let valve = valve().and_then(|valve| vessel(valve, until_s));
@@ -179,7 +181,8 @@ pub fn liquid() -> Vec<VerificationRow> {
     };
     let pumped_s = 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0);
     let hanging = Hanging::new();
-    let (filled, pushed) = (hanging.filled(), hanging.pushed());
+    let filled = hanging.filled();
+    let pushed = hanging.pushed();
     let last = |value: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(value);
     let first = |m: &Motion| m.series.muscles.first().cloned();
     let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map(value);

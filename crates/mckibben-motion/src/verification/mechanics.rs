@@ -186,7 +186,8 @@ fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
         .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
         .map(|i| motion.series.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
         .collect();
-    let (first, last) = (falls.first()?, falls.last()?);
+    let first = falls.first()?;
+    let last = falls.last()?;
     Some((falls.len() - 1) as f64 / (last - first))
 }
 
@@ -233,7 +234,8 @@ fn loops() -> Vec<VerificationRow> {
                 (periods / hz, 1e-8),
             ))
         };
-        let (one, two) = (until(1.0)?, until(2.0)?);
+        let one = until(1.0)?;
+        let two = until(2.0)?;
         let x = &two.series.coordinate[two.series.coordinate.len() / 2..];
         let most = x.iter().copied().fold(f64::MIN, f64::max);
         let stroke = most - x.iter().copied().fold(f64::MAX, f64::min);

@@ -33,10 +33,8 @@ impl Evaluation<'_> {
     /// # Errors
     /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
     pub fn air_per_stroke(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Air> {
-        let (volume_mm3, rest) = (
-            self.cavity_mm3(pressure_mpa, contraction)?,
-            self.cavity_mm3(0.0, 0.0)?,
-        );
+        let volume_mm3 = self.cavity_mm3(pressure_mpa, contraction)?;
+        let rest = self.cavity_mm3(0.0, 0.0)?;
         let free_mm3 =
             ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
         Ok(Air {

@@ -113,7 +113,8 @@ fn no_pressure(
     (nearest_mpa, nearest_n): (f64, f64),
     braid_stops_at: Option<f64>,
 ) -> String {
-    let (force, at) = (short(force_n, 4), percent(contraction));
+    let force = short(force_n, 4);
+    let at = percent(contraction);
     let problem = format!("no pressure gives {force}\u{a0}N at a contraction of {at}");
     match braid_stops_at {
         Some(end) => format!(
@@ -140,7 +141,8 @@ fn no_contraction(
     (nearest, nearest_n): (f64, f64),
     at_rest_n: Option<f64>,
 ) -> String {
-    let (force, at) = (short(force_n, 4), short(pressure_mpa, 6));
+    let force = short(force_n, 4);
+    let at = short(pressure_mpa, 6);
     let problem = format!("no contraction gives {force}\u{a0}N at {at}\u{a0}MPa");
     let rest = match at_rest_n {
         Some(f) if nearest < 0.0 => format!(

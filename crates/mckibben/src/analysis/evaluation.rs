@@ -92,7 +92,8 @@ impl<'a> Evaluation<'a> {
         if pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
             return Ok(0.0);
         }
-        let (muscle, share) = (self.model.muscle(), self.options.friction_share);
+        let muscle = self.model.muscle();
+        let share = self.options.friction_share;
         match muscle.friction() {
             Some(friction) if friction.lever_mm > 0.0 => {
                 let pivoting =
@@ -166,11 +167,9 @@ impl<'a> Evaluation<'a> {
         if let Some(k) = response.stiffness_n_per_mm {
             return Ok(k);
         }
-        let (p, e, length_mm) = (
-            response.pressure_mpa,
-            response.contraction,
-            self.model.muscle().length_mm(),
-        );
+        let p = response.pressure_mpa;
+        let e = response.contraction;
+        let length_mm = self.model.muscle().length_mm();
         Ok((self.force_n(p, e - STEP)? - self.force_n(p, e + STEP)?) / (2.0 * STEP * length_mm))
     }
 
@@ -180,8 +179,10 @@ impl<'a> Evaluation<'a> {
         if let Some(slope) = response.force_per_pressure_mm2 {
             return Ok(slope);
         }
-        let (p, e) = (response.pressure_mpa, response.contraction);
-        let (low, high) = ((p - STEP).max(0.0), p + STEP);
+        let p = response.pressure_mpa;
+        let e = response.contraction;
+        let low = (p - STEP).max(0.0);
+        let high = p + STEP;
         Ok((self.force_n(high, e)? - self.force_n(low, e)?) / (high - low))
     }
 }

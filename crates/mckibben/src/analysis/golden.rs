@@ -10,7 +10,9 @@ pub fn golden<S: Abscissa, M: PartialOrd>(
     at: &mut impl FnMut(f64) -> S,
 ) -> S {
     const SHARE: f64 = 0.381_966_011_250_105;
-    let (mut a, mut best, mut c) = (left, start, right);
+    let mut a = left;
+    let mut best = start;
+    let mut c = right;
     for _ in 0..steps {
         let b = best.place();
         let x = if c - b > b - a {

@@ -221,7 +221,8 @@ impl Evaluation<'_> {
         } else {
             info.range.contraction
         };
-        let (low, high) = (low.max(WIDEST.0), high.min(WIDEST.1));
+        let low = low.max(WIDEST.0);
+        let high = high.min(WIDEST.1);
         let start = info.range.contraction.0.max(0.0);
         // Past the ideal maximum nothing pulls, and strands that are straight hold; those that
         // stretch reach a little further.

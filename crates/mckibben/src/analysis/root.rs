@@ -13,7 +13,8 @@ pub fn find_root<E>(
     high: f64,
     tolerance: f64,
 ) -> Result<Option<f64>, E> {
-    let (mut a, mut b) = (high, low);
+    let mut a = high;
+    let mut b = low;
     let mut fa = f(a)?;
     let mut fb = f(b)?;
     if fa == 0.0 {

@@ -63,7 +63,8 @@ impl Coefficients {
 
     /// Puts in diameter and wall, in mm.
     pub fn section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Section {
-        let (d, s) = (outer_diameter_mm, wall_mm);
+        let d = outer_diameter_mm;
+        let s = wall_mm;
         let line = |x: &[[f64; 3]; 6]| {
             let [x1, x2, x3, x4, x5, x6] = x.map(|[d2, d1, d0]| (d2 * d + d1) * d + d0);
             ((x1 * s + x2) * s + x3, (x4 * s + x5) * s + x6)

@@ -127,10 +127,8 @@ impl GlobalTerms {
 impl GlobalSection {
     /// F in N, ∂F/∂ε in N, ∂F/∂P in mm².
     pub fn at(&self, pressure_mpa: f64, contraction: f64) -> [f64; 3] {
-        let (p, e) = (
-            pressure_mpa / self.pressure_scale,
-            contraction / self.contraction_scale,
-        );
+        let p = pressure_mpa / self.pressure_scale;
+        let e = contraction / self.contraction_scale;
         // d(vⁿ)/dv, which is 0 for n = 0 also where v = 0.
         let slope = |v: f64, n: i32| {
             if n == 0 {

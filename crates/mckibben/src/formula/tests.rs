@@ -100,7 +100,8 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
     );
     for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
         let m = Muscle::prototype().with_section(d, s).unwrap();
-        let (ours, paper) = (FormulaModel::new(&f, &m), FormulaModel::paper(&m));
+        let ours = FormulaModel::new(&f, &m);
+        let paper = FormulaModel::paper(&m);
         for (p, e) in [(0.05, 0.0), (0.13, 0.11), (0.25, 0.2)] {
             assert_eq!(
                 ours.response(&mut Workspace::new(), p, e).unwrap(),
@@ -127,7 +128,8 @@ fn derivatives_are_those_of_finite_differences() {
     ] {
         let model = FormulaModel::new(&f, &m);
         for (p, e) in [(0.05, 0.0), (0.0, 0.0), (0.11, 0.07), (0.25, 0.2)] {
-            let (h, r) = (1e-5, model.response(&mut Workspace::new(), p, e).unwrap());
+            let h = 1e-5;
+            let r = model.response(&mut Workspace::new(), p, e).unwrap();
             let difference = |dp: f64, de: f64| {
                 let at = |k: f64| {
                     model
@@ -218,10 +220,8 @@ fn what_it_was_not_made_for_is_refused() {
 
 #[test]
 fn wrong_files_are_named_with_their_key() {
-    let (paper, global) = (
-        formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(),
-        global().to_json(),
-    );
+    let paper = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
+    let global = global().to_json();
     let cases = [
         (
             "truncated",

@@ -160,8 +160,10 @@ struct OfSpring {
 pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
     let source = Source::parse(text)?;
     let keys: JointKeys = source.read()?;
-    let (joint, link) = (keys.joint, keys.link);
-    let (mut muscles, mut pulleys) = (vec![], vec![]);
+    let joint = keys.joint;
+    let link = keys.link;
+    let mut muscles = vec![];
+    let mut pulleys = vec![];
     let both = [
         ("muscle_1", Some(keys.muscle_1), 1.0),
         ("muscle_2", keys.muscle_2, -1.0),

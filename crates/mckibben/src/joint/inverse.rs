@@ -61,7 +61,8 @@ impl JointModel<'_> {
                 .force_n(max_pressure_mpa, contraction);
             // Beyond its free contraction there may be no answer, and there is no pull.
             let most_n = most.unwrap_or(0.0).max(0.0);
-            let (arm_mm, arm_by_angle_mm) = (s.arm_mm, s.arm_by_angle_mm);
+            let arm_mm = s.arm_mm;
+            let arm_by_angle_mm = s.arm_by_angle_mm;
             here.push(Here {
                 contraction,
                 arm_mm,
@@ -152,10 +153,8 @@ impl Line<'_, '_> {
                 .then_some((pull.clamp(0.0, first.most_n), pull.clamp(0.0, first.most_n)));
         };
         let ends = [0.0, second.most_n].map(|f| (self.needed - f * second.arm_mm) / first.arm_mm);
-        let (low, high) = (
-            ends[0].min(ends[1]).max(0.0),
-            ends[0].max(ends[1]).min(first.most_n),
-        );
+        let low = ends[0].min(ends[1]).max(0.0);
+        let high = ends[0].max(ends[1]).min(first.most_n);
         (low <= high + 1e-9).then_some((low, high.max(low)))
     }
 

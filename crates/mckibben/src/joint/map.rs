@@ -205,7 +205,8 @@ impl JointModel<'_> {
     /// The stable rest nearest to an angle.
     fn rest_near(&self, fixed: &mut Fixed<'_>, near_deg: Option<f64>) -> Result<Option<MapPoint>> {
         let (low, high) = self.joint().range_deg();
-        let (low, high) = (low.to_radians(), high.to_radians());
+        let low = low.to_radians();
+        let high = high.to_radians();
         let mut angle = near_deg.unwrap_or(0.0).to_radians().clamp(low, high);
         let pressures_mpa = fixed.pressures_mpa.clone();
         let point = |angle: f64, slope: f64, shut: ShutStiffness, at_limit: bool| MapPoint {

@@ -82,9 +82,11 @@ impl JointModel<'_> {
         outside_nm: f64,
     ) -> Result<(Vec<Rest>, Option<JointError>)> {
         let (low, high) = self.joint().range_deg();
-        let (low, high) = (low.to_radians(), high.to_radians());
+        let low = low.to_radians();
+        let high = high.to_radians();
         let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
-        let (mut rests, mut without) = (vec![], None);
+        let mut rests = vec![];
+        let mut without = None;
         let mut before: Option<(f64, f64)> = None;
         // Start of a stretch in which nothing acts.
         let mut loose: Option<f64> = None;

@@ -30,10 +30,8 @@ fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<
 fn more_pressure_in_the_first_muscle_and_a_torque_from_outside_turn_the_joint_to_plus() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
     assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
 }
@@ -46,7 +44,8 @@ fn a_rest_and_a_table_have_one_torque() {
     let mut random = Random(28);
     for _ in 0..rounds(40) {
         let mut one = muscle(Path::Pulley { radius_mm: 25.0 }, random.between(0.0, 0.1));
-        let (angle_deg, stiffness) = (random.between(18.0, 50.0), BraidStiffness::Inextensible);
+        let angle_deg = random.between(18.0, 50.0);
+        let stiffness = BraidStiffness::Inextensible;
         let braid = Braid {
             angle_deg,
             stiffness,
@@ -65,10 +64,8 @@ fn a_rest_and_a_table_have_one_torque() {
         };
         let joint = Joint::new(vec![one, other], None, Link::default(), (-30.0, 30.0)).unwrap();
         let models = models(&joint, ModelKind::ThickWall);
-        let (model, w) = (
-            bound(&joint, &models),
-            &mut [Workspace::new(), Workspace::new()][..],
-        );
+        let model = bound(&joint, &models);
+        let w = &mut [Workspace::new(), Workspace::new()][..];
         let pressures = [random.one_of(&[0.0, 0.01, 0.1]), 0.0];
         for angle_deg in [-25.0, -10.0, 0.0, 5.0, 20.0] {
             let table = model
@@ -97,10 +94,8 @@ fn a_rest_and_a_table_have_one_torque() {
 fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     let wanted = JointTarget {
         angle_deg: 10.0,
         torque_nm: 2.0,
@@ -229,10 +224,8 @@ fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
 fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     let point = model.at(w, &[0.02, 0.2], 60.0, Turning::Mean).unwrap();
     assert!(
         point.muscles[0].answer.slack && !point.muscles[1].answer.slack,
@@ -260,16 +253,12 @@ fn friction_lies_on_both_sides_of_the_mean() {
     });
     let joint = Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap();
     let models = models(&joint, ModelKind::Ideal);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     let mut torque = |turning| model.at(w, &[0.2, 0.1], 10.0, turning).unwrap().torque_nm;
-    let (mean, plus, minus) = (
-        torque(Turning::Mean),
-        torque(Turning::Plus),
-        torque(Turning::Minus),
-    );
+    let mean = torque(Turning::Mean);
+    let plus = torque(Turning::Plus);
+    let minus = torque(Turning::Minus);
     let half = 1e-3 * 25.0 * 40.0 * (0.2f64.powf(0.7) + 0.1f64.powf(0.7));
     assert!((plus - (mean - half)).abs() < 1e-9 && (minus - (mean + half)).abs() < 1e-9);
 }
@@ -300,10 +289,8 @@ fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
     };
     let joint = Joint::new(muscles.to_vec(), None, link, (-40.0, 40.0)).unwrap();
     let models = models(&joint, ModelKind::ThickWall);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     for turning in [Turning::Mean, Turning::Plus, Turning::Minus] {
         for deg in [-15.0, 0.0, 10.0] {
             let mut torque = |deg: f64| model.at(w, &[0.2, 0.15], deg, turning).unwrap().torque_nm;
@@ -337,10 +324,8 @@ fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
             .with(vec![Muscle::prototype(); 2])
             .unwrap()
     };
-    let (without, with) = (
-        joint(""),
-        joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n"),
-    );
+    let without = joint("");
+    let with = joint("wrap_angle = '70 deg'\nwrap_friction = 0.2\n");
     let models = models(&with, ModelKind::Ideal);
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let mut at = |joint, deg, turning| {
@@ -383,10 +368,8 @@ fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
 fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();
     let models = models(&joint, ModelKind::Universal);
-    let (model, w) = (
-        bound(&joint, &models),
-        &mut [Workspace::new(), Workspace::new()][..],
-    );
+    let model = bound(&joint, &models);
+    let w = &mut [Workspace::new(), Workspace::new()][..];
     let wanted = JointTarget {
         angle_deg: 0.0,
         torque_nm: 500.0,
@@ -440,10 +423,8 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
 fn a_map_holds_the_rests_that_are_found_one_by_one() {
     for joint in [antagonists(), verification::elbow().unwrap()] {
         let models = models(&joint, ModelKind::Universal);
-        let (model, w) = (
-            bound(&joint, &models),
-            &mut [Workspace::new(), Workspace::new()][..],
-        );
+        let model = bound(&joint, &models);
+        let w = &mut [Workspace::new(), Workspace::new()][..];
         let map = model.map(0.25, 7, &Silent).unwrap();
         assert_eq!((map.points.len(), map.grid_mpa.len()), (49, 7));
         let mut compared = 0;
@@ -635,11 +616,10 @@ fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
     let joint = antagonists();
     for kind in [ModelKind::ThickWall, ModelKind::Universal] {
         let models = models(&joint, kind);
-        let (model, w) = (
-            bound(&joint, &models),
-            &mut [Workspace::new(), Workspace::new()][..],
-        );
-        let (pressures, angle) = ([0.22, 0.13], 7.0);
+        let model = bound(&joint, &models);
+        let w = &mut [Workspace::new(), Workspace::new()][..];
+        let pressures = [0.22, 0.13];
+        let angle = 7.0;
         let point = model.at(w, &pressures, angle, Turning::Mean).unwrap();
         for (n, said) in [
             (1.0, point.shut.isothermal_nm_per_rad),
@@ -657,7 +637,9 @@ fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
                             .unwrap();
                         (p + crate::analysis::ATMOSPHERE_MPA) * v.powf(n)
                     };
-                    let (wanted, mut low, mut high) = (content(*p, angle), *p - 0.02, *p + 0.02);
+                    let wanted = content(*p, angle);
+                    let mut low = *p - 0.02;
+                    let mut high = *p + 0.02;
                     for _ in 0..60 {
                         let middle = 0.5 * (low + high);
                         if content(middle, angle + step) < wanted {

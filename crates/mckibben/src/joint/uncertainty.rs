@@ -91,7 +91,8 @@ impl JointModel<'_> {
     /// 95 % half-width of the stiffness in N m/rad; `None` where that of a muscle's pull is not
     /// known. A slack muscle has no part in it.
     pub(super) fn stiffness_uncertainty(&self, muscles: &[MuscleState]) -> Option<f64> {
-        let (mut stiffness, mut pull) = (0.0, 0.0);
+        let mut stiffness = 0.0;
+        let mut pull = 0.0;
         for (i, m) in muscles.iter().enumerate().filter(|(_, m)| !m.answer.slack) {
             let parts = m.answer.uncertainty_parts_n?;
             let of_muscle = stiffness_uncertainty_n_per_mm(self.model(i).muscle(), &parts);

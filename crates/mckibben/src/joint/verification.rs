@@ -95,7 +95,8 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     };
     let mut rows = vec![];
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
-        let (point, torque) = (at(deg)?, slope(&work, deg)?);
+        let point = at(deg)?;
+        let torque = slope(&work, deg)?;
         let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
         let row = |what, reference, ours, tolerance| {
             let name = format!("elbow at {deg}°: {what}");
@@ -159,7 +160,8 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
 /// difference, relative.
 fn inverses() -> VerificationRow {
     let mut random = Random(20_261_121);
-    let (mut done, mut largest) = (0, Some(0.0_f64));
+    let mut done = 0;
+    let mut largest = Some(0.0_f64);
     while done < JOINTS {
         if let Some(off) = round_trip(&mut random) {
             done += 1;
@@ -213,10 +215,8 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
         centre_mm: 150.0,
         ..Link::default()
     };
-    let (p, deg) = (
-        [uniform(0.01, 0.6), uniform(0.01, 0.6)],
-        uniform(-25.0, 25.0),
-    );
+    let p = [uniform(0.01, 0.6), uniform(0.01, 0.6)];
+    let deg = uniform(-25.0, 25.0);
     let joint = Joint::new(muscles, None, link, (-30.0, 30.0)).ok()?;
     let ideals = ideals(&joint);
     let model = model(&joint, &ideals)?;

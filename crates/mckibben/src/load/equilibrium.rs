@@ -81,13 +81,16 @@ impl Evaluation<'_> {
     /// Sought from the length at rest (with `two_sided` from where the strands are straight) to the
     /// free contraction.
     pub fn balances(&mut self, load: &Load, pressure_mpa: f64) -> Result<Vec<Balance>, LoadError> {
-        let (model, options) = (self.model, self.options);
-        let (length, extends) = (model.muscle().length_mm(), model.muscle().is_extensile());
+        let model = self.model;
+        let options = self.options;
+        let length = model.muscle().length_mm();
+        let extends = model.muscle().is_extensile();
         let one_sided = Options {
             two_sided: false,
             ..options
         };
-        let (reach, range) = (load.reach_mm(), model.info().range.contraction);
+        let reach = load.reach_mm();
+        let range = model.info().range.contraction;
         let start = if options.two_sided {
             straight_strands(model.muscle())
         } else {
@@ -158,7 +161,8 @@ impl Evaluation<'_> {
 
     /// The balance at a pressure and contraction.
     fn balance(&mut self, load: &Load, pressure_mpa: f64, e: f64) -> Result<Balance, LoadError> {
-        let (length, mass) = (self.model.muscle().length_mm(), load.moving_mass_kg());
+        let length = self.model.muscle().length_mm();
+        let mass = load.moving_mass_kg();
         let answer = self.answer(pressure_mpa, e)?;
         // A muscle at its free contraction is as stiff as one that pulls a little.
         let response = self.response(pressure_mpa, e)?;

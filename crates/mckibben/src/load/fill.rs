@@ -144,7 +144,8 @@ impl Evaluation<'_> {
             Leg::At(_) if filling.held_at == Some(0.0) || contraction != 0.0 => FillState::Held,
             Leg::At(_) => FillState::NotLifted,
         };
-        let (mut cavity_j, mut friction_j) = (0.0, 0.0);
+        let mut cavity_j = 0.0;
+        let mut friction_j = 0.0;
         for (leg, from, to) in walked {
             let (cavity, friction) = way.works_j(leg, (from, to))?;
             (cavity_j, friction_j) = (cavity_j + cavity, friction_j + friction);
@@ -208,7 +209,8 @@ impl Evaluation<'_> {
     /// The pressure in MPa and the contraction, of a muscle that extends below zero, beyond which
     /// there is no answer.
     fn ends(&self, load: Option<&Load>) -> (f64, f64) {
-        let (muscle, range) = (self.model.muscle(), &self.model.info().range);
+        let muscle = self.model.muscle();
+        let range = &self.model.info().range;
         let open = (f64::NEG_INFINITY, f64::INFINITY);
         let ((_, highest_mpa), (low, high)) = match self.options.extrapolate {
             true => (open, open),

@@ -33,10 +33,8 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             muscle file",
         key: "braid.strand_length",
     })?;
-    let (b, n2) = (
-        measured.strand_length_mm,
-        4.0 * PI * measured.turns * measured.turns,
-    );
+    let b = measured.strand_length_mm;
+    let n2 = 4.0 * PI * measured.turns * measured.turns;
     let length = muscle.length_mm();
     let per_pressure = move |contraction: f64| {
         let l = (1.0 - contraction) * length;

@@ -25,7 +25,8 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 /// small contractions.
 pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.75);
-    let (braid, wall_mm) = (Pantograph::from_muscle(muscle), muscle.wall_mm());
+    let braid = Pantograph::from_muscle(muscle);
+    let wall_mm = muscle.wall_mm();
     let per_pressure = move |contraction: f64| {
         let g = braid.at(contraction)?;
         let bore = g.r - wall_mm;

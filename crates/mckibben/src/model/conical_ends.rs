@@ -56,8 +56,10 @@ pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             });
         }
         let r0 = braid.r0;
-        let (f, f1) = (g.r / r0, g.r1 / r0);
-        let (cot2, k3) = ((braid.cos / braid.sin).powi(2), kc / 3.0);
+        let f = g.r / r0;
+        let f1 = g.r1 / r0;
+        let cot2 = (braid.cos / braid.sin).powi(2);
+        let k3 = kc / 3.0;
         let inner = g.l + k3 * contraction * (1.0 / f - 4.0);
         let inner_l = 1.0 - k3 * (1.0 / f - 4.0) - k3 * contraction * f1 / (f * f);
         let area = PI * r0 * r0;

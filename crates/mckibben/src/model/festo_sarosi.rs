@@ -93,7 +93,8 @@ pub struct FestoSarosi {
 impl FestoSarosi {
     /// The DMSP-10 (inner diameter 10 mm) or the DMSP-20-200N (20 mm, length 200 mm).
     pub(super) fn new(fit: Fit, muscle: &Muscle) -> Self {
-        let (name, make) = (fit.entry.name, fit.make);
+        let name = fit.entry.name;
+        let make = fit.make;
         let info = ModelInfo {
             range: ModelRange {
                 pressure_mpa: (0.0, fit.highest_mpa),

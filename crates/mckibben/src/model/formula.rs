@@ -27,7 +27,8 @@ pub struct FormulaModel {
 impl FormulaModel {
     /// The formula for one muscle.
     pub fn new(formula: &Formula, muscle: &Muscle) -> Self {
-        let (d, s) = (muscle.outer_diameter_mm(), muscle.wall_mm());
+        let d = muscle.outer_diameter_mm();
+        let s = muscle.wall_mm();
         let bound = match &formula.body {
             Body::Paper(c) => Bound::Paper(c.section(d, s)),
             Body::Global(t) => Bound::Global(t.section(d, s)),
@@ -62,7 +63,8 @@ impl FormulaModel {
 
     /// F, ∂F/∂ε, ∂F/∂P.
     fn at(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3]> {
-        let (p, e) = (pressure_mpa, contraction);
+        let p = pressure_mpa;
+        let e = contraction;
         let all = match &self.bound {
             Bound::Paper(s) => [s.force_n(p, e), s.by_contraction(p, e), s.by_pressure(e)],
             Bound::Global(s) => s.at(p, e),
@@ -132,7 +134,8 @@ pub(super) fn of_sections(
     make: Vec<String>,
     m: &Muscle,
 ) -> ModelRange {
-    let (pressure_mpa, contraction) = (r.pressure_mpa, r.contraction);
+    let pressure_mpa = r.pressure_mpa;
+    let contraction = r.contraction;
     ModelRange {
         pressure_mpa,
         contraction,
@@ -161,17 +164,17 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
     let theirs = Made::from_muscle(muscle);
     let mut parts = vec![];
     if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
-        let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());
+        let ours = made.rubber.text();
+        let theirs = theirs.rubber.text();
         parts.push(format!("the rubber is {theirs}, the formula is for {ours}"));
     }
-    let (ours, theirs) = (
-        made.stiffness_n_per_mm(muscle.outer_diameter_mm()),
-        muscle.family_stiffness_n_per_mm(),
-    );
+    let ours = made.stiffness_n_per_mm(muscle.outer_diameter_mm());
+    let theirs = muscle.family_stiffness_n_per_mm();
     if !alike(ours, theirs, TOLERANCE) {
         let text =
             |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
-        let (ours, theirs) = (text(ours), text(theirs));
+        let ours = text(ours);
+        let theirs = text(theirs);
         parts.push(format!(
             "the braid's stiffness is {theirs}, the formula is for {ours}"
         ));

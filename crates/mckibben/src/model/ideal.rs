@@ -85,7 +85,8 @@ impl ForceModel for Ideal {
             });
         }
         let force_n = self.pull(pressure_mpa, contraction);
-        let (muscle, by_pressure) = (self.muscle(), self.pull(1.0, contraction));
+        let muscle = self.muscle();
+        let by_pressure = self.pull(1.0, contraction);
         let d = muscle.pantograph_diameter_mm(contraction);
         // Axial balance of a cut: F + P π D²/4 = (sum of tensions) · cosθ.
         let tension = (force_n + pressure_mpa * 0.25 * PI * d * d) / c;

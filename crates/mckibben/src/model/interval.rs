@@ -133,7 +133,9 @@ impl fmt::Display for RangeViolation {
             format!("\u{a0}{unit}")
         };
         let round = |v: f64| (v * 1e6).round() / 1e6;
-        let (rounded, low, high) = (round(self.value), round(low), round(high));
+        let rounded = round(self.value);
+        let low = round(low);
+        let high = round(high);
         // A hair beyond the bound is shown as it is.
         let hidden = rounded >= low && rounded <= high;
         let value = if hidden {

@@ -53,7 +53,8 @@ impl KluteHannaford {
                 model",
             key: "tube.material",
         })?;
-        let (c10, c01) = (law.c10_mpa, law.c01_mpa);
+        let c10 = law.c10_mpa;
+        let c01 = law.c01_mpa;
         Ok(Self {
             info: ModelInfo::of_soft_strands(&ENTRY, muscle, 0.55),
             ideal: Ideal::new(muscle),
@@ -67,11 +68,9 @@ impl KluteHannaford {
         let c = (self.braid.cos / self.braid.sin).powi(2);
         let u = 1.0 + c * (1.0 - l * l);
         // g = λ²u and its derivatives
-        let (g, g1, g2) = (
-            l * l * u,
-            2.0 * l * (1.0 + c - 2.0 * c * l * l),
-            2.0 * (1.0 + c) - 12.0 * c * l * l,
-        );
+        let g = l * l * u;
+        let g1 = 2.0 * l * (1.0 + c - 2.0 * c * l * l);
+        let g2 = 2.0 * (1.0 + c) - 12.0 * c * l * l;
         let i1 = 2.0 * l * (1.0 - c) - g1 / (g * g);
         let i11 = 2.0 * (1.0 - c) - g2 / (g * g) + 2.0 * g1 * g1 / (g * g * g);
         let i2 = g1 - 2.0 / l.powi(3) + 2.0 * c * l / (u * u);

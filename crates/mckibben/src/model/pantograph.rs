@@ -45,10 +45,8 @@ pub(super) struct Bore {
 impl Pantograph {
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
-        let (ro, ri) = (
-            muscle.tube().outer_radius_mm(),
-            muscle.tube().inner_radius_mm(),
-        );
+        let ro = muscle.tube().outer_radius_mm();
+        let ri = muscle.tube().inner_radius_mm();
         Self {
             r0: ro,
             length: muscle.length_mm(),

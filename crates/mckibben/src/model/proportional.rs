@@ -45,7 +45,8 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
     }
 
     fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let (muscle, at) = (self.muscle(), (self.per_pressure)(contraction)?);
+        let muscle = self.muscle();
+        let at = (self.per_pressure)(contraction)?;
         let response = Response {
             pressure_mpa,
             contraction,

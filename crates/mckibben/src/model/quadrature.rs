@@ -25,7 +25,8 @@ fn legendre(n: usize) -> Rule {
             let mut x = (std::f64::consts::PI * (i as f64 - 0.25) / (n as f64 + 0.5)).cos();
             let mut slope = 1.0;
             for _ in 0..8 {
-                let (mut before, mut p) = (1.0, x);
+                let mut before = 1.0;
+                let mut p = x;
                 for k in 2..=n {
                     let k = k as f64;
                     (before, p) = (p, ((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k);

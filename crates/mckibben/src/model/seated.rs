@@ -74,8 +74,11 @@ impl<M: ForceModel + ?Sized> Seated<M> {
 
     /// What the whole muscle answers where the muscle between its ends answers `inner`.
     pub fn whole(&self, at: &EndState, inner: Response) -> Response {
-        let (ends, k) = (&self.ends, at.stiffness_n_per_mm);
-        let (slip, bore, series) = (ends.slip_mm_per_n, ends.bore_mm2(), ends.series_factor(k));
+        let ends = &self.ends;
+        let k = at.stiffness_n_per_mm;
+        let slip = ends.slip_mm_per_n;
+        let bore = ends.bore_mm2();
+        let series = ends.series_factor(k);
         let by_pressure = inner
             .force_per_pressure_mm2
             .map(|slope| (slope - k * slip * bore) / series);

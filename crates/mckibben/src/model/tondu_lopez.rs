@@ -56,7 +56,8 @@ impl ForceModel for TonduLopez {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Response> {
-        let (p, k) = (pressure_mpa, self.factor.at(pressure_mpa));
+        let p = pressure_mpa;
+        let k = self.factor.at(pressure_mpa);
         let middle = self.ideal.response(workspace, p, k * contraction)?;
         // dF/dP = F/P + ∂F/∂(kε) · k'(P) ε, and ∂F/∂(kε) = −L0 · stiffness of the ideal muscle.
         let by_factor = middle.stiffness_n_per_mm.map_or(0.0, |s| {

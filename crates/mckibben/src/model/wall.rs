@@ -45,10 +45,8 @@ impl Wall {
     /// about 1e-12.
     pub fn new(tube: &Tube) -> Self {
         let wider = tube.prestretch.sqrt();
-        let (ro, ri) = (
-            wider * tube.outer_radius_mm(),
-            wider * tube.inner_radius_mm(),
-        );
+        let ro = wider * tube.outer_radius_mm();
+        let ri = wider * tube.inner_radius_mm();
         let span = 2.0 * (ro / ri).ln();
         let points = match span {
             s if s < 0.15 => 4,
@@ -97,7 +95,8 @@ impl Wall {
 
     /// W and its derivatives at an axial stretch λ and outer radius ro in mm.
     pub fn energy(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
-        let (p, l) = (self.prestretch, self.prestretch * axial_stretch);
+        let p = self.prestretch;
+        let l = self.prestretch * axial_stretch;
         let e = match self.closed(law) {
             Some(wall) => wall.energy(l, outer_radius_mm),
             None => self.integrated(law, l, outer_radius_mm),
@@ -115,7 +114,8 @@ impl Wall {
     /// The same at λ and x = ro².
     #[inline(always)]
     pub(super) fn of_square(&self, law: &Law, axial_stretch: f64, x: f64) -> SquareEnergy {
-        let (p, l) = (self.prestretch, self.prestretch * axial_stretch);
+        let p = self.prestretch;
+        let l = self.prestretch * axial_stretch;
         let e = match self.closed(law) {
             Some(wall) => wall.of_square(l, x),
             None => {

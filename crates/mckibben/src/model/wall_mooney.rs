@@ -41,21 +41,31 @@ impl Mooney {
     /// The same at λ and x = ro².
     #[inline(always)]
     pub(super) fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
-        let (c10, c01, a) = (self.c10_mpa, self.c01_mpa, self.section);
+        let c10 = self.c10_mpa;
+        let c01 = self.c01_mpa;
+        let a = self.section;
         // g = λ ri²; M = ln(ro²/ri²) and its derivatives in (λ, x)
         let g = l * x - a;
         let all = 1.0 / (l * x * g);
-        let (i, j, s) = (x * g * all, l * g * all, l * x * all);
-        let (i2, i3) = (i * i, i * i * i);
+        let i = x * g * all;
+        let j = l * g * all;
+        let s = l * x * all;
+        let i2 = i * i;
+        let i3 = i * i * i;
         let m = -(g * i * j).ln();
-        let (ml, mx) = (-a * i * s, -a * s * j);
+        let ml = -a * i * s;
+        let mx = -a * s * j;
         let twice = a * (2.0 * l * x - a) * s * s;
-        let (mll, mxx, mlx) = (twice * i2, twice * j * j, a * s * s);
+        let mll = twice * i2;
+        let mxx = twice * j * j;
+        let mlx = a * s * s;
         let k = x - self.ro2 * i;
-        let (kl, kll) = (self.ro2 * i2, -2.0 * self.ro2 * i3);
+        let kl = self.ro2 * i2;
+        let kll = -2.0 * self.ro2 * i3;
         let d = self.span - m;
         let q = k * d;
-        let (ql, qx) = (kl * d - k * ml, d - k * mx);
+        let ql = kl * d - k * ml;
+        let qx = d - k * mx;
         let qll = kll * d - 2.0 * kl * ml - k * mll;
         let qlx = -ml - kl * mx - k * mlx;
         let qxx = -2.0 * mx - k * mxx;

@@ -90,7 +90,8 @@ impl Bench {
             let left = (place.floor() as usize).min(count.saturating_sub(2));
             (left, place - left as f64)
         };
-        let (rows, columns) = (self.fit_n.len(), self.fit_n.first().map_or(0, Vec::len));
+        let rows = self.fit_n.len();
+        let columns = self.fit_n.first().map_or(0, Vec::len);
         let ((i, s), (k, t)) = (
             at(pressure_mpa, self.pressure_mpa, rows),
             at(contraction, self.contraction, columns),
@@ -221,7 +222,9 @@ impl Muscle {
     pub fn digest(&self) -> String {
         let mut text = Digested::default();
         let mut add = |name: &str, values: &[f64]| text.add(name, values);
-        let (tube, braid, ends) = (&self.parts.tube, &self.parts.braid, &self.parts.terminals);
+        let tube = &self.parts.tube;
+        let braid = &self.parts.braid;
+        let ends = &self.parts.terminals;
         add(
             "tube",
             &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm],

@@ -171,7 +171,8 @@ impl Braid {
         if let Some(sleeve) = &self.sleeve {
             let outer_diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
             let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
-            let (off_deg, name) = ((angle_deg - of_sleeve_deg).abs(), &sleeve.name);
+            let off_deg = (angle_deg - of_sleeve_deg).abs();
+            let name = &sleeve.name;
             // A NaN is no angle, and `check` says so.
             Refused::unless(
                 off_deg.is_nan() || off_deg <= SLEEVE_ANGLE_TOLERANCE_DEG,
@@ -243,7 +244,8 @@ impl Braid {
 
     /// Whether the tube fits into the sleeve.
     pub(super) fn check_on(&self, tube: &Tube) -> Result<(), MuscleError> {
-        let (thickness_mm, outer_diameter_mm) = (self.thickness_mm, tube.outer_diameter_mm);
+        let thickness_mm = self.thickness_mm;
+        let outer_diameter_mm = tube.outer_diameter_mm;
         Refused::unless(
             thickness_mm < outer_diameter_mm,
             ["braid.thickness", "tube.outer_diameter"],

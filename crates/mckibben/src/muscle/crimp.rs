@@ -29,9 +29,11 @@ impl Crimp {
     /// Energy, force and tangent at a strain, each over k.
     #[inline]
     pub fn at(&self, strain: f64) -> [f64; 3] {
-        let (kappa, width) = (self.stiffness_ratio, BLEND * self.strain);
+        let kappa = self.stiffness_ratio;
+        let width = BLEND * self.strain;
         let rest = 1.0 - kappa;
-        let (into, beyond) = (strain - self.strain + width, strain - self.strain);
+        let into = strain - self.strain + width;
+        let beyond = strain - self.strain;
         let [energy, force, slope] = if into <= 0.0 {
             [0.0; 3]
         } else if beyond < width {
@@ -58,8 +60,10 @@ impl Crimp {
 
     /// The strain at a force over k.
     pub fn strain_at(&self, force: f64) -> f64 {
-        let (kappa, width) = (self.stiffness_ratio, BLEND * self.strain);
-        let (rest, low) = (1.0 - kappa, self.strain - width);
+        let kappa = self.stiffness_ratio;
+        let width = BLEND * self.strain;
+        let rest = 1.0 - kappa;
+        let low = self.strain - width;
         let straight = force + rest * self.strain;
         if force <= kappa * low {
             force / kappa
@@ -67,7 +71,9 @@ impl Crimp {
             straight
         } else {
             // κ (low + x) + (1 − κ) x²/(4w) = force, in x = c − low.
-            let (b, a, left) = (kappa, rest / (4.0 * width), force - kappa * low);
+            let b = kappa;
+            let a = rest / (4.0 * width);
+            let left = force - kappa * low;
             low + 2.0 * left / (b + (b * b + 4.0 * a * left).sqrt())
         }
     }

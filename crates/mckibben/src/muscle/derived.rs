@@ -104,7 +104,8 @@ impl Muscle {
     /// What a workshop needs.
     pub fn build_sheet(&self) -> BuildSheet {
         let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm();
-        let (ro, ri) = (self.tube().outer_radius_mm(), self.tube().inner_radius_mm());
+        let ro = self.tube().outer_radius_mm();
+        let ri = self.tube().inner_radius_mm();
         let stretch = self.tube().prestretch;
         // What is clamped has the section of before.
         let tube_cut_mm = self.length_mm() / stretch + 2.0 * self.terminals().insertion_mm();

@@ -154,7 +154,8 @@ impl Ends {
         for _ in 0..Self::STEPS {
             let between = self.between(contraction, displacement);
             let inner = pull(between)?;
-            let (k, slip) = (inner.stiffness_n_per_mm.unwrap_or(0.0), self.slip_mm_per_n);
+            let k = inner.stiffness_n_per_mm.unwrap_or(0.0);
+            let slip = self.slip_mm_per_n;
             let force_n = inner.force_n;
             let miss = self.end_displacement_mm(pressure_mpa, force_n) - displacement;
             if slip == 0.0 || miss.abs() <= 1e-9 * (1.0 + displacement.abs()) {

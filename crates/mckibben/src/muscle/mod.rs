@@ -120,10 +120,8 @@ impl Muscle {
                 .into()
         })?;
         braid.check_on(tube)?;
-        let (seating_mm, grip_mm) = (
-            terminals.seating_mm.unwrap_or(0.0),
-            terminals.grip_mm.unwrap_or(0.0),
-        );
+        let seating_mm = terminals.seating_mm.unwrap_or(0.0);
+        let grip_mm = terminals.grip_mm.unwrap_or(0.0);
         Refused::unless(
             seating_mm < length_mm,
             ["terminals.seating", "tube.length"],
@@ -146,7 +144,8 @@ impl Muscle {
                 )
             },
         )?;
-        let (plug_mm, bore_mm) = (2.0 * parts.plug_radius_mm(), 2.0 * tube.inner_radius_mm());
+        let plug_mm = 2.0 * parts.plug_radius_mm();
+        let bore_mm = 2.0 * tube.inner_radius_mm();
         let (least, largest) = Terminals::PLUG_OF_BORE;
         let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
         Refused::unless(
@@ -220,7 +219,8 @@ impl Muscle {
 
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
     pub fn prototype() -> Self {
-        let (tube, braid) = (Tube::prototype(), Braid::paper());
+        let tube = Tube::prototype();
+        let braid = Braid::paper();
         let parts = Parts {
             tube,
             braid,
@@ -312,7 +312,8 @@ impl Muscle {
 
     /// Rubber at another temperature than that of its constants.
     fn temperature_warning(&self) -> Option<String> {
-        let (degc, of_constants) = (self.parts.tube.temperature_degc?, Rubber::OF_CONSTANTS_DEGC);
+        let degc = self.parts.tube.temperature_degc?;
+        let of_constants = Rubber::OF_CONSTANTS_DEGC;
         (degc != of_constants).then(|| {
             let mu = |rubber: &Rubber| rubber.law.shear_modulus_mpa();
             let factor = mu(self.rubber()) / mu(&self.parts.tube.rubber);
@@ -365,7 +366,8 @@ impl Muscle {
     fn measured_strand_warning(&self) -> Option<String> {
         const SHARE: f64 = 0.05;
         let measured = self.parts.braid.measured?;
-        let (length, turns) = (self.strand_length_mm(), self.turns());
+        let length = self.strand_length_mm();
+        let turns = self.turns();
         let off = |a: f64, b: f64| (a / b - 1.0).abs() > SHARE;
         (off(measured.strand_length_mm, length) || off(measured.turns, turns)).then(|| {
             format!(

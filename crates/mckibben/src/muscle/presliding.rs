@@ -68,7 +68,8 @@ impl Presliding {
     fn branch(&self, x: f64) -> (usize, f64) {
         let mut turns = self.turns.as_slice();
         while let [earlier @ .., (before, _), (turn, _)] = turns {
-            let (leg, way) = (turn - before, x - turn);
+            let leg = turn - before;
+            let way = x - turn;
             // The curve from rest is half as wide as one after a reversal.
             let closing = if earlier.is_empty() { 2.0 * leg } else { leg };
             let is_reversal = way * leg < 0.0;
@@ -83,7 +84,8 @@ impl Presliding {
             turns = turns.get(..turns.len() - forgotten).unwrap_or_default();
         }
         let (from, z) = turns.last().copied().unwrap_or_default();
-        let (way, width) = (x - from, if turns.len() > 1 { 2.0 } else { 1.0 });
+        let way = x - from;
+        let width = if turns.len() > 1 { 2.0 } else { 1.0 };
         let sticking = (1.0 - way.abs() / (width * self.length_mm)).max(0.0);
         (
             turns.len(),

@@ -17,12 +17,11 @@ use super::{Braid, Muscle, NEUTRAL_ANGLE_DEG, Parts, Tube};
 pub fn largest_stretch(tube: &Tube, braid: &Braid) -> f64 {
     let (sin, cos) = braid.angle_rad().sin_cos();
     let (sin_neutral, cos_neutral) = NEUTRAL_ANGLE_DEG.to_radians().sin_cos();
-    let (outer, inner, lay) = (
-        tube.outer_radius_mm(),
-        tube.inner_radius_mm(),
-        braid.lay(tube),
-    );
-    let (axial, hoop) = (cos_neutral / cos, sin_neutral / sin);
+    let outer = tube.outer_radius_mm();
+    let inner = tube.inner_radius_mm();
+    let lay = braid.lay(tube);
+    let axial = cos_neutral / cos;
+    let hoop = sin_neutral / sin;
     let bore = lay.outer_radius_mm(hoop).powi(2) - (outer * outer - inner * inner) / axial;
     // Before it was mounted the bore was wider by √λp, and at rest the tube is as long as λp. A
     // muscle that extends is longest at 54.7°.

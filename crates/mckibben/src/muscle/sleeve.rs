@@ -69,7 +69,8 @@ impl Muscle {
     /// Mass of the sleeve between the terminals in g: N A B ρ, with N strands of section A, B the
     /// length of one and ρ the density of their material; where all are known.
     pub fn sleeve_mass_g(&self) -> Option<f64> {
-        let (strands, sleeve) = (self.braid().strands?, self.braid().sleeve.as_ref()?);
+        let strands = self.braid().strands?;
+        let sleeve = self.braid().sleeve.as_ref()?;
         let density = library::material_of(&sleeve.name)?.density_kg_per_m3?;
         Some(
             1e-6 * density

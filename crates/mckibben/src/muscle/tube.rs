@@ -31,7 +31,9 @@ pub struct Tube {
 impl Tube {
     /// A tube by its outer diameter, wall and length in mm, and its rubber.
     pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
-        let (density_kg_per_m3, prestretch, temperature_degc) = (None, 1.0, None);
+        let density_kg_per_m3 = None;
+        let prestretch = 1.0;
+        let temperature_degc = None;
         Self {
             outer_diameter_mm,
             wall_mm,
@@ -86,7 +88,8 @@ impl Tube {
     /// Mass of the rubber between the terminals in g: ρ π (Ro² − Ri²) L0; none where the density is
     /// not stated.
     pub fn rubber_mass_g(&self) -> Option<f64> {
-        let (ro, ri) = (self.outer_radius_mm(), self.inner_radius_mm());
+        let ro = self.outer_radius_mm();
+        let ri = self.inner_radius_mm();
         let volume_mm3 = std::f64::consts::PI * (ro * ro - ri * ri) * self.length_mm;
         // 1 kg/m³ is 1e-6 g/mm³.
         Some(1e-6 * self.density_kg_per_m3? * volume_mm3)

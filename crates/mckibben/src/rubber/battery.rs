@@ -31,7 +31,8 @@ fn energy_and_stress_vanish_at_rest() {
 #[test]
 fn small_strain_moduli_are_3_6_and_4_mu() {
     for law in Law::examples() {
-        let (mu, h) = (law.shear_modulus_mpa(), 1e-5);
+        let mu = law.shear_modulus_mpa();
+        let h = 1e-5;
         let slope = |f: &dyn Fn(f64) -> f64| (f(1.0 + h) - f(1.0 - h)) / (2.0 * h);
         for (got, factor) in [
             (slope(&|x| law.uniaxial_stress_mpa(x)), 3.0),
@@ -79,10 +80,12 @@ fn principal_derivatives_are_those_of_finite_differences() {
             let p = law.principal(state);
             for i in 0..3 {
                 let h = 1e-5;
-                let (mut up, mut down) = (state, state);
+                let mut up = state;
+                let mut down = state;
                 up[i] += h;
                 down[i] -= h;
-                let (a, b) = (law.principal(up), law.principal(down));
+                let a = law.principal(up);
+                let b = law.principal(down);
                 assert!(
                     ((a.w - b.w) / (2.0 * h) - p.d[i]).abs() < scale * 1e-8,
                     "{name} d{i}"
@@ -107,9 +110,12 @@ fn principal_derivatives_are_those_of_finite_differences() {
 fn biaxial_derivatives_are_those_of_finite_differences() {
     for law in Law::examples() {
         for (u, v) in [(1.0, 1.0), (2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
-            let (b, h) = (law.biaxial(u, v), 1e-5);
-            let (up, um) = (law.biaxial(u + h, v), law.biaxial(u - h, v));
-            let (vp, vm) = (law.biaxial(u, v + h), law.biaxial(u, v - h));
+            let b = law.biaxial(u, v);
+            let h = 1e-5;
+            let up = law.biaxial(u + h, v);
+            let um = law.biaxial(u - h, v);
+            let vp = law.biaxial(u, v + h);
+            let vm = law.biaxial(u, v - h);
             let pairs = [
                 ((up.w - um.w) / (2.0 * h), b.u),
                 ((vp.w - vm.w) / (2.0 * h), b.v),
@@ -144,7 +150,8 @@ fn biaxial_through_invariants_is_biaxial_through_principal_stretches() {
     }
     with_softened(|name, law, scale| {
         for (u, v) in [(2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
-            let (a, b) = (law.biaxial(u, v), Plain(law).biaxial(u, v));
+            let a = law.biaxial(u, v);
+            let b = Plain(law).biaxial(u, v);
             for (x, y) in [
                 (a.w, b.w),
                 (a.u, b.u),
@@ -185,7 +192,8 @@ fn ogden_contains_mooney_rivlin() {
         c01_mpa: 0.02,
     };
     for (u, v) in [(2.5, 0.8), (4.0, 0.6)] {
-        let (a, b) = (ogden.biaxial(u, v), mooney.biaxial(u, v));
+        let a = ogden.biaxial(u, v);
+        let b = mooney.biaxial(u, v);
         assert!((a.w - b.w).abs() + (a.u - b.u).abs() + (a.vv - b.vv).abs() < 1e-13);
     }
 }
@@ -259,7 +267,8 @@ fn every_constant_can_be_changed_alone() {
                 assert_eq!((&a.name, a.value), (&b.name, expected), "{}", law.name());
             }
         }
-        let (soft, stiff) = (law.shear_modulus_mpa(), law.scaled(3.0).shear_modulus_mpa());
+        let soft = law.shear_modulus_mpa();
+        let stiff = law.scaled(3.0).shear_modulus_mpa();
         assert!((stiff / soft - 3.0).abs() < 1e-12, "{}", law.name());
     }
 }

@@ -41,13 +41,19 @@ impl<T: InvariantLaw> RubberLaw for T {
 
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
         // I1 = u + v + 1/(uv), I2 = uv + 1/u + 1/v
-        let (ru, rv) = (1.0 / u, 1.0 / v);
+        let ru = 1.0 / u;
+        let rv = 1.0 / v;
         let r = ru * rv;
         let f = self.invariant(u + v + r, u * v + ru + rv);
-        let (a_u, a_v) = (1.0 - r * ru, 1.0 - r * rv);
-        let (b_u, b_v) = (v - ru * ru, u - rv * rv);
-        let (a_uu, a_uv, a_vv) = (2.0 * r * ru * ru, r * r, 2.0 * r * rv * rv);
-        let (b_uu, b_vv) = (2.0 * ru * ru * ru, 2.0 * rv * rv * rv);
+        let a_u = 1.0 - r * ru;
+        let a_v = 1.0 - r * rv;
+        let b_u = v - ru * ru;
+        let b_v = u - rv * rv;
+        let a_uu = 2.0 * r * ru * ru;
+        let a_uv = r * r;
+        let a_vv = 2.0 * r * rv * rv;
+        let b_uu = 2.0 * ru * ru * ru;
+        let b_vv = 2.0 * rv * rv * rv;
         let second = |a: f64, b: f64, c: f64, d: f64| {
             f.w11 * a * b + f.w12 * (a * d + c * b) + f.w22 * c * d
         };

@@ -177,14 +177,16 @@ impl LawKind {
     /// # Errors
     /// Where the lists are not equally long, or not one for each constant.
     pub fn law_of_terms(&self, lists: &[Vec<f64>]) -> Result<Law, Refused> {
-        let (law, first) = (self.name, self.constants[0].name);
+        let law = self.name;
+        let first = self.constants[0].name;
         let terms = lists.first().map_or(0, Vec::len);
         if let Some((list, c)) = lists
             .iter()
             .zip(self.constants)
             .find(|(list, _)| list.len() != terms)
         {
-            let (name, count) = (c.name, list.len());
+            let name = c.name;
+            let count = list.len();
             let message = format!(
                 "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for \
                  each {first}"

@@ -100,7 +100,8 @@ impl Law {
     /// # Errors
     /// [`Refused`] where a constant is not finite or the rubber has no stiffness at rest.
     pub fn validated(self) -> Result<Self, Refused> {
-        let (law, constants) = (self.name(), self.constants());
+        let law = self.name();
+        let constants = self.constants();
         if self.kind().is_sum && constants.len() > MOST_TERMS * self.kind().constants.len() {
             let message = format!("an {law} law has at most {MOST_TERMS} terms");
             return Err(Refused::new(["alpha"], message));
@@ -120,7 +121,9 @@ impl Law {
         {
             let within = *value > c.bounds.0 && *value < c.bounds.1;
             if !c.is_modulus() && !within {
-                let (name, must, doc) = (c.name, between(c.bounds), c.doc);
+                let name = c.name;
+                let must = between(c.bounds);
+                let doc = c.doc;
                 let message =
                     format!("{name} of the {law} law is {value}; it must be {must} (it is {doc})");
                 return Err(Refused::new([name], message));
@@ -168,7 +171,8 @@ impl Law {
     /// proportion too.
     #[must_use]
     pub fn towards(&self, other: &Law, share: f64) -> Law {
-        let (constants, others) = (self.kind().constants, other.values());
+        let constants = self.kind().constants;
+        let others = other.values();
         if self.kind().is_sum {
             let terms = [
                 self.scaled(1.0 - share).values(),

@@ -28,7 +28,8 @@ pub fn biaxial_unstable_from<L: RubberLaw + ?Sized>(
 
 /// ∂²ŵ/∂x², ∂²ŵ/∂x∂y, ∂²ŵ/∂y² with x = ln λ1, y = ln λ2 of incompressible rubber, in MPa.
 pub fn log_hessian<L: RubberLaw + ?Sized>(law: &L, stretch_1: f64, stretch_2: f64) -> [f64; 3] {
-    let (u, v) = (stretch_1 * stretch_1, stretch_2 * stretch_2);
+    let u = stretch_1 * stretch_1;
+    let v = stretch_2 * stretch_2;
     let b = law.biaxial(u, v);
     // ∂x = 2u ∂u, ∂y = 2v ∂v.
     let xx = 4.0 * u * (u * b.uu + b.u);

@@ -13,7 +13,8 @@ use std::fmt;
 
 impl Serialize for Law {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (kind, values) = (self.kind(), self.values());
+        let kind = self.kind();
+        let values = self.values();
         let count = kind.constants.len();
         let mut map = serializer.serialize_map(Some(1 + count))?;
         map.serialize_entry("law", kind.name)?;

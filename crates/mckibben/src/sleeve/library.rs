@@ -219,7 +219,8 @@ pub(super) fn estimated(mut sleeve: Sleeve, material: &Material, factor: Option<
         &mut sleeve.strands_per_carrier,
         material.strands_per_carrier,
     );
-    let (area, strength) = (sleeve.strand_area_mm2(), material.strength_mpa);
+    let area = sleeve.strand_area_mm2();
+    let strength = material.strength_mpa;
     if let Some((area, strength)) = area
         .zip(strength)
         .filter(|_| sleeve.strand_strength_n.is_none())

@@ -90,7 +90,8 @@ impl SleeveShape {
     /// # Errors
     /// [`Refused`] beyond the sleeve's range, and from 54.7° on.
     pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
-        let (least_mm, largest_mm) = (self.least_mm, self.largest_mm);
+        let least_mm = self.least_mm;
+        let largest_mm = self.largest_mm;
         // Where a range was turned from inches, its ends belong to it.
         let fits = outer_diameter_mm >= least_mm * (1.0 - 1e-9)
             && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
@@ -98,7 +99,9 @@ impl SleeveShape {
             .then(|| self.helix.angle_deg(outer_diameter_mm))
             .flatten();
         let wrong = |message| Refused::new(["braid.name", "tube.outer_diameter"], message);
-        let (name, least, on) = (&self.name, short(least_mm), short(outer_diameter_mm));
+        let name = &self.name;
+        let least = short(least_mm);
+        let on = short(outer_diameter_mm);
         match angle {
             Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
             Some(angle_deg) => Err(wrong(format!(

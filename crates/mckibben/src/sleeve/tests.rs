@@ -36,7 +36,8 @@ fn tube(outer_diameter_mm: f64) -> Tube {
 fn stiffness_times_spacing_is_that_of_a_strand_on_every_tube() {
     let sleeve = whole();
     for d in [8.0, 10.0, 15.0, 23.0] {
-        let (braid, tube) = (sleeve.on(d).unwrap(), tube(d));
+        let braid = sleeve.on(d).unwrap();
+        let tube = tube(d);
         let k = braid.family_stiffness_n_per_mm(&tube).unwrap();
         let spacing = PI * d * braid.angle_rad().cos() / 24.0;
         assert!(close(k * spacing, 8530.0 * PI * 0.25 * 0.25 / 4.0), "{d}");

@@ -444,7 +444,9 @@ impl<'a> Pull<'_, 'a> {
                 ..UncertaintyParts::default()
             });
         }
-        let (p, e, muscle) = (self.pressure_mpa, self.contraction, self.model().muscle());
+        let p = self.pressure_mpa;
+        let e = self.contraction;
+        let muscle = self.model().muscle();
         let blocked = self.evaluation.blocked_n(p)?;
         let lowest = muscle.identified_from_mpa();
         let measured_blocked = if p < lowest {
@@ -537,7 +539,8 @@ impl<'a> Pull<'_, 'a> {
             .iter()
             .all(|b| bench.branches.contains(b));
         self.model().muscle().friction().filter(|_| both)?;
-        let (p, e) = (self.pressure_mpa, self.contraction);
+        let p = self.pressure_mpa;
+        let e = self.contraction;
         let half = self.evaluation.half_width_n(p, e).ok()?;
         Some((half * (half + 2.0 * fit_n)).sqrt())
     }
@@ -545,7 +548,8 @@ impl<'a> Pull<'_, 'a> {
 
 /// Squares of the parts, weighted by 1 − x and x.
 fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> UncertaintyParts {
-    let (inner, outer) = (inside.parts(), outside.parts());
+    let inner = inside.parts();
+    let outer = outside.parts();
     let part = |i: usize| {
         let square = |v: Option<f64>| v.unwrap_or(0.0).powi(2);
         let mixed = ((1.0 - x) * square(inner[i]) + x * square(outer[i])).sqrt();

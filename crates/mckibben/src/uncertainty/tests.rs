@@ -11,7 +11,8 @@ fn parts_of(
     contraction: f64,
     direction: Direction,
 ) -> UncertaintyParts {
-    let (model, w) = (ThickWall::new(m), &mut Workspace::new());
+    let model = ThickWall::new(m);
+    let w = &mut Workspace::new();
     Evaluation::new(&model, w, direction)
         .uncertainty(pressure_mpa, contraction, 100.0)
         .unwrap()
@@ -122,14 +123,16 @@ fn factors_of_estimates_are_parts() {
 
 #[test]
 fn a_simpler_model_has_a_larger_uncertainty() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
+    let w = &mut Workspace::new();
     let of = |model: &dyn ForceModel, w: &mut Workspace| {
         Evaluation::new(model, w, Direction::Mean)
             .uncertainty(0.25, 0.1, 300.0)
             .unwrap()
             .total()
     };
-    let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
+    let ideal = of(&Ideal::new(&m), w);
+    let thick = of(&ThickWall::new(&m), w);
     assert!(ideal > thick, "{ideal} {thick}");
 }
 
@@ -137,7 +140,8 @@ fn a_simpler_model_has_a_larger_uncertainty() {
 /// 12 % of the blocked force without a law.
 #[test]
 fn stated_friction_counts_until_a_branch_is_selected() {
-    let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+    let m = Muscle::prototype();
+    let w = &mut Workspace::new();
     let stated = m
         .with_friction(Some(Friction::power_law(74.0, 0.5)))
         .unwrap();
@@ -228,10 +232,8 @@ fn another_specimen_of_a_product_is_a_part() {
             ..parts(&own)
         }
     );
-    let (wider, without) = (
-        theirs.with_section(31.0, 3.0).unwrap(),
-        m.with_section(31.0, 3.0).unwrap(),
-    );
+    let wider = theirs.with_section(31.0, 3.0).unwrap();
+    let without = m.with_section(31.0, 3.0).unwrap();
     let found = parts(&wider);
     assert!(found.transfer.is_some() && found.fit.is_none());
     assert_eq!(
@@ -268,7 +270,8 @@ fn another_length_of_an_identified_muscle_is_a_part() {
     let own = m.clone().with_bench(own.sealed(&m));
     let short = of(260.0).with_bench_of(&own);
     let parts = |m: &Muscle| parts_of(m, 0.2, 0.1, Direction::Mean);
-    let (found, without) = (parts(&short), parts(&of(260.0)));
+    let found = parts(&short);
+    let without = parts(&of(260.0));
     let inverse = 0.5 * (1.0 / m.length_mm() + 1.0 / 400.0);
     let off = m.tube().outer_diameter_mm * (1.0 / 260.0 - inverse);
     let blocked = ThickWall::new(&of(260.0))
@@ -404,7 +407,8 @@ fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let cos = 0.9 * 28f64.to_radians().cos();
     let r = 15.0 * (1.0 - cos * cos).sqrt() / 28f64.to_radians().sin();
     let h = 0.085 * (force_n + std::f64::consts::PI * r * r * p);
-    let (direction, friction_share) = (Direction::Contraction, m.friction_share());
+    let direction = Direction::Contraction;
+    let friction_share = m.friction_share();
     let options = Options {
         direction,
         friction_share,

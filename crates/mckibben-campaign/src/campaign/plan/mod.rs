@@ -101,7 +101,8 @@ impl Plan {
         match self.testing.elements {
             // Time grows with the elements along and with the square of those through the wall.
             Elements::Axisymmetric(mesh) => {
-                let (through, along) = (mesh.through.unwrap_or(1), mesh.along.unwrap_or(6));
+                let through = mesh.through.unwrap_or(1);
+                let along = mesh.along.unwrap_or(6);
                 let most = if self.testing.sensitivities {
                     512
                 } else {

@@ -120,7 +120,8 @@ fn sobol_points_are_a_net() {
         )
     };
     for m in 0..=8_u32 {
-        let (columns, rows) = (1_usize << m, 1_usize << (8 - m));
+        let columns = 1_usize << m;
+        let rows = 1_usize << (8 - m);
         let mut hits = vec![0; 256];
         for i in 0..256 {
             let (x, y) = at(i);

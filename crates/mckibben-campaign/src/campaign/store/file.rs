@@ -35,7 +35,8 @@ impl Opened {
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
-        let (fields, names) = (provenance.layout.fields(), reader.names());
+        let fields = provenance.layout.fields();
+        let names = reader.names();
         if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {
             let why = format!("its table lacks the column {name}; run the plan again");
             return Err(none(why));
@@ -126,7 +127,8 @@ fn undecoded(error: TableError, path: &Path) -> CampaignError {
 
 /// A part as the bytes of its file.
 pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
-    let (mut bytes, name) = (vec![], part_name(number));
+    let mut bytes = vec![];
+    let name = part_name(number);
     let tables = std::iter::once(Ok(table));
     write(
         provenance,
@@ -152,10 +154,12 @@ pub(crate) fn write(
     };
     let mut group = Table::new(provenance.layout.fields());
     let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
-    let (pairs, program) = (provenance.write(which), format!("mckibben {VERSION}"));
+    let pairs = provenance.write(which);
+    let program = format!("mckibben {VERSION}");
     let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
     for table in tables {
-        let (table, mut from) = (table?, 0);
+        let table = table?;
+        let mut from = 0;
         while from < table.rows {
             let to = table.rows.min(from + GROUP - group.rows);
             group.extend(&table, from, to);

@@ -54,7 +54,8 @@ impl Manifest {
                 provenance.check_same(&opened.provenance, &part)?;
             }
             let put = || {
-                let (text, exists) = (serde_json::to_vec(&ours)?, path.exists());
+                let text = serde_json::to_vec(&ours)?;
+                let exists = path.exists();
                 Unfinished::inside(&path, exists)?.with(&text)?.put(exists)
             };
             match put() {

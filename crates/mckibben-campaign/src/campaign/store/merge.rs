@@ -55,7 +55,8 @@ impl Parts {
         // Not one after another: the count is read from the file.
         let missing = count - parts.range(..count).count() as u64;
         if let Some(first) = (0..count).find(|p| !parts.contains_key(p)) {
-            let (folder, first) = (folder.display(), part_name(first));
+            let folder = folder.display();
+            let first = part_name(first);
             return Err(CampaignError::Incomplete(format!(
                 "{folder} is incomplete: {missing} of {count} parts are missing, the first is \
                  {first}"
@@ -95,7 +96,8 @@ impl Parts {
 
 /// Refuses two files for the same part that differ.
 fn check_equal(first: &Path, second: &Path) -> Result<()> {
-    let (a, b) = (Opened::file(first)?, Opened::file(second)?);
+    let a = Opened::file(first)?;
+    let b = Opened::file(second)?;
     a.provenance.check_same(&b.provenance, second)?;
     let bytes = |path: &Path| std::fs::read(path).map_err(CampaignError::read(path));
     if bytes(first)? == bytes(second)? {

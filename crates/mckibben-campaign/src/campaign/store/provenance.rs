@@ -76,7 +76,8 @@ impl Provenance {
     /// Whether a file is of this plan and this version of the program.
     pub(crate) fn check_plan(&self, version: &str, plan_sha256: &str, file: &Path) -> Result<()> {
         let name = file.display();
-        let (ours, our_version) = (&self.plan_sha256, &self.version);
+        let ours = &self.plan_sha256;
+        let our_version = &self.version;
         let other = if plan_sha256 != ours {
             format!(
                 "{name} contains a campaign of another plan (sha256 {plan_sha256:.12}, this plan \

@@ -72,7 +72,8 @@ pub(super) fn existing(
             Err(error) => Err(error),
         }
     };
-    let (mut whole, mut damaged) = (BTreeSet::new(), vec![]);
+    let mut whole = BTreeSet::new();
+    let mut damaged = vec![];
     for ((number, file), damage) in parts.iter().zip(threads.map(&parts, damage)) {
         match damage? {
             _ if !holds(*number) => {}

@@ -178,7 +178,8 @@ impl Run<'_> {
 
     /// Runs into one file, by way of a folder of parts.
     fn into_file(self) -> Result<Outcome> {
-        let (out, overwrite) = (self.out, self.options.overwrite);
+        let out = self.out;
+        let overwrite = self.options.overwrite;
         if self.options.shard.is_some() {
             let message = format!(
                 "a shard writes parts, and {} would be one file",
@@ -252,7 +253,9 @@ impl Run<'_> {
     ) -> Result<()> {
         let report = |c: &Counts| self.progress.report(c.muscles as usize, c.of as usize);
         report(counts);
-        let (mut pending, mut ended, mut flushed) = (vec![], Ok(()), Instant::now());
+        let mut pending = vec![];
+        let mut ended = Ok(());
+        let mut flushed = Instant::now();
         // A separate flag: an error here is not the user's wish to end.
         let failed = AtomicBool::new(false);
         let halted = || self.progress.cancelled() || failed.load(Ordering::Relaxed);

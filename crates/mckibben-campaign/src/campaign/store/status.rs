@@ -79,7 +79,8 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         }
     };
     parts.retain(|&number, _| number < manifest.parts);
-    let (mut whole, mut damaged) = (BTreeSet::new(), vec![]);
+    let mut whole = BTreeSet::new();
+    let mut damaged = vec![];
     for (number, path) in parts {
         match Opened::file(&path) {
             Ok(_) => drop(whole.insert(number)),

@@ -21,7 +21,8 @@ fn a_changed_file_is_refused_or_read_whole_and_a_cut_one_is_refused() {
     let dir = folder();
     let path = dir.path().join("c.parquet");
     run_to(&path);
-    let (whole, mut refused) = (bytes(&path), 0);
+    let whole = bytes(&path);
+    let mut refused = 0;
     let other = dir.path().join("other.parquet");
     let places: Vec<usize> = (0..whole.len())
         .step_by(13)
@@ -128,7 +129,8 @@ fn missing_parts_are_counted_and_named() {
 #[test]
 fn another_plan_or_version_is_refused_with_a_hint() {
     let dir = folder();
-    let (store, file) = (dir.path().join("store"), dir.path().join("c.parquet"));
+    let store = dir.path().join("store");
+    let file = dir.path().join("c.parquet");
     run_to(&store);
     run_to(&file);
     let before = (bytes(&part(&store, 0)), bytes(&file));
@@ -171,7 +173,8 @@ fn table_of(plan: &Plan, muscle: u64) -> Table {
 #[test]
 fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     let dir = folder();
-    let (one, other) = (dir.path().join("one"), dir.path().join("other"));
+    let one = dir.path().join("one");
+    let other = dir.path().join("other");
     run_to(&one);
     std::fs::create_dir(&other).unwrap();
     // The rows of muscle 4 under the name of muscle 3.
@@ -233,10 +236,8 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
 fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
     let dir = folder();
     let expected = reference(&dir);
-    let (file, parts) = (
-        dir.path().join("c.parquet"),
-        dir.path().join("c.parquet.parts"),
-    );
+    let file = dir.path().join("c.parquet");
+    let parts = dir.path().join("c.parquet.parts");
     run_to(&parts);
     std::fs::write(&file, &expected).unwrap();
     let outcome = run_to(&file);
@@ -258,10 +259,8 @@ fn what_a_killed_run_or_merge_left_unfinished_is_swept_away() {
     run_to(dir.path());
     assert!(!left.exists());
     assert_eq!(read(dir.path()).unwrap().len(), 72);
-    let (left, merged) = (
-        dir.path().join(".unfinished-m.parquet-k1ll3d"),
-        dir.path().join("m.parquet"),
-    );
+    let left = dir.path().join(".unfinished-m.parquet-k1ll3d");
+    let merged = dir.path().join("m.parquet");
     std::fs::write(&left, b"PAR1").unwrap();
     merge(&[dir.path().into()], &merged, false).unwrap();
     assert!(!left.exists());
@@ -300,7 +299,8 @@ fn files_of_something_else_are_replaced_only_with_overwrite() {
         ("store", "store/part-000003.parquet"),
         ("c.parquet", "c.parquet"),
     ] {
-        let (out, place) = (dir.path().join(out), dir.path().join(place));
+        let out = dir.path().join(out);
+        let place = dir.path().join(place);
         std::fs::create_dir_all(place.parent().unwrap()).unwrap();
         std::fs::write(&place, &theirs).unwrap();
         let error = run(&plan(), &out, &RunOptions::default(), &Silent).unwrap_err();
@@ -312,7 +312,8 @@ fn files_of_something_else_are_replaced_only_with_overwrite() {
         let _ = (std::fs::remove_dir_all(&out), std::fs::remove_file(&out));
     }
     // A table that is merged into a file of theirs.
-    let (parts, merged) = (dir.path().join("parts"), dir.path().join("m.parquet"));
+    let parts = dir.path().join("parts");
+    let merged = dir.path().join("m.parquet");
     run_to(&parts);
     std::fs::write(&merged, &theirs).unwrap();
     let error = merge(std::slice::from_ref(&parts), &merged, false).unwrap_err();
@@ -327,7 +328,8 @@ fn a_campaign_of_another_plan_is_replaced_with_overwrite() {
     let dir = folder();
     let expected = reference(&dir);
     let other = Plan::parse(&PLAN.replace("samples = 12", "samples = 20")).unwrap();
-    let (store, file) = (dir.path().join("store"), dir.path().join("c.parquet"));
+    let store = dir.path().join("store");
+    let file = dir.path().join("c.parquet");
     for out in [&store, &file] {
         run(&other, out, &RunOptions::default(), &Silent).unwrap();
         assert!(run(&plan(), out, &replacing(), &Silent).unwrap().complete);
@@ -374,10 +376,8 @@ fn a_file_that_comes_during_a_run_stays_and_the_work_is_kept() {
 #[test]
 fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
     let dir = folder();
-    let (file, parts) = (
-        dir.path().join("c.parquet"),
-        dir.path().join("c.parquet.parts"),
-    );
+    let file = dir.path().join("c.parquet");
+    let parts = dir.path().join("c.parquet.parts");
     run_to(&file);
     std::fs::create_dir(&parts).unwrap();
     std::fs::write(part(&parts, 0), foreign_parquet()).unwrap();

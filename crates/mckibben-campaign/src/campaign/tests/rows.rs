@@ -179,7 +179,8 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     let text = "[vary]\ntube.outer_diameter = \"30,30.5\"\n\
         [test]\nmodel = \"fe3d\"\nmesh = \"1x4x13\"\ncontractions = \"0,0.1\"\npressures \
         = \"0.1,0.2\"\n";
-    let (rows, plan) = (run_plan(text), Plan::parse(text).unwrap());
+    let rows = run_plan(text);
+    let plan = Plan::parse(text).unwrap();
     assert_eq!(rows.len(), 8);
     for row in rows {
         let muscle = plan.inputs(row.muscle).muscle().unwrap();

@@ -118,7 +118,8 @@ fn a_run_that_was_stopped_goes_on_and_computes_only_what_is_missing() {
 fn parts_that_were_computed_twice_are_the_same_bytes() {
     let dir = folder();
     let expected = reference(&dir);
-    let (one, other) = (dir.path().join("one"), dir.path().join("other"));
+    let one = dir.path().join("one");
+    let other = dir.path().join("other");
     run_to(&one);
     run(&plan(), &other, &share("2/3"), &Silent).unwrap();
     assert_eq!(bytes(&part(&one, 4)), bytes(&part(&other, 4)));

@@ -19,10 +19,8 @@ const DRAWS: usize = 100;
 /// to 6 %. `kind` is the number of the rubber's [`law`].
 fn random(r: &mut Random, kind: usize) -> Option<(Muscle, f64)> {
     let outer_diameter_mm = r.between(10.0, 60.0);
-    let (wall_mm, length_mm) = (
-        outer_diameter_mm * r.between(0.03, 0.15),
-        outer_diameter_mm * r.between(5.0, 20.0),
-    );
+    let wall_mm = outer_diameter_mm * r.between(0.03, 0.15);
+    let length_mm = outer_diameter_mm * r.between(5.0, 20.0);
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.08, 0.8);
     let k = outer_diameter_mm * r.log(4.0, 40.0);

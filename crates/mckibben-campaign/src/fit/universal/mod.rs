@@ -195,7 +195,9 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
         let model = Universal::new(formula.clone(), &s.muscle);
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
         let equation = |p: &PullPoint| {
-            let (pressure, e, force) = (p.pressure_mpa, p.contraction, p.force_n);
+            let pressure = p.pressure_mpa;
+            let e = p.contraction;
+            let force = p.force_n;
             let EndPoint {
                 deficit_mm,
                 start_mm,
@@ -232,7 +234,8 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
 
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
 fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalTerm>> {
-    let (rows, columns) = (equations.len(), products.len());
+    let rows = equations.len();
+    let columns = products.len();
     if rows < 2 * columns {
         return Err(FitError::empty(
             " inside of the box of the method universal, or too few of them",

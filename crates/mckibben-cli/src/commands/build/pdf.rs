@@ -47,10 +47,8 @@ pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
         Problem::new(ProblemKind::Output, message, "print the HTML page")
     };
     let (folder, _lock) = folder().map_err(&wrong)?;
-    let (page, pdf) = (
-        folder.path().join("report.html"),
-        folder.path().join("report.pdf"),
-    );
+    let page = folder.path().join("report.html");
+    let pdf = folder.path().join("report.pdf");
     std::fs::write(&page, html).map_err(&wrong)?;
     let mut flags = vec![
         "--headless".to_owned(),

@@ -202,10 +202,8 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         &values,
     )
     .into_bytes();
-    let (mut second, mut third) = (
-        vec![],
-        vec![("sources/buildDescription.xml".to_owned(), build)],
-    );
+    let mut second = vec![];
+    let mut third = vec![("sources/buildDescription.xml".to_owned(), build)];
     for system in SYSTEMS {
         third.push((
             library(system.third, system.ending),

@@ -275,7 +275,8 @@ pub(super) fn description(variables: &[Variable], version: Version) -> (String, 
             v.nature()
         );
         let values = v.values() + &attribute("derivative", v.derivative_of.map(key));
-        let (about, is_status) = (v.about, v.role == Status);
+        let about = v.about;
+        let is_status = v.role == Status;
         let _ = if is_third {
             let element = if is_status { "Int32" } else { "Float64" };
             writeln!(

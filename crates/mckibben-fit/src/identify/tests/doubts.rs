@@ -411,11 +411,14 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
         (&rubbing, &["mu", "friction.c", "friction.beta"][..]),
     ] {
         let truth = bench(m, 0.0);
-        let (mut held, mut all, mut widest) = (0, 0, 0.0_f64);
+        let mut held = 0;
+        let mut all = 0;
+        let mut widest = 0.0_f64;
         for seed in 0..60 {
             let fit = identified(m, names, &noisy(&truth, 4.0, 1 + 7 * seed)).unwrap();
             let muscle = fit.with_bench();
-            let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+            let model = ThickWall::new(&muscle);
+            let w = &mut Workspace::new();
             for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
                 // Between the points that were fitted, inside of their range.
                 let e = p.at.contraction
@@ -425,7 +428,8 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                         0.0
                     };
                 let noise = p.at.force_n - truth[i].at.force_n;
-                let (pressure, branch) = (p.at.pressure_mpa, p.at.direction());
+                let pressure = p.at.pressure_mpa;
+                let branch = p.at.direction();
                 let exact = Evaluation::new(&ThickWall::new(m), w, branch).force_n(pressure, e);
                 let measured = exact.unwrap() + noise;
                 let mut model = Evaluation::new(&model, w, branch);
@@ -518,10 +522,8 @@ fn a_bench_that_was_edited_says_nothing() {
     let mut edited: Vec<String> = vec![];
     let mut before = ' ';
     for (at, c) in table.char_indices() {
-        let (line, here) = (
-            table[..at].rsplit('\n').next().unwrap(),
-            &table[at + c.len_utf8()..],
-        );
+        let line = table[..at].rsplit('\n').next().unwrap();
+        let here = &table[at + c.len_utf8()..];
         let first = c.is_ascii_digit() && !before.is_ascii_alphanumeric() && !".-".contains(before);
         if first && !line.contains('#') {
             let others = ['1', '4'].into_iter().filter(|digit| *digit != c);
@@ -551,7 +553,8 @@ fn a_bench_that_was_edited_says_nothing() {
 /// the bound, and the file can be read.
 #[test]
 fn chains_that_never_lock_are_said() {
-    let (plain, gent) = (soft(), Law::named("gent", &[0.3, 10.0]).unwrap());
+    let plain = soft();
+    let gent = Law::named("gent", &[0.3, 10.0]).unwrap();
     let m = muscle(gent, BraidStiffness::NewtonPerMm(400.0));
     for deviation in [0.0, 4.0] {
         let points = noisy(&bench(&plain, 0.0), deviation, 5);

@@ -12,12 +12,15 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     const TURNS: [f64; 5] = [0.02, 0.1, 0.06, 0.09, 0.02];
     const STEP: f64 = 0.25 / 200.0;
     let muscle = soft();
-    let (model, w, mut noise) = (ThickWall::new(&muscle), &mut Workspace::new(), Noise(seed));
+    let model = ThickWall::new(&muscle);
+    let w = &mut Workspace::new();
+    let mut noise = Noise(seed);
     let mut out: Vec<DataPoint> = vec![];
     for (set, pressure_mpa) in [0.2, 0.3].into_iter().enumerate() {
         for (leg, turn) in TURNS.windows(2).enumerate() {
             let way = turn[1] - turn[0];
-            let (sign, rows) = (way.signum(), (way.abs() / STEP).round() as usize);
+            let sign = way.signum();
+            let rows = (way.abs() / STEP).round() as usize;
             // The first branch is not after a reversal.
             let sticks = |way_mm: f64| {
                 if leg == 0 {

@@ -152,7 +152,8 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
         }
     }
     let m = soft();
-    let (free, points) = (free(&m, &["mu"]), bench(&m, 0.0));
+    let free = free(&m, &["mu"]);
+    let points = bench(&m, 0.0);
     let request = Request {
         progress: &Gone,
         ..Request::new(&m, &free, &points, &thick)
@@ -278,7 +279,8 @@ fn isotonic_and_pressure_readings_tell_the_same() {
 fn volumes_without_pulls_give_the_angle_and_the_dead_volume() {
     let m = soft();
     let volume = |p: &DataPoint| {
-        let (at, dead_mm3) = (&p.at, 5000.0);
+        let at = &p.at;
+        let dead_mm3 = 5000.0;
         let inside =
             ThickWall::new(&m).response(&mut Workspace::new(), at.pressure_mpa, at.contraction);
         DataPoint {
@@ -366,7 +368,8 @@ fn error_bars_cover_the_truth_at_their_rate() {
 fn stated_errors_weigh_the_points() {
     let m = soft();
     let exact = bench(&m, 0.0);
-    let (mut plain, mut weighed) = (0.0, 0.0);
+    let mut plain = 0.0;
+    let mut weighed = 0.0;
     for trial in 0..60 {
         let mut noise = Noise(9000 + trial);
         let mut points = exact.clone();
@@ -415,7 +418,8 @@ fn of_lengths(m: &Muscle, seating_mm: f64) -> Vec<DataPoint> {
 /// of the length's zero apart.
 #[test]
 fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
-    let (m, seating) = (soft(), 1.6);
+    let m = soft();
+    let seating = 1.6;
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
     let request = Request::new(&m, &free, &points, &with_ends);
@@ -437,7 +441,9 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
 /// modulus come back.
 #[test]
 fn muscles_of_several_lengths_tell_slip_and_grip() {
-    let (m, slip, grip) = (soft(), 2e-3, 4.0);
+    let m = soft();
+    let slip = 2e-3;
+    let grip = 4.0;
     let model = ThickWall::new(&m);
     let bore = std::f64::consts::PI * m.tube().inner_radius_mm().powi(2);
     let mut points = vec![];

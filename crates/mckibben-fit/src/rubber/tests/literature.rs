@@ -49,10 +49,8 @@ fn three_terms_follow_treloars_rubber_at_least_as_well_as_those_of_ogden() {
         };
         let fit = fit_tension(&data, &settings).unwrap();
         let problem = Problem::new(data.clone(), measure, false, &[]);
-        let (ours, his) = (
-            problem.squares(&fit.laws[0].law).unwrap(),
-            problem.squares(&published).unwrap(),
-        );
+        let ours = problem.squares(&fit.laws[0].law).unwrap();
+        let his = problem.squares(&published).unwrap();
         assert!(
             ours <= his,
             "{measure:?}: {ours} against {his}, {:?}",

@@ -64,7 +64,8 @@ fn mooney_rivlin_is_the_solution_of_its_normal_equations() {
     let data = points(&law, &Mode::OF_ONE_STRETCH, (1.0, 3.0), 12, |_| {
         0.01 * noise.next()
     });
-    let (mut n, mut d) = ([[0.0; 2]; 2], [0.0; 2]);
+    let mut n = [[0.0; 2]; 2];
+    let mut d = [0.0; 2];
     let row = |p: &TensionPoint| {
         let l = p.stretch;
         match p.mode {
@@ -209,7 +210,8 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
         c10_mpa: 0.12,
         c01_mpa: 0.02,
     });
-    let (mut held, mut all) = (0, 0);
+    let mut held = 0;
+    let mut all = 0;
     let mut noise = Noise(11);
     for _ in 0..400 {
         let data = points(&law, &Mode::OF_ONE_STRETCH, (1.1, 3.0), 6, |_| {
@@ -246,7 +248,8 @@ fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
         .iter()
         .find(|l| l.form == named("neo-hookean"))
         .unwrap();
-    let (free, held) = (mooney(false), mooney(true));
+    let free = mooney(false);
+    let held = mooney(true);
     assert!(free.parameters[1].value < 0.0 && !free.quality.stable);
     assert!(fit.warnings.iter().any(|w| w.contains("a negative C01")));
     assert!(
@@ -277,11 +280,13 @@ fn the_stable_yeoh_lies_on_the_edge_of_stability() {
         0.001 * noise.next()
     });
     let fit = fit_tension(&data, &only(named("yeoh"))).unwrap();
-    let (free, held) = (&fit.laws[0], &fit.laws[1]);
+    let free = &fit.laws[0];
+    let held = &fit.laws[1];
     assert!(!free.quality.stable && !free.constrained && held.constrained && held.quality.stable);
     assert!(held.quality.rms_mpa > free.quality.rms_mpa);
     let towards = |t: f64| {
-        let (a, b) = (held.law.values(), free.law.values());
+        let a = held.law.values();
+        let b = free.law.values();
         held.law.with_constants(|i, _| a[i] + t * (b[i] - a[i]))
     };
     let hoop = FitSettings::default().hoop_stretch;
@@ -313,7 +318,8 @@ fn a_gent_law_that_locks_too_early_is_held_behind_the_muscle() {
     });
     let data = points(&law, &[Mode::Uniaxial], (1.0, 2.3), 20, |_| 0.0);
     let fit = fit_tension(&data, &only(named("gent"))).unwrap();
-    let (free, held) = (&fit.laws[0], &fit.laws[1]);
+    let free = &fit.laws[0];
+    let held = &fit.laws[1];
     assert!((free.parameters[1].value - 4.0).abs() < 1e-3);
     assert!(!free.quality.stable && held.quality.stable);
     assert!(fit.warnings.iter().any(|w| w.contains("locks at I1")));

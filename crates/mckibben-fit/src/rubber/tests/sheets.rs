@@ -9,7 +9,8 @@ fn sheets(law: &Law) -> Vec<TensionPoint> {
     let mut out = vec![];
     for i in 0..6 {
         for k in 0..6 {
-            let (a, b) = (0.8 + 0.4 * f64::from(i), 0.8 + 0.4 * f64::from(k));
+            let a = 0.8 + 0.4 * f64::from(i);
+            let b = 0.8 + 0.4 * f64::from(k);
             let stress = |p: TensionPoint| TensionPoint {
                 nominal_stress_mpa: p.stress_mpa(law),
                 ..p
@@ -33,7 +34,10 @@ fn sheets(law: &Law) -> Vec<TensionPoint> {
 /// R. S. Rivlin (1948): σ1 = 2 (λ1² − λ3²)(C1 + λ2² C2), and σ1 − σ2 = 2 (λ1² − λ2²)(C1 + λ3² C2).
 #[test]
 fn stresses_of_a_sheet_are_rivlins() {
-    let (c1, c2, l1, l2) = (0.1, 0.02, 2.0_f64, 1.5_f64);
+    let c1 = 0.1;
+    let c2 = 0.02;
+    let l1 = 2.0_f64;
+    let l2 = 1.5_f64;
     let law = Law::MooneyRivlin(MooneyRivlin {
         c10_mpa: c1,
         c01_mpa: c2,
@@ -56,7 +60,8 @@ fn the_three_modes_are_states_of_a_sheet() {
             for stretch in [0.7, 1.3, 2.4] {
                 let one = TensionPoint::new(mode, stretch, 0.0);
                 let sheet = TensionPoint::general(stretch, one.across, 0.0);
-                let (a, b) = (one.stress_mpa(&law), sheet.stress_mpa(&law));
+                let a = one.stress_mpa(&law);
+                let b = sheet.stress_mpa(&law);
                 assert!(
                     (a - b).abs() < 1e-13 * (1.0 + a.abs()),
                     "{} {mode} {stretch}",

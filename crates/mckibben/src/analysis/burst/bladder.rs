@@ -44,7 +44,8 @@ pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     {
         return Ok(FailurePressure::None);
     }
-    let (model, mut workspace) = (ModelKind::ThickWall.build(muscle)?, Workspace::new());
+    let model = ModelKind::ThickWall.build(muscle)?;
+    let mut workspace = Workspace::new();
     let over = |p: f64| -> Result<f64> {
         let free = Evaluation::new(&*model, &mut workspace, Options::extrapolating())
             .free_contraction(p)?;

@@ -145,7 +145,9 @@ impl Burst {
     /// One of which nothing is known.
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
-        let (rated_mpa, safety, from_thick_wall) = (None, Safety::default(), false);
+        let rated_mpa = None;
+        let safety = Safety::default();
+        let from_thick_wall = false;
         Self {
             strands: none,
             mesh: none,

@@ -44,7 +44,8 @@ pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
 pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
     let muscle = model.muscle();
     let (strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
-    let (mesh, ends) = (mesh::herniation(muscle), ends::pull_off(model, up_to_mpa)?);
+    let mesh = mesh::herniation(muscle);
+    let ends = ends::pull_off(model, up_to_mpa)?;
     let least = [strands, mesh, ends]
         .into_iter()
         .filter_map(FailurePressure::mpa)

@@ -28,7 +28,8 @@ impl From<Formula> for File {
                 Self::Paper(formula.file(Kind::Paper, None, terms))
             }
             Body::Global(t) => {
-                let (scales, terms) = (Some(t.scales), global_list(t));
+                let scales = Some(t.scales);
+                let terms = global_list(t);
                 Self::Global(formula.file(Kind::Global, scales, terms))
             }
         }

@@ -176,7 +176,8 @@ fn place(name: &str) -> Option<(usize, usize, usize)> {
         return None;
     };
     let family = ['A', 'B', 'C'].iter().position(|l| l == letter)?;
-    let (k, number) = (k.to_digit(10)? as usize, number.to_digit(10)? as usize);
+    let k = k.to_digit(10)? as usize;
+    let number = number.to_digit(10)? as usize;
     let column = if family == 2 {
         number
     } else {

@@ -28,11 +28,9 @@ fn filling(liquid: &Liquid, volume_mm3: f64) -> Filling<'_> {
 /// F/A(ε); the pump lifts the weight and nothing else.
 #[test]
 fn the_ideal_muscle_goes_where_its_volume_is() {
-    let (model, w, liquid) = (
-        Ideal::new(&Muscle::prototype()),
-        &mut Workspace::new(),
-        stiff(),
-    );
+    let model = Ideal::new(&Muscle::prototype());
+    let w = &mut Workspace::new();
+    let liquid = stiff();
     for e in [0.02, 0.1, 0.2] {
         let volume_mm3 = model.volume(e) - model.volume(0.0);
         let given = Filling {
@@ -42,7 +40,8 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
         let fill = Evaluation::new(&model, w, Options::default())
             .fill(&given)
             .unwrap();
-        let (r, p) = (&fill.answer.response, 200.0 / model.pull(1.0, e));
+        let r = &fill.answer.response;
+        let p = 200.0 / model.pull(1.0, e);
         assert!(
             (r.contraction - e).abs() < 1e-10 && (r.pressure_mpa / p - 1.0).abs() < 1e-9,
             "{fill:?}"
@@ -67,7 +66,8 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
 /// dead volume.
 #[test]
 fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
-    let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
+    let model = Ideal::new(&Muscle::prototype());
+    let w = &mut Workspace::new();
     let supply = LiquidSupply {
         liquid: stiff(),
         dead_volume_mm3: 4000.0,
@@ -75,7 +75,8 @@ fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
     for e in [0.02, 0.1, 0.2] {
         let mut model_at = Evaluation::new(&model, w, Options::default());
         let pushed_mm3 = model_at.liquid_per_stroke_mm3(&supply, 0.2, e).unwrap();
-        let (there, rest) = (model.volume(e), model.volume(0.0));
+        let there = model.volume(e);
+        let rest = model.volume(0.0);
         assert!(
             (pushed_mm3 / (there - rest) - 1.0).abs() < 1e-9,
             "{pushed_mm3}"
@@ -87,8 +88,10 @@ fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
 /// and with 2 % of gas at 3 atmospheres over the first φ = 0.98 exp(−3 pa/K) + 0.005.
 #[test]
 fn a_held_ideal_muscle_compresses_the_liquid() {
-    let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
-    let (water, dead) = (Liquid::named("water", 0.0).unwrap(), 5000.0);
+    let model = Ideal::new(&Muscle::prototype());
+    let w = &mut Workspace::new();
+    let water = Liquid::named("water", 0.0).unwrap();
+    let dead = 5000.0;
     let whole = model.volume(0.0) + dead;
     let held = |liquid, volume| Filling {
         dead_volume_mm3: dead,
@@ -138,11 +141,9 @@ fn the_thick_wall_goes_where_an_independent_script_has_it() {
         None,
     )
     .unwrap();
-    let (model, w, load) = (
-        ThickWall::new(&muscle),
-        &mut Workspace::new(),
-        Load::Force { force_n: 500.0 },
-    );
+    let model = ThickWall::new(&muscle);
+    let w = &mut Workspace::new();
+    let load = Load::Force { force_n: 500.0 };
     let water = Liquid::named("water", 0.01).unwrap();
     let given = Filling {
         dead_volume_mm3: 10_000.0,
@@ -192,8 +193,10 @@ fn the_thick_wall_goes_where_an_independent_script_has_it() {
 /// inflated at its length at rest, then shortened at constant pressure.
 #[test]
 fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
-    let (muscle, w) = (Muscle::prototype(), &mut Workspace::new());
-    let (model, length) = (ThickWall::new(&muscle), muscle.length_mm());
+    let muscle = Muscle::prototype();
+    let w = &mut Workspace::new();
+    let model = ThickWall::new(&muscle);
+    let length = muscle.length_mm();
     let spring = Load::Spring {
         rate_n_per_mm: 6.0,
         preload_n: 80.0,
@@ -208,10 +211,8 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     let fill = Evaluation::new(&model, w, Options::default())
         .fill(&given(most))
         .unwrap();
-    let (p, e) = (
-        fill.answer.response.pressure_mpa,
-        fill.answer.response.contraction,
-    );
+    let p = fill.answer.response.pressure_mpa;
+    let e = fill.answer.response.contraction;
     assert!(fill.state == FillState::Balanced && e > 0.02, "{fill:?}");
     // The slope of P(ΔV) breaks where the load is lifted.
     let lifted = Evaluation::new(&model, w, Options::default())
@@ -243,7 +244,8 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     assert!((sum / fill.pump_work_j - 1.0).abs() < 1e-12 && fill.friction_work_j.is_none());
     let mut stored = p * (cavity(p, e, w) - cavity(p, 0.0, w));
     for &(x, weight) in gauss(40) {
-        let (at, share) = (0.5 * (1.0 + x), 0.5 * weight);
+        let at = 0.5 * (1.0 + x);
+        let share = 0.5 * weight;
         let grown = model
             .response(w, p * at, 0.0)
             .unwrap()
@@ -269,13 +271,15 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
 fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
     let friction = Friction::power_law(10.0, 0.7);
     let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
-    let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+    let model = ThickWall::new(&muscle);
+    let w = &mut Workspace::new();
     for (gas, direction) in [
         (0.0, Direction::Mean),
         (0.03, Direction::Mean),
         (0.01, Direction::Contraction),
     ] {
-        let (water, h) = (Liquid::named("water", gas).unwrap(), 1e-6);
+        let water = Liquid::named("water", gas).unwrap();
+        let h = 1e-6;
         let options = Options {
             direction,
             ..Options::default()
@@ -303,7 +307,8 @@ fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
 /// The load is lifted at the pressure that `pressure_at` gives, and below it the muscle rests.
 #[test]
 fn a_small_volume_does_not_lift_the_load() {
-    let (model, w) = (ThickWall::new(&Muscle::prototype()), &mut Workspace::new());
+    let model = ThickWall::new(&Muscle::prototype());
+    let w = &mut Workspace::new();
     let water = Liquid::named("water", 0.0).unwrap();
     let given = Filling {
         load: Some(&WEIGHT),
@@ -324,7 +329,8 @@ fn a_small_volume_does_not_lift_the_load() {
 
 #[test]
 fn what_has_no_answer_is_told_with_its_numbers() {
-    let (model, w) = (ThickWall::new(&Muscle::prototype()), &mut Workspace::new());
+    let model = ThickWall::new(&Muscle::prototype());
+    let w = &mut Workspace::new();
     let water = Liquid::named("water", 0.0).unwrap();
     let much = Evaluation::new(&model, w, Options::default())
         .fill(&filling(&water, 1e7))
@@ -356,7 +362,8 @@ fn what_has_no_answer_is_told_with_its_numbers() {
 /// pushed in, by the equation itself.
 #[test]
 fn every_model_with_a_volume_takes_what_is_pushed_in() {
-    let (muscle, w) = (Muscle::prototype(), &mut Workspace::new());
+    let muscle = Muscle::prototype();
+    let w = &mut Workspace::new();
     let foam = Liquid::named("water", 0.3).unwrap();
     let mut count = 0;
     for kind in ModelKind::ALL {
@@ -403,7 +410,8 @@ fn a_muscle_that_extends_grows_longer() {
         ..Braid::paper()
     };
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
-    let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+    let model = ThickWall::new(&muscle);
+    let w = &mut Workspace::new();
     let liquid = stiff();
     let given = filling(&liquid, 20_000.0);
     let fill = Evaluation::new(&model, w, Options::default())

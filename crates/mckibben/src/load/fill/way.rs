@@ -117,7 +117,8 @@ impl Way<'_> {
 
     /// (∫ P dV, what friction took) in J along a part of a leg.
     pub(super) fn works_j(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
-        let (mut cavity, mut friction) = (0.0, 0.0);
+        let mut cavity = 0.0;
+        let mut friction = 0.0;
         for &(x, weight) in gauss(POINTS) {
             let at = from + 0.5 * (to - from) * (1.0 + x);
             let step = 0.5 * (to - from) * weight;
@@ -158,7 +159,8 @@ impl Slopes {
         let volume_by_pressure = match r.volume_per_pressure_mm3_per_mpa {
             Some(slope) => slope,
             None => {
-                let (low, high) = ((p - STEP).max(0.0), p + STEP);
+                let low = (p - STEP).max(0.0);
+                let high = p + STEP;
                 (evaluation.cavity_mm3(high, e)? - evaluation.cavity_mm3(low, e)?) / (high - low)
             }
         };

@@ -23,11 +23,9 @@ fn muscle(seating_mm: f64) -> Muscle {
 fn a_seated_muscle_is_the_same_one_contracted_by_the_seating() {
     let workspace = &mut Workspace::new();
     for kind in [ModelKind::Ideal, ModelKind::ThickWall, ModelKind::Universal] {
-        let (held, none, gives) = (
-            kind.build(&Muscle::prototype()).unwrap(),
-            kind.build(&muscle(0.0)).unwrap(),
-            kind.build(&muscle(2.85)).unwrap(),
-        );
+        let held = kind.build(&Muscle::prototype()).unwrap();
+        let none = kind.build(&muscle(0.0)).unwrap();
+        let gives = kind.build(&muscle(2.85)).unwrap();
         for (p, e) in [(0.1, 0.0), (0.25, 0.1), (0.2, 0.2)] {
             let here = held.response(workspace, p, e).unwrap();
             assert_eq!(none.response(workspace, p, e).unwrap(), here);
@@ -57,7 +55,8 @@ fn the_blocked_force_falls_by_stiffness_times_seating_to_second_order() {
         let gives = ModelKind::Ideal.build(&muscle(seating)).unwrap();
         (gives.force_n(w, 0.25, 0.0).unwrap() - (at_rest.force_n - stiffness * seating)).abs()
     };
-    let (coarse, fine) = (miss(2.0, workspace), miss(1.0, workspace));
+    let coarse = miss(2.0, workspace);
+    let fine = miss(1.0, workspace);
     assert!((coarse / fine - 4.0).abs() < 1e-6, "{coarse} {fine}");
 }
 
@@ -145,7 +144,9 @@ fn tangents_of_slipping_ends_are_those_of_differences() {
     let workspace = &mut Workspace::new();
     for kind in [ModelKind::Ideal, ModelKind::ThickWall, ModelKind::Universal] {
         let model = kind.build(&slipping(5.0, 4e-3)).unwrap();
-        let (p, e, h) = (0.2, 0.08, 1e-4);
+        let p = 0.2;
+        let e = 0.08;
+        let h = 1e-4;
         let mut at = |p: f64, e: f64| model.response(workspace, p, e).unwrap();
         let here = at(p, e);
         let by_e = ((at(p, e + h).force_n - at(p, e - h).force_n) / (2.0 * h), {

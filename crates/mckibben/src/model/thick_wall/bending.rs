@@ -27,7 +27,9 @@ impl ThickWall {
         let w = self.wall.energy(&self.law, l, r);
         let a = (r * r - 0.5 * self.wall.section() / l).sqrt();
         // Second-order energy in κ², κβ and β².
-        let (curvature, mixed, widening) = (l * l * a * a * w.ll, l * a * (w.lr - w.l / r), w.rr);
+        let curvature = l * l * a * a * w.ll;
+        let mixed = l * a * (w.lr - w.l / r);
+        let widening = w.rr;
         let beta = -mixed / widening;
         Ok(0.5 * (curvature + 2.0 * mixed * beta + widening * beta * beta) / l)
     }

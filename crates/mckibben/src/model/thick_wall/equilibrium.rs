@@ -66,7 +66,8 @@ impl Trial {
 impl ThickWall {
     /// Energy of both strand families per unit length at rest, and λf − 1.
     fn braid(&self, k: f64, l: f64, r: f64) -> (WallEnergy, f64) {
-        let (a, b) = (self.cos2, self.sin2 / (self.rs * self.rs));
+        let a = self.cos2;
+        let b = self.sin2 / (self.rs * self.rs);
         let rb = r + self.offset;
         let stretch = (a * l * l + b * rb * rb).sqrt();
         let strain = stretch - 1.0;
@@ -74,7 +75,8 @@ impl ThickWall {
             return (WallEnergy::default(), strain);
         }
         let c = 4.0 * PI * self.rs * k;
-        let (fl, fr) = (a * l / stretch, b * rb / stretch);
+        let fl = a * l / stretch;
+        let fr = b * rb / stretch;
         let (w, [_, force, t]) = match &self.crimp {
             None => (0.5 * c * strain * strain, [0.0, strain, 1.0]),
             Some(crimp) => {
@@ -162,7 +164,8 @@ impl ThickWall {
     /// t/2.
     fn rigid(&self, p: f64, l: f64, r: f64, w: &WallEnergy, contact: f64) -> State {
         let g = self.rs * self.rs / self.sin2;
-        let (rb, off) = (r + self.offset, PI * self.offset);
+        let rb = r + self.offset;
+        let off = PI * self.offset;
         let r1 = -g * self.cos2 * l / rb;
         let r2 = -(g * self.cos2 + r1 * r1) / rb;
         // −∂(π r² λ)/∂λ
@@ -206,11 +209,14 @@ impl ThickWall {
     /// Root of ∂Π/∂r between that of a closed bore and `high`, by Newton's method kept inside the
     /// bracket.
     fn solve(&self, k: f64, p: f64, l: f64, high: f64, guess: f64) -> Result<State> {
-        let (mut low, mut high, mut r) = ((self.wall.section() / l).sqrt(), high, guess);
+        let mut low = (self.wall.section() / l).sqrt();
+        let mut high = high;
+        let mut r = guess;
         let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
         for iteration in 0..ITERATIONS {
             let trial = self.trial(k, p, l, r);
-            let (g, g_r) = (trial.radial_force(), trial.radial_stiffness());
+            let g = trial.radial_force();
+            let g_r = trial.radial_stiffness();
             if !g.is_finite() || !g_r.is_finite() {
                 // A law that locks: the root lies below, or above where the bore is nearly closed.
                 if iteration + 1 == ITERATIONS || high - low <= 1e-14 * r {
@@ -277,7 +283,8 @@ impl ThickWall {
             strain,
             energy: e,
         } = trial;
-        let (g_r, stretch) = (trial.radial_stiffness(), 1.0 + strain);
+        let g_r = trial.radial_stiffness();
+        let stretch = 1.0 + strain;
         if g_r <= 0.0 {
             return Err(ModelError::Overstretched {
                 pressure_mpa: p,
@@ -287,10 +294,8 @@ impl ThickWall {
         }
         let pi_lr = e.lr - 2.0 * PI * r * p;
         let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
-        let (strain_l, strain_r) = (
-            self.cos2 * l / stretch,
-            self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch),
-        );
+        let strain_l = self.cos2 * l / stretch;
+        let strain_r = self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch);
         Ok(State {
             r,
             r_by,
@@ -339,7 +344,8 @@ impl ThickWall {
             r = (r + step).max(taut);
             if step.abs() < 1e-13 * r {
                 let trial = self.trial(k, 0.0, l, r);
-                let (e, strain) = (trial.energy, trial.strain);
+                let e = trial.energy;
+                let strain = trial.strain;
                 let p = e.r / (2.0 * PI * r * l);
                 let stable = e.rr > 2.0 * PI * l * p && strain < LARGEST_STRAND_STRETCH - 1.0;
                 return (strain > 0.0 && stable && p >= 0.0).then_some(p);

@@ -79,7 +79,8 @@ impl ThickWall {
     /// The thick-wall model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
-        let (lay, k) = (muscle.strand_lay(), muscle.family_stiffness_n_per_mm());
+        let lay = muscle.strand_lay();
+        let k = muscle.family_stiffness_n_per_mm();
         // The ends are what this model leaves out: their share of the force goes like D0/L0.
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
         let (per_slenderness, compared) = if k.is_some() { STRETCHING } else { RIGID };
@@ -158,11 +159,10 @@ impl ThickWall {
     pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
-        let (rb, stretch) = (s.r + self.offset, 1.0 + s.strain);
-        let (sin, cos) = (
-            self.sin2.sqrt() * rb / (self.rs * stretch),
-            self.cos2.sqrt() * l / stretch,
-        );
+        let rb = s.r + self.offset;
+        let stretch = 1.0 + s.strain;
+        let sin = self.sin2.sqrt() * rb / (self.rs * stretch);
+        let cos = self.cos2.sqrt() * l / stretch;
         // pc dA per length at rest, both families: 2 q λf sin²θ/rb · 2π Rs, N·T = 4π Rs cosθ0 q.
         let pressed = s.tension / self.cos2.sqrt() * stretch * sin * sin / rb;
         let turning = sin * cos * (s.r_by[0] / rb - 1.0 / l);

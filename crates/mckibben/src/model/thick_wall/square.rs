@@ -24,7 +24,8 @@ impl ThickWall {
     #[inline(always)]
     pub(in crate::model) fn sheet(&self, l: f64, x: f64) -> Sheet {
         let w = self.wall.of_square(&self.law, l, x);
-        let (a, b) = (self.cos2, self.sin2 / (self.ro * self.ro));
+        let a = self.cos2;
+        let b = self.sin2 / (self.ro * self.ro);
         let square = a * l * l + b * x;
         let strand = square.sqrt();
         let strain = strand - 1.0;
@@ -34,7 +35,8 @@ impl ThickWall {
         };
         // B = ½c (λf − 1)² by q = λf²
         let i = 1.0 / square;
-        let (q, qq) = (0.5 * c * strain * strand * i, 0.25 * c * strand * i * i);
+        let q = 0.5 * c * strain * strand * i;
+        let qq = 0.25 * c * strand * i * i;
         let q_l = 2.0 * a * l;
         Sheet {
             w: w.w + 0.5 * c * strain * strain,

@@ -95,9 +95,12 @@ fn derivatives_are_those_of_finite_differences_and_maxwell_holds() {
     };
     for m in [lain(&rigid, None), lain(&soft, crimp), rigid, soft] {
         let model = ThickWall::new(&m);
-        let (p, e, h) = (0.3, 0.12, 1e-5);
+        let p = 0.3;
+        let e = 0.12;
+        let h = 1e-5;
         let at = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).unwrap();
-        let (r, length) = (at(p, e), m.length_mm());
+        let r = at(p, e);
+        let length = m.length_mm();
         let stiffness = -(at(p, e + h).force_n - at(p, e - h).force_n) / (2.0 * h * length);
         assert!((stiffness - r.stiffness_n_per_mm.unwrap()).abs() < 1e-7 * stiffness.abs());
         let f_p = (at(p + h, e).force_n - at(p - h, e).force_n) / (2.0 * h);
@@ -260,12 +263,12 @@ fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch
 ///   F = π Ro² P (3 λ² cos²θ0 − 1)/sin²θ0 + 2π Ro s μ (λp² λ + ρρ'/λp − (ρρ'/ρ⁴λ² + 1/ρ²λ³)/λp).
 #[test]
 fn a_thin_tube_with_a_prestretch_is_the_membrane() {
-    let (wall, ro, p) = (1e-5, 9.5f64, 0.3);
+    let wall = 1e-5;
+    let ro = 9.5f64;
+    let p = 0.3;
     let mu = 0.4 / wall;
-    let (sin2, cos2) = (
-        25f64.to_radians().sin().powi(2),
-        25f64.to_radians().cos().powi(2),
-    );
+    let sin2 = 25f64.to_radians().sin().powi(2);
+    let cos2 = 25f64.to_radians().cos().powi(2);
     for stretch in [0.8, 1.0, 1.25] {
         let model = ThickWall::new(&prestretched(
             wall,
@@ -337,11 +340,12 @@ fn with_a_prestretch_the_pull_is_the_slope_of_the_energy() {
                 ..m.tube().clone()
             })
             .unwrap();
-        let (model, p, l, h) = (ThickWall::new(&m), 0.3, 0.9, 1e-5);
-        let (above, below) = (
-            model.state(p, l + h).unwrap(),
-            model.state(p, l - h).unwrap(),
-        );
+        let model = ThickWall::new(&m);
+        let p = 0.3;
+        let l = 0.9;
+        let h = 1e-5;
+        let above = model.state(p, l + h).unwrap();
+        let below = model.state(p, l - h).unwrap();
         let here = model.state(p, l).unwrap();
         let volume = |s: &State, l: f64| PI * s.r * s.r * l;
         let work =
@@ -352,10 +356,8 @@ fn with_a_prestretch_the_pull_is_the_slope_of_the_energy() {
             here.force
         );
         assert!(((above.force - below.force) / (2.0 * h) / here.force_l - 1.0).abs() < 1e-7);
-        let (more, less) = (
-            model.state(p + h, l).unwrap(),
-            model.state(p - h, l).unwrap(),
-        );
+        let more = model.state(p + h, l).unwrap();
+        let less = model.state(p - h, l).unwrap();
         assert!(((more.force - less.force) / (2.0 * h) / here.force_p - 1.0).abs() < 1e-7);
         let square = model.sheet(l, here.r * here.r);
         assert!(

@@ -56,7 +56,8 @@ impl Universal {
     fn start(&self, p: f64, contraction: f64) -> Start {
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
-        let (ro, section) = (self.zone.ro, wall.section());
+        let ro = self.zone.ro;
+        let section = wall.section();
         let ro2 = ro * ro;
         // Strands carry the pressure less what a thin neo-Hookean wall takes: ∂B/∂q = ½c (1 −
         // 1/λf).
@@ -98,7 +99,8 @@ impl Universal {
         }
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
-        let (b, section) = (sin2 / (self.zone.ro * self.zone.ro), wall.section());
+        let b = sin2 / (self.zone.ro * self.zone.ro);
+        let section = wall.section();
         let Start {
             mut l,
             mut q,
@@ -132,11 +134,10 @@ impl Universal {
             let radius = Dual::new(r, [0.5 * x_l / r]);
             let way = radius - Dual::constant(self.zone.ro);
             let radii = self.zone.radii(way);
-            let (at_start, on_way) = (
-                self.stepped(radii[0], h, stretches[0])?,
-                self.stepped(radii[1], h, stretches[1])?,
-            );
-            let (first, second) = (at_start.section, on_way.section);
+            let at_start = self.stepped(radii[0], h, stretches[0])?;
+            let on_way = self.stepped(radii[1], h, stretches[1])?;
+            let first = at_start.section;
+            let second = on_way.section;
             let middle = Uniform {
                 stretch: Dual::new(l, [1.0]),
                 pressure: Dual::constant(p),

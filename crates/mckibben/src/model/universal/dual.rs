@@ -79,7 +79,8 @@ impl<const N: usize> Dual<N> {
     /// smooth.
     #[inline(always)]
     pub fn positive(self, c: Self) -> Self {
-        let (x, c2) = (self.v, c.v * c.v);
+        let x = self.v;
+        let c2 = c.v * c.v;
         let root = (x * x + c2).sqrt();
         if root <= 0.0 {
             return Self::constant(0.0);
@@ -90,7 +91,8 @@ impl<const N: usize> Dual<N> {
         } else {
             0.5 * c2 / (root - x)
         };
-        let (by_x, by_c) = (v * i, 0.5 * c.v * i);
+        let by_x = v * i;
+        let by_c = 0.5 * c.v * i;
         Self {
             v,
             by: each(|k| by_x * self.by[k] + by_c * c.by[k]),

@@ -166,7 +166,8 @@ impl EndZone {
         [first, second]: [Section<N>; 2],
     ) -> Option<End<N>> {
         let [(_, weight), (place_1, weight_1)] = RADAU;
-        let (start, on) = (self.point(middle, &first), self.point(middle, &second));
+        let start = self.point(middle, &first);
+        let on = self.point(middle, &second);
         let length = if way.v < 0.0 { -way } else { way };
         // The second point says how fast the bulge decays.
         let decay = on.per_r / (length * (1.0 - place_1));
@@ -265,7 +266,8 @@ impl EndZone {
     /// Root λs of U − λs ∂U/∂λs = H, which falls with λs.
     fn stretched(&self, r: Dual, h: Dual, guess: f64) -> Option<Section> {
         let mut l = guess;
-        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut low = 0.0;
+        let mut high = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let e = self.wall.energy(l, r.v);
             let value = e.w - l * e.l - h.v;

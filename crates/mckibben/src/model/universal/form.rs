@@ -198,9 +198,12 @@ impl Bound {
                 n as f64 * powers[i][n - 1]
             }
         };
-        let (mut v, mut by) = (0.0, [0.0; 3]);
+        let mut v = 0.0;
+        let mut by = [0.0; 3];
         for &([a, b, c], value) in &self.terms {
-            let (xa, xb, xc) = (powers[0][a], powers[1][b], powers[2][c]);
+            let xa = powers[0][a];
+            let xb = powers[1][b];
+            let xc = powers[2][c];
             v += value * xa * xb * xc;
             by[0] += value * slope(0, a) * xb * xc;
             by[1] += value * xa * slope(1, b) * xc;

@@ -84,10 +84,8 @@ impl Universal {
     /// The formula for one muscle.
     pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let (ro, mu) = (
-            tube.outer_radius_mm(),
-            muscle.rubber().law.shear_modulus_mpa(),
-        );
+        let ro = tube.outer_radius_mm();
+        let mu = muscle.rubber().law.shear_modulus_mpa();
         let wall = tube.wall_mm / ro;
         let zone = EndZone {
             wall: ThickWall::new(muscle),
@@ -98,7 +96,8 @@ impl Universal {
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
-        let (length, id) = (muscle.length_mm(), ModelId::new());
+        let length = muscle.length_mm();
+        let id = ModelId::new();
         let info = info(&formula, &zone.wall.info().muscle, angle);
         Self {
             info,
@@ -178,7 +177,8 @@ impl ForceModel for Universal {
     ) -> Result<Response> {
         let p = pressure_mpa;
         let place = self.place(workspace, p, contraction)?;
-        let (s, volume) = (&place.state, self.volume(p, &place));
+        let s = &place.state;
+        let volume = self.volume(p, &place);
         let response = Response {
             pressure_mpa,
             contraction,

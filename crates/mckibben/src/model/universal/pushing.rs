@@ -69,8 +69,10 @@ impl Universal {
 
     /// λ with F∞(λ, P) = 0, the first below 1.
     fn without_pull(&self, p: f64) -> Option<(f64, State)> {
-        let (mut low, mut high) = (0.0, f64::INFINITY);
-        let (mut l, mut near) = (1.0, None);
+        let mut low = 0.0;
+        let mut high = f64::INFINITY;
+        let mut l = 1.0;
+        let mut near = None;
         for _ in 0..ITERATIONS {
             let Ok(s) = self.zone.wall.state_near(p, l, near) else {
                 // No state: nearer to the last one that pulled.

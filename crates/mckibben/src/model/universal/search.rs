@@ -97,8 +97,11 @@ impl Universal {
 
     /// The middle, and the last small step in λ that is still to be taken; λ above `low`.
     fn nested(&self, p: f64, contraction: f64, start: f64, low: f64) -> Result<(Middle, f64)> {
-        let (mut l, mut low, mut high) = (start, low, f64::INFINITY);
-        let (mut near, mut good) = (None, None::<f64>);
+        let mut l = start;
+        let mut low = low;
+        let mut high = f64::INFINITY;
+        let mut near = None;
+        let mut good = None::<f64>;
         for _ in 0..ITERATIONS {
             let m = match self.tried(p, l, near, None) {
                 Ok(m) => m,

@@ -70,7 +70,8 @@ fn a_long_muscle_of_soft_rubber_and_stiff_strands_is_ideal() {
             BraidStiffness::Inextensible,
         ] {
             let m = muscle(1.5, 2e9, 25.0, mooney(3e-8), stiffness);
-            let (ideal, blocked) = (Ideal::new(&m).pull(0.3, e), Ideal::new(&m).pull(0.3, 0.0));
+            let ideal = Ideal::new(&m).pull(0.3, e);
+            let blocked = Ideal::new(&m).pull(0.3, 0.0);
             let f = force(kind, &m, 0.3, e);
             assert!(
                 (f - ideal).abs() < 3e-6 * blocked,
@@ -88,10 +89,8 @@ fn stiff_strands_tend_to_strands_that_do_not_stretch() {
         .flat_map(|k| [0.0, 0.1, 0.25].map(|e| (k, e)))
     {
         let at = |s| force(kind, &muscle(1.5, 200.0, 25.0, mooney(0.3), s), 0.3, e);
-        let (rigid, scale) = (
-            at(BraidStiffness::Inextensible),
-            at(BraidStiffness::Inextensible).abs() + 1.0,
-        );
+        let rigid = at(BraidStiffness::Inextensible);
+        let scale = at(BraidStiffness::Inextensible).abs() + 1.0;
         let off = |k: f64| (at(BraidStiffness::NewtonPerMm(k)) - rigid).abs() / scale;
         assert!(
             off(1e7) < 2e-4 && off(1e8) < 0.2 * off(1e7),
@@ -107,7 +106,8 @@ fn stiff_strands_tend_to_strands_that_do_not_stretch() {
 #[test]
 fn size_and_modulus_do_not_matter() {
     for kind in KINDS {
-        let (size, stiff) = (3.7, 0.21);
+        let size = 3.7;
+        let stiff = 0.21;
         let a = muscle(
             1.5,
             200.0,
@@ -130,7 +130,8 @@ fn size_and_modulus_do_not_matter() {
             .and_then(|m| m.with_tube(tube))
             .unwrap();
         for e in [0.0, 0.1, 0.2] {
-            let (f, g) = (force(kind, &a, 0.3, e), force(kind, &b, 0.3 * stiff, e));
+            let f = force(kind, &a, 0.3, e);
+            let g = force(kind, &b, 0.3 * stiff, e);
             assert!(
                 (g / (f * size * size * stiff) - 1.0).abs() < 1e-9,
                 "{kind} {e}"
@@ -183,10 +184,12 @@ fn the_pull_falls_with_contraction_and_its_slopes_are_continuous() {
                     .map(|w| (of(&w[1]) - of(&w[0])).abs())
                     .fold(0.0, f64::max)
             };
-            let (coarse, fine) = (slopes(100), slopes(800));
+            let coarse = slopes(100);
+            let fine = slopes(800);
             assert!(coarse.iter().all(|s| s.0 > 0.0), "{kind} {wall} {angle}");
             for of in [|s: &(f64, f64)| s.0, |s: &(f64, f64)| s.1] {
-                let (a, b) = (jump(&coarse, of), jump(&fine, of));
+                let a = jump(&coarse, of);
+                let b = jump(&fine, of);
                 assert!(b < 0.2 * a, "{kind} {wall} {angle}: {a} {b}");
             }
         }
@@ -213,15 +216,14 @@ fn slopes_are_those_of_finite_differences() {
             {
                 let m = muscle(1.5, 150.0, 25.0, law.clone(), stiffness);
                 let model = kind.build(&m).unwrap();
-                let (p, h) = (0.4, 1e-5);
+                let p = 0.4;
+                let h = 1e-5;
                 let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
                 let r = model.response(&mut Workspace::new(), p, e).unwrap();
                 let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
                 let by_pressure = (f(p + h, e) - f(p - h, e)) / (2.0 * h);
-                let (s, q) = (
-                    r.stiffness_n_per_mm.unwrap(),
-                    r.force_per_pressure_mm2.unwrap(),
-                );
+                let s = r.stiffness_n_per_mm.unwrap();
+                let q = r.force_per_pressure_mm2.unwrap();
                 assert!(
                     (by_length / s - 1.0).abs() < 1e-6,
                     "{kind} {e}: {by_length} {s}"
@@ -248,7 +250,8 @@ fn maxwell_holds_within_the_correction() {
         BraidStiffness::NewtonPerMm(300.0),
     );
     let model = ModelKind::Universal.build(&m).unwrap();
-    let (p, h) = (0.4, 1e-5);
+    let p = 0.4;
+    let h = 1e-5;
     let scale = model
         .response(&mut Workspace::new(), p, 0.0)
         .unwrap()
@@ -363,7 +366,8 @@ fn the_coupled_root_is_that_of_the_nested_search() {
 #[test]
 fn the_order_of_questions_does_not_matter() {
     for (m, p) in muscles() {
-        let (one, two) = (large(&m), large(&m));
+        let one = large(&m);
+        let two = large(&m);
         let points: Vec<(f64, f64)> = (0..40)
             .flat_map(|i| {
                 [1.0, 0.3, 0.01].map(|s| (s * p, 0.026 * f64::from(i) * m.max_ideal_contraction()))
@@ -394,26 +398,24 @@ fn behind_the_end_of_the_pull_it_goes_on_smoothly() {
         let model = large(&m);
         let end = model.zero(&mut Workspace::new(), p).unwrap().contraction;
         let at = |e: f64| model.response(&mut Workspace::new(), p, e).unwrap();
-        let (before, behind) = (at(end - 1e-7), at(end + 1e-7));
+        let before = at(end - 1e-7);
+        let behind = at(end + 1e-7);
         let blocked = at(0.0).force_n;
         assert!(
             before.force_n > 0.0 && behind.force_n < 0.0,
             "{before:?} {behind:?}"
         );
         assert!(before.force_n - behind.force_n < 1e-4 * blocked);
-        let (a, b) = (
-            before.stiffness_n_per_mm.unwrap(),
-            behind.stiffness_n_per_mm.unwrap(),
-        );
+        let a = before.stiffness_n_per_mm.unwrap();
+        let b = behind.stiffness_n_per_mm.unwrap();
         assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
-        let (e, h) = (end + 0.02, 1e-5);
+        let e = end + 0.02;
+        let h = 1e-5;
         let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
         let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
         let by_pressure = (f(p * (1.0 + h), e) - f(p * (1.0 - h), e)) / (2.0 * h * p);
-        let (s, q) = (
-            at(e).stiffness_n_per_mm.unwrap(),
-            at(e).force_per_pressure_mm2.unwrap(),
-        );
+        let s = at(e).stiffness_n_per_mm.unwrap();
+        let q = at(e).force_per_pressure_mm2.unwrap();
         assert!((by_length / s - 1.0).abs() < 1e-5, "{by_length} {s}");
         assert!(
             (by_pressure - q).abs() < 1e-4 * (q.abs() + blocked / p),

@@ -16,10 +16,8 @@ impl Universal {
             Some(volume) => volume,
             None => self.zone.at(p, ends.l, &ends.state, None)?.volume_mm3,
         };
-        let (l, r) = (
-            Dual::new(place.l, [1.0, 0.0]),
-            Dual::new(place.state.r, place.state.r_by),
-        );
+        let l = Dual::new(place.l, [1.0, 0.0]);
+        let r = Dual::new(place.state.r, place.state.r_by);
         // The ends of a muscle that pushes are those of the contraction at which it ceases to pull.
         let ends = match place.ends_by_pressure() {
             Some(l_p) => Dual::new(ends.v, [0.0, ends.by[1] + ends.by[0] * l_p]),

@@ -11,7 +11,8 @@ fn bad_files_are_refused_with_line_key_and_expectation() {
     for row in BAD.lines() {
         let [line, fragment, text]: [&str; 3] =
             row.split('\t').collect::<Vec<_>>().try_into().unwrap();
-        let (line, text) = (line.parse().ok(), text.replace("\\n", "\n"));
+        let line = line.parse().ok();
+        let text = text.replace("\\n", "\n");
         // A BOM in front and CRLF move nothing.
         for text in [
             text.clone(),

@@ -18,10 +18,8 @@ pub(super) fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError>
                 .iter()
                 .all(|row| row.len() <= MOST && row.len() == rows[0].len())
     };
-    let (name, range) = (
-        "must be a short text on one line",
-        "must hold the lowest and the highest value",
-    );
+    let name = "must be a short text on one line";
+    let range = "must hold the lowest and the highest value";
     let table = "must hold rows of numbers, each of as many, at most 64 of at most 64";
     let Bench {
         contraction,
@@ -101,7 +99,8 @@ fn is_covariance(rows: &[Vec<f64>], n: usize) -> bool {
     }
     let mut left = rows.to_vec();
     for k in 0..n {
-        let (pivot, least) = (left[k][k], ROUNDING * rows[k][k].abs());
+        let pivot = left[k][k];
+        let least = ROUNDING * rows[k][k].abs();
         let of_pivot = left[k].clone();
         if pivot < -least {
             return false;

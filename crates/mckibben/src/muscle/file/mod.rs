@@ -65,7 +65,8 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
     let bytes = mckibben_io::files::read(path, MAX_BYTES as u64);
     let bytes = bytes.map_err(|e| FileError::new(e.to_string()))?;
     String::from_utf8(bytes).map_err(|e| {
-        let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
+        let offset = e.utf8_error().valid_up_to();
+        let bytes = e.as_bytes();
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
         let place = std::str::from_utf8(&bytes[..offset])
             .ok()

@@ -175,7 +175,8 @@ prop_compose! {
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
         let plug_diameter_mm = grip_mm.map(|_| 1.1 * 2.0 * tube.inner_radius_mm());
-        let (pull_off_n, rated_pressure_mpa) = (seating_mm.map(|v| 100.0 + v), grip_mm.map(|_| 0.8));
+        let pull_off_n = seating_mm.map(|v| 100.0 + v);
+        let rated_pressure_mpa = grip_mm.map(|_| 0.8);
         let terminals = Terminals {
             insertion_mm,
             seating_mm,
@@ -542,7 +543,8 @@ fn a_held_muscle_has_what_is_left_of_its_moduli() {
         );
         parse_muscle(&text).unwrap().tube().rubber.clone()
     };
-    let (at_once, long) = (read(""), read("held = \"long\""));
+    let at_once = read("");
+    let long = read("held = \"long\"");
     assert_eq!(read("held = 0").law, at_once.law);
     assert_eq!(
         long.law,

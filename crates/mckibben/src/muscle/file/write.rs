@@ -89,7 +89,8 @@ impl Text {
         self.table("tube.material");
         let name = rubber.name.as_deref().map(text);
         self.stated("name", name, "where the constants come from");
-        let (kind, values) = (rubber.law.kind(), rubber.law.values());
+        let kind = rubber.law.kind();
+        let values = rubber.law.values();
         self.key("law", &text(kind.name), "");
         for (i, constant) in kind.constants.iter().enumerate() {
             let one = |v: &f64| match constant.is_modulus() {
@@ -120,7 +121,9 @@ impl Text {
             "largest stretch of the data behind the constants",
         );
         let softening = rubber.softening.map(|OgdenRoxburgh { r, m_mpa, beta }| {
-            let (r, m, beta) = (number(r), quantity(m_mpa, "MPa"), number(beta));
+            let r = number(r);
+            let m = quantity(m_mpa, "MPa");
+            let beta = number(beta);
             format!("{{ r = {r}, m = {m}, beta = {beta} }}")
         });
         self.stated(

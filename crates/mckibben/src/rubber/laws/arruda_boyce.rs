@@ -78,7 +78,8 @@ impl InvariantLaw for ArrudaBoyce {
         if !chain.beta.is_finite() {
             return InvariantDerivatives::LOCKED;
         }
-        let (modulus, n) = (self.chain_modulus_mpa(), self.lambda_m * self.lambda_m);
+        let modulus = self.chain_modulus_mpa();
+        let n = self.lambda_m * self.lambda_m;
         let Chain {
             q,
             q_y,
@@ -141,13 +142,18 @@ impl Chain {
         let y = beta * beta;
         if y < 1.0 {
             // r = (s − 1)/y = Σ y^k/(2k+3)!,  p = Σ 2(k+1) y^k/(2k+3)!, and their derivatives in y
-            let (mut r, mut r_y, mut p, mut p_y) = (0.0, 0.0, 0.0, 0.0);
+            let mut r = 0.0;
+            let mut r_y = 0.0;
+            let mut p = 0.0;
+            let mut p_y = 0.0;
             for (k, factorial) in FACTORIALS.into_iter().enumerate().rev() {
                 (r_y, r) = (r_y * y + r, r * y + 1.0 / factorial);
                 (p_y, p) = (p_y * y + p, p * y + 2.0 * (k as f64 + 1.0) / factorial);
             }
-            let (s, s_y) = (1.0 + y * r, r + y * r_y);
-            let (q, q_y) = (p / s, (p_y * s - p * s_y) / (s * s));
+            let s = 1.0 + y * r;
+            let s_y = r + y * r_y;
+            let q = p / s;
+            let q_y = (p_y * s - p * s_y) / (s * s);
             let chain = Self {
                 beta,
                 q,

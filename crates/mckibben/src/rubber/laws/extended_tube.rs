@@ -69,7 +69,8 @@ impl RubberLaw for ExtendedTube {
 
     fn principal(&self, l: [f64; 3]) -> Principal {
         let d = l.map(|x| x * x - 1.0).iter().sum::<f64>();
-        let (s, x) = (1.0 / self.jm, d / self.jm);
+        let s = 1.0 / self.jm;
+        let x = d / self.jm;
         let q = 1.0 - x;
         if q <= 0.0 {
             let nan = f64::NAN;

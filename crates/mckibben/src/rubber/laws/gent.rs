@@ -50,7 +50,8 @@ impl LawConstants for Gent {
 
 impl InvariantLaw for Gent {
     fn invariant(&self, i1: f64, _i2: f64) -> InvariantDerivatives {
-        let (mu, jm) = (self.mu_mpa, self.jm);
+        let mu = self.mu_mpa;
+        let jm = self.jm;
         let x = (i1 - 3.0) / jm;
         let left = 1.0 - x;
         if left <= 0.0 {

@@ -58,7 +58,8 @@ impl LawConstants for MooneyRivlin {
 
 impl InvariantLaw for MooneyRivlin {
     fn invariant(&self, i1: f64, i2: f64) -> InvariantDerivatives {
-        let (c10, c01) = (self.c10_mpa, self.c01_mpa);
+        let c10 = self.c10_mpa;
+        let c01 = self.c01_mpa;
         InvariantDerivatives {
             w: c10 * (i1 - 3.0) + c01 * (i2 - 3.0),
             w1: c10,

@@ -60,7 +60,10 @@ impl LawConstants for Yeoh {
 
 impl InvariantLaw for Yeoh {
     fn invariant(&self, i1: f64, _i2: f64) -> InvariantDerivatives {
-        let (c1, c2, c3, x) = (self.c10_mpa, self.c20_mpa, self.c30_mpa, i1 - 3.0);
+        let c1 = self.c10_mpa;
+        let c2 = self.c20_mpa;
+        let c3 = self.c30_mpa;
+        let x = i1 - 3.0;
         InvariantDerivatives {
             w: x * (c1 + x * (c2 + x * c3)),
             w1: c1 + x * (2.0 * c2 + 3.0 * x * c3),

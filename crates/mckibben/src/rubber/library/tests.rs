@@ -103,7 +103,8 @@ fn silicones_carry_the_constants_of_the_table_of_fits() {
             "{}",
             entry.name
         );
-        let (c10, c01) = (number(&row, 3) / 1000.0, number(&row, 4) / 1000.0);
+        let c10 = number(&row, 3) / 1000.0;
+        let c01 = number(&row, 4) / 1000.0;
         match fit("mooney-rivlin") {
             Some(fit) => {
                 let Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa }) = fit.law else {
@@ -226,7 +227,8 @@ fn a_damaged_table_is_an_error() {
 /// 200 %.
 #[test]
 fn dragon_skin_30_fitted_again_gives_the_table_within_1_percent() {
-    let (mut aa, mut ay) = (0.0, 0.0);
+    let mut aa = 0.0;
+    let mut ay = 0.0;
     for row in csv("silicones/dragon_skin_30.csv") {
         let stretch = 1.0 + number(&row, 0);
         if stretch <= 3.0 {
@@ -261,7 +263,8 @@ fn natural_rubber_follows_treloars_measurements() {
         (points.iter().map(square).sum::<f64>() / points.len() as f64).sqrt()
     };
     let one = published("treloar-natural-rubber", "neo-hookean", None).scaled(1.0 / 0.3726);
-    let (mut aa, mut ay) = (0.0, 0.0);
+    let mut aa = 0.0;
+    let mut ay = 0.0;
     for r in &points {
         let a = stress(&one, r) / number(r, 2);
         aa += a * a;

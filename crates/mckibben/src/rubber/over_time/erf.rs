@@ -10,7 +10,9 @@ pub fn erf(x: f64) -> f64 {
     if y >= 6.0 {
         return x.signum();
     }
-    let (mut term, mut sum, mut odd) = (y, y, 1.0);
+    let mut term = y;
+    let mut sum = y;
+    let mut odd = 1.0;
     while term > 1e-17 * sum {
         odd += 2.0;
         term *= 2.0 * y * y / odd;

@@ -129,10 +129,8 @@ impl<L: RubberLaw> RubberLaw for Softened<'_, L> {
 
     fn principal(&self, stretches: [f64; 3]) -> Principal {
         let p = self.law.principal(stretches);
-        let (eta, slope) = (
-            self.softening.factor(p.w, self.w_max_mpa),
-            self.softening.slope(p.w, self.w_max_mpa),
-        );
+        let eta = self.softening.factor(p.w, self.w_max_mpa);
+        let slope = self.softening.slope(p.w, self.w_max_mpa);
         let mut dd = p.dd;
         for (i, row) in dd.iter_mut().enumerate() {
             for (j, value) in row.iter_mut().enumerate() {
@@ -148,10 +146,8 @@ impl<L: RubberLaw> RubberLaw for Softened<'_, L> {
 
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
         let b = self.law.biaxial(u, v);
-        let (eta, slope) = (
-            self.softening.factor(b.w, self.w_max_mpa),
-            self.softening.slope(b.w, self.w_max_mpa),
-        );
+        let eta = self.softening.factor(b.w, self.w_max_mpa);
+        let slope = self.softening.slope(b.w, self.w_max_mpa);
         Biaxial {
             w: self.softening.energy_mpa(b.w, self.w_max_mpa),
             u: eta * b.u,
