@@ -4,9 +4,11 @@
 //! repository, or with `--check` compares the two and fails where they differ. `MCKIBBEN=PROGRAM`
 //! takes another build of the program.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
-use std::{env, fs};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::{Command, ExitCode},
+};
 
 type Done = Result<(), String>;
 

@@ -1,8 +1,10 @@
 //! Sleeves of the library, and what each is on a tube.
 
 use crate::{Problem, TextFile, parts::sleeve_entries};
-use mckibben::muscle::NEUTRAL_ANGLE_DEG;
-use mckibben::sleeve::{Sleeve, SleeveEntry, library};
+use mckibben::{
+    muscle::NEUTRAL_ANGLE_DEG,
+    sleeve::{Sleeve, SleeveEntry, library},
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 

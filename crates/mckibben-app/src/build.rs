@@ -1,22 +1,26 @@
 //! `build`: from a muscle to report, drawing, plugs, cut list, bill of materials, steps and test
 //! sheet.
 
-use crate::Contraction;
-use crate::flags::{self, Args};
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{JOULES, PERCENT};
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of, not_measured, number,
-    report::report, said_of, usual_mpa,
+    Contraction, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
+    ProblemKind, Result, ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of,
+    flags::{self, Args},
+    not_measured, number,
+    print::{Csv, Page, Rows, Show, Table},
+    report::report,
+    said_of,
+    units::{JOULES, PERCENT},
+    usual_mpa,
 };
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-use mckibben::analysis::{Burst, Evaluation};
-use mckibben::answer::Options;
-use mckibben::progress::Progress;
-use mckibben::units::typed::{Length, Pressure};
-use mckibben::{cancel, model::Workspace};
+use base64::{Engine as _, engine::general_purpose::STANDARD};
+use mckibben::{
+    analysis::{Burst, Evaluation},
+    answer::Options,
+    cancel,
+    model::Workspace,
+    progress::Progress,
+    units::typed::{Length, Pressure},
+};
 use mckibben_build::{
     BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
 };

@@ -2,10 +2,13 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
-use mckibben::analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst};
-use mckibben::model::{ForceModel, ModelError};
-use mckibben::warning::{Warning, WarningKind};
-use mckibben::{cancel, muscle::Muscle};
+use mckibben::{
+    analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst},
+    cancel,
+    model::{ForceModel, ModelError},
+    muscle::Muscle,
+    warning::{Warning, WarningKind},
+};
 use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;

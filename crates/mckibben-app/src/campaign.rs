@@ -3,8 +3,10 @@
 
 mod page;
 
-use crate::flags::{self, Args};
-use crate::{Problem, ProblemKind, Result, TextFile};
+use crate::{
+    Problem, ProblemKind, Result, TextFile,
+    flags::{self, Args},
+};
 use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{
     self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary,

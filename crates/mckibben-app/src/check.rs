@@ -4,18 +4,21 @@
 
 mod page;
 
-use crate::flags::Args;
 use crate::{
     MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
-    QuestionFields, Result, UncertaintyWords, Units, finite, muscle_fields::stated,
-    muscle_fields::stated_schema, number, percent, said_of, usual_mpa,
+    QuestionFields, Result, UncertaintyWords, Units, finite,
+    flags::Args,
+    muscle_fields::{stated, stated_schema},
+    number, percent, said_of, usual_mpa,
 };
-use mckibben::analysis::{Burst, FailurePressure};
-use mckibben::muscle::{Bulk, Muscle, MuscleKind};
-use mckibben::rubber::{RubberLaw, library};
-use mckibben::units::typed::Pressure;
-use mckibben::warning::{Warning, is_of_burst};
-use mckibben::{muscle::file::to_toml, uncertainty::UncertaintyParts};
+use mckibben::{
+    analysis::{Burst, FailurePressure},
+    muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
+    rubber::{RubberLaw, library},
+    uncertainty::UncertaintyParts,
+    units::typed::Pressure,
+    warning::{Warning, is_of_burst},
+};
 use mckibben_fit::validation::case::muscles;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

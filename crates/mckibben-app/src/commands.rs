@@ -1,8 +1,12 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
 use crate::*;
-use mckibben::nearest::{meant, nearest};
-use mckibben::{cancel::Cancel, progress::Progress, units::NamedUnit};
+use mckibben::{
+    cancel::Cancel,
+    nearest::{meant, nearest},
+    progress::Progress,
+    units::NamedUnit,
+};
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
 #[cfg(feature = "whole")]

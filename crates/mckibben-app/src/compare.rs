@@ -2,24 +2,27 @@
 
 mod page;
 
-use crate::flags::{self, Args};
-use crate::{AskFields, Contractions, NameOrFile};
 use crate::{
-    DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    Result, UnderstoodTable, Units, contractions, figure, list, measured_points, number, steps,
-    warnings,
+    AskFields, Contractions, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary,
+    NameOrFile, Problem, ProblemKind, Result, UnderstoodTable, Units, contractions, figure,
+    flags::{self, Args},
+    list, measured_points, number, steps, warnings,
 };
-use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::units::typed::{List, Pressure};
-use mckibben::{analysis::Evaluation, answer::Options};
 use mckibben::{
-    muscle::Muscle, muscle::measures::END_FACTOR, progress::Progress, size, warning::Warning,
+    analysis::Evaluation,
+    answer::Options,
+    model::{ForceModel, ModelError, Workspace},
+    muscle::{Muscle, measures::END_FACTOR},
+    progress::Progress,
+    size,
+    units::typed::{List, Pressure},
+    warning::Warning,
 };
-use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
-use mckibben_fit::identify::{
-    DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters,
+use mckibben_fit::{
+    compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches},
+    identify::{DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters},
+    measured::Quantity,
 };
-use mckibben_fit::measured::Quantity;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -2,8 +2,10 @@
 //! length of the muscle.
 
 use crate::{Problem, ProblemKind, Result, finite};
-use mckibben::units::typed::{Length, List, Ratio};
-use mckibben::units::{Dimension, RangeError};
+use mckibben::units::{
+    Dimension, RangeError,
+    typed::{Length, List, Ratio},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;

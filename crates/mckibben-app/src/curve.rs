@@ -2,29 +2,31 @@
 
 mod page;
 
-use crate::Contractions;
-use crate::flags::{self, Args};
-use crate::point::Question;
 use crate::{
-    LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem, ProblemKind, QUIET_MPA,
-    QuestionFields, Result, Units, check_both, figure, finite, load::loaded, pull, put_first,
-    said_of, warnings,
+    Contractions, LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem,
+    ProblemKind, QUIET_MPA, QuestionFields, Result, Units, check_both, figure, finite,
+    flags::{self, Args},
+    load::loaded,
+    point::Question,
+    pull, put_first, said_of, warnings,
 };
-use mckibben::answer::{Answer, Options};
-use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::study::{Finding, Study, StudyPanel, thickness};
-use mckibben::units::typed::{Force, List, Pressure, Ratio};
 use mckibben::{
     analysis::Evaluation,
-    curve::{Curve, CurvePoint, Test},
-};
-use mckibben::{
+    answer::{Answer, Options},
     cancel,
+    curve::{Curve, CurvePoint, Test},
+    muscle::{
+        Direction, Muscle,
+        measures::{LENGTH, OUTER_DIAMETER, WALL, fields},
+    },
     progress::Progress,
     size,
     status::Status,
-    units::{Values, short_numbers},
+    study::{Finding, Study, StudyPanel, thickness},
+    units::{
+        Values, short_numbers,
+        typed::{Force, List, Pressure, Ratio},
+    },
     warning::Warning,
 };
 use mckibben_report::Figure;

@@ -1,16 +1,19 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
-use crate::Contraction;
-use crate::flags::{self, Args};
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{NEWTON_METRES, PERCENT, Scale, Units};
 use crate::{
-    BuiltFile, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite, said_of, usual_mpa,
+    BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem,
+    ProblemKind, QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite,
+    flags::{self, Args},
+    print::{Csv, Page, Rows, Show, Table},
+    said_of,
+    units::{NEWTON_METRES, PERCENT, Scale, Units},
+    usual_mpa,
 };
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::units::typed::{Length, Pressure};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ForceModel, Workspace},
+    units::typed::{Length, Pressure},
+};
 use mckibben_export::{BoxRequest, ExportedJoint, ExportedMuscle, Target};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

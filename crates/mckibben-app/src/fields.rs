@@ -1,17 +1,20 @@
 //! Fields that requests share.
 
-use crate::Problem;
-use crate::flags::{self, Args};
 pub use crate::muscle_fields::{Measures, MuscleFields};
+use crate::{
+    Problem,
+    flags::{self, Args},
+};
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
 use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
 use schemars::JsonSchema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{
+    Deserialize, Deserializer, Serialize,
+    de::{self, MapAccess, Visitor, value::MapAccessDeserializer},
+};
 use std::fmt;
 
 /// A file that a front end read, or that its user dropped in.

@@ -4,9 +4,11 @@
 //! They follow from the structs that files are read into.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::joint::JointKeys;
-use mckibben::muscle::file::{MuscleFile, schema_of};
-use mckibben::nearest::nearest;
+use mckibben::{
+    joint::JointKeys,
+    muscle::file::{MuscleFile, schema_of},
+    nearest::nearest,
+};
 use mckibben_campaign::campaign::PlanKeys;
 use mckibben_motion::DriveKeys;
 use serde_json::Value;

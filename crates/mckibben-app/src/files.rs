@@ -4,12 +4,12 @@ use crate::{
     ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,
     MuscleFields, PAPER, Problem, ProblemKind, Result, TextFile,
 };
-use mckibben::load::Load;
-use mckibben::muscle::file;
-use mckibben::units::typed::Length;
+use mckibben::{load::Load, muscle::file, units::typed::Length};
 use mckibben_fit::validation::library;
-use mckibben_io::files::{ReadError, read};
-use mckibben_io::table::{MAX_BYTES, read_text};
+use mckibben_io::{
+    files::{ReadError, read},
+    table::{MAX_BYTES, read_text},
+};
 use mckibben_motion::Subject;
 use std::{io::ErrorKind, path::Path};
 

@@ -1,16 +1,19 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::flags::{self, Args};
-use crate::print::{Csv, Page, Rows, Show, sentences};
-use crate::units::{JOULES, MEGAPASCALS, PERCENT};
 use crate::{
     Background, Contraction, LoadFields, Problem, ProblemKind, QuestionFields, Result, Units,
-    above_zero, given,
+    above_zero,
+    flags::{self, Args},
+    given,
+    print::{Csv, Page, Rows, Show, sentences},
+    units::{JOULES, MEGAPASCALS, PERCENT},
 };
-use mckibben::liquid::{Liquid, LiquidSupply};
-use mckibben::load::{Fill, FillError, Filling};
-use mckibben::refused::Refused;
-use mckibben::units::typed::{Pressure, Ratio, Volume};
+use mckibben::{
+    liquid::{Liquid, LiquidSupply},
+    load::{Fill, FillError, Filling},
+    refused::Refused,
+    units::typed::{Pressure, Ratio, Volume},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -2,22 +2,28 @@
 
 mod page;
 
-use crate::NameOrFile;
-use crate::flags::{self, Args};
 use crate::{
-    Model, MuscleFields, Problem, ProblemKind, Result, Stiffness, TextFile, figure, finite,
+    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
+    finite,
+    flags::{self, Args},
 };
-use mckibben::formula::{Document, Form, Made, Provenance, UniversalFormula};
-use mckibben::units::typed::{Length, List};
-use mckibben::{model::ModelKind, progress::Progress};
-use mckibben_campaign::fit::data::{FitPoint, points};
-use mckibben_campaign::fit::results::{Results, results};
-use mckibben_campaign::fit::tables::{Table, tables};
-use mckibben_campaign::fit::universal::{self, UniversalRequest};
-use mckibben_campaign::fit::{
-    FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
+use mckibben::{
+    formula::{Document, Form, Made, Provenance, UniversalFormula},
+    model::ModelKind,
+    progress::Progress,
+    units::typed::{Length, List},
 };
-use mckibben_campaign::{PointRow, fit::made_for, fit::make};
+use mckibben_campaign::{
+    PointRow,
+    fit::{
+        FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
+        data::{FitPoint, points},
+        made_for, make,
+        results::{Results, results},
+        tables::{Table, tables},
+        universal::{self, UniversalRequest},
+    },
+};
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;

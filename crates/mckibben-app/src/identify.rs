@@ -2,27 +2,39 @@
 
 pub(crate) mod page;
 
-use crate::flags::{self, Args};
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
-    TextFile, UnderstoodTable, Units, figure, finite, number, warnings::largest_stretch,
+    TextFile, UnderstoodTable, Units, figure, finite,
+    flags::{self, Args},
+    number,
+    warnings::largest_stretch,
 };
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::{parse_muscle, to_toml};
-use mckibben::units::typed::{List, Ratio, Time};
-use mckibben::{model::Workspace, progress::Progress, warning::Warning};
-use mckibben_fit::identify::{
-    Identification, Identified, LawTrial, Parameter, PointFit, Request, Target, identify_default,
-    try_laws,
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::Workspace,
+    muscle::{
+        Muscle,
+        file::{parse_muscle, to_toml},
+    },
+    progress::Progress,
+    units::typed::{List, Ratio, Time},
+    warning::Warning,
 };
-use mckibben_fit::least_squares::Loss;
-use mckibben_fit::measured::{
-    DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
-    read_points,
+use mckibben_fit::{
+    identify::{
+        Identification, Identified, LawTrial, Parameter, PointFit, Request, Target,
+        identify_default, try_laws,
+    },
+    least_squares::Loss,
+    measured::{
+        DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
+        read_points,
+    },
 };
-use mckibben_io::clean::line;
-use mckibben_io::table::{OverTime, read_over_time};
+use mckibben_io::{
+    clean::line,
+    table::{OverTime, read_over_time},
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};

@@ -3,18 +3,25 @@
 
 mod page;
 
-use crate::flags::{self, Args};
 use crate::{
     Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, number, put_first, said_of,
-    warnings,
+    TextFile, Units, above_zero, breakdown, burst_of, figure, finite,
+    flags::{self, Args},
+    number, put_first, said_of, warnings,
 };
-use mckibben::joint::{
-    Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning, parse_joint,
+use mckibben::{
+    cancel,
+    joint::{
+        Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning,
+        parse_joint,
+    },
+    model::Workspace,
+    muscle::Muscle,
+    progress::Progress,
+    size, threads,
+    units::typed::{Angle, AngularStiffness, List, Pressure, Torque},
+    warning::Warning,
 };
-use mckibben::units::typed::{Angle, AngularStiffness, List, Pressure, Torque};
-use mckibben::warning::Warning;
-use mckibben::{cancel, model::Workspace, muscle::Muscle, progress::Progress, size, threads};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

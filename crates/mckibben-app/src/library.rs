@@ -2,11 +2,16 @@
 //! terms.
 
 use crate::{Model, MuscleSummary, Problem, TextFile};
-use mckibben::analysis::Evaluation;
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::{model::Workspace, muscle::file::to_toml, threads};
-use mckibben_fit::validation::case::Facts;
-use mckibben_fit::validation::library::{self, LibraryAgreement, PREFIX, agreement, library};
+use mckibben::{
+    analysis::Evaluation,
+    model::Workspace,
+    muscle::{Direction, Muscle, file::to_toml},
+    threads,
+};
+use mckibben_fit::validation::{
+    case::Facts,
+    library::{self, LibraryAgreement, PREFIX, agreement, library},
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 

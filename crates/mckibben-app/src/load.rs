@@ -2,13 +2,13 @@
 
 mod page;
 
-use crate::flags::Args;
-use crate::{Problem, ProblemKind, Result, TextFile};
+use crate::{Problem, ProblemKind, Result, TextFile, flags::Args};
 use mckibben::{
     analysis::Evaluation,
+    cancel,
     load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},
+    units::short_numbers,
 };
-use mckibben::{cancel, units::short_numbers};
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};

@@ -5,13 +5,15 @@ mod page;
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
-use mckibben_fit::validation::case::{self, CaseError, Measurement, MuscleCase};
 pub use mckibben_fit::validation::case::{Facts as MeasuredFacts, MeasuredFolder};
-use mckibben_fit::validation::report::{Group, report};
 pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
-use mckibben_fit::validation::residual::Fitter;
 pub use mckibben_fit::validation::rubber::RubberFit as MeasuredRubberFit;
-use mckibben_fit::validation::rubber::{self, RubberCase, RubberGroup};
+use mckibben_fit::validation::{
+    case::{self, CaseError, Measurement, MuscleCase},
+    report::{Group, report},
+    residual::Fitter,
+    rubber::{self, RubberCase, RubberGroup},
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -3,16 +3,20 @@
 use crate::{
     Direction, MeshFields, ModelFields, NameOrFile, Problem, ProblemKind, Result, TextFile,
 };
-use mckibben::answer::Options;
-use mckibben::formula::{Document, Formula, UniversalFormula};
-use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model,
-    with_ends,
+use mckibben::{
+    answer::Options,
+    formula::{Document, Formula, UniversalFormula},
+    model::{
+        ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model,
+        with_ends,
+    },
+    muscle::Muscle,
 };
-use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::elements::{Elements, section};
-use mckibben_fem::three_dimensional::{BrickSpec, Match};
+use mckibben_fem::{
+    axisymmetric::MeshSpec,
+    elements::{Elements, section},
+    three_dimensional::{BrickSpec, Match},
+};
 use std::sync::Arc;
 
 /// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite

@@ -1,13 +1,15 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::{MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words};
-use mckibben::muscle::file::{FileError, with_keys};
-use mckibben::muscle::measures::{END_FACTOR, MEASURES, OUTER_DIAMETER, WALL, fields};
-use mckibben::muscle::{
-    Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
+use mckibben::{
+    muscle::{
+        Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
+        file::{FileError, parse_muscle, with_keys},
+        measures::{END_FACTOR, MEASURES, OUTER_DIAMETER, WALL, fields},
+    },
+    rubber::library,
+    sleeve::{self, Sleeve},
 };
-use mckibben::sleeve::{self, Sleeve};
-use mckibben::{muscle::file::parse_muscle, rubber::library};
 use mckibben_fit::validation::library as muscles;
 use schemars::JsonSchema;
 use serde::Serialize;

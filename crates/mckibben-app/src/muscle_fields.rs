@@ -1,20 +1,26 @@
 //! A muscle in requests: a file, names, and a field for each measure of
 //! [`mckibben::muscle::measures`].
 
-use crate::fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or};
-use crate::flags::{self, Args};
-use crate::{Problem, ProblemKind};
-use mckibben::muscle::measures::{
-    ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields,
+use crate::{
+    Problem, ProblemKind,
+    fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or},
+    flags::{self, Args},
 };
-use mckibben::muscle::{Measure, Muscle};
-use mckibben::units::typed::Length;
+use mckibben::{
+    muscle::{
+        Measure, Muscle,
+        measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields},
+    },
+    units::typed::Length,
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Map;
-use std::borrow::Cow;
-use std::ops::{Deref, DerefMut};
-use std::str::FromStr;
+use std::{
+    borrow::Cow,
+    ops::{Deref, DerefMut},
+    str::FromStr,
+};
 
 /// A muscle: a muscle file, and values that replace those of the file. Default values are those of
 /// the paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.

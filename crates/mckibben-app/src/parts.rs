@@ -3,16 +3,19 @@
 
 mod page;
 
-use crate::flags::{self, Args};
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
-    RubberDetails, RubberSummary, TextFile, library_details, library_muscles, rubber_details,
-    rubbers, sleeve_details, sleeves,
+    RubberDetails, RubberSummary, TextFile,
+    flags::{self, Args},
+    library_details, library_muscles, rubber_details, rubbers, sleeve_details, sleeves,
 };
-use mckibben::model::{ModelEntry, ModelError};
-use mckibben::nearest::{meant, nearest};
-use mckibben::sleeve::{self, SleeveEntry};
-use mckibben::{muscle::Muscle, uncertainty::basis_of};
+use mckibben::{
+    model::{ModelEntry, ModelError},
+    muscle::Muscle,
+    nearest::{meant, nearest},
+    sleeve::{self, SleeveEntry},
+    uncertainty::basis_of,
+};
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;
 use schemars::JsonSchema;

@@ -6,8 +6,7 @@ use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, Plan};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::fmt::Write as _;
-use std::path::Path;
+use std::{fmt::Write as _, path::Path};
 
 /// A plan to be computed.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]

@@ -2,19 +2,22 @@
 
 mod page;
 
-use crate::Contraction;
-use crate::flags::Args;
 use crate::{
-    AskFields, BoundModel, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields, MuscleSummary,
-    PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, UncertaintyWords,
-    burst_of, check_both, check_branch, load::loaded, put_first, said_of,
+    AskFields, BoundModel, Contraction, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields,
+    MuscleSummary, PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
+    UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded, put_first,
+    said_of,
 };
-use mckibben::answer::{Answer, Options};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::units::typed::{Force, Pressure};
 use mckibben::{
-    analysis::Burst, analysis::Evaluation, analysis::source_of, muscle::Direction, muscle::Muscle,
-    uncertainty::basis_of, units::NamedUnit,
+    analysis::{Burst, Evaluation, source_of},
+    answer::{Answer, Options},
+    model::{ForceModel, Workspace},
+    muscle::{Direction, Muscle},
+    uncertainty::basis_of,
+    units::{
+        NamedUnit,
+        typed::{Force, Pressure},
+    },
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

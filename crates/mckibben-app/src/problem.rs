@@ -1,28 +1,39 @@
 //! Why a request has no answer: one type for every front end.
 
-use mckibben::cancel::Cancel;
-use mckibben::joint::JointError;
 use mckibben::{
-    analysis::AnalysisError, cancel::Cancelled, formula::FormulaError, load::LoadError,
-    model::ModelError, muscle::file::FileError, rubber::library::LibraryError, size::TooLarge,
-    study::StudyError, units::short_numbers,
+    analysis::AnalysisError,
+    cancel::{Cancel, Cancelled},
+    formula::FormulaError,
+    joint::JointError,
+    load::LoadError,
+    model::ModelError,
+    muscle::file::FileError,
+    rubber::library::LibraryError,
+    size::TooLarge,
+    study::StudyError,
+    units::short_numbers,
 };
 use mckibben_campaign::{campaign::CampaignError, fit::FitError};
 use mckibben_design::SpecError;
 use mckibben_export::ExportError;
 use mckibben_fem::FemError;
-use mckibben_fit::identify::{IdentifyError, ParameterError};
-use mckibben_fit::validation::report::ReportError;
 use mckibben_fit::{
-    least_squares::EstimateError, rubber::TensionFitError, rubber_over_time::OverTimeFitError,
+    identify::{IdentifyError, ParameterError},
+    least_squares::EstimateError,
+    rubber::TensionFitError,
+    rubber_over_time::OverTimeFitError,
+    validation::report::ReportError,
 };
 use mckibben_io::table::TableError;
 use mckibben_report::FigureError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
-use std::sync::{Mutex, PoisonError};
-use std::{any::Any, fmt};
+use std::{
+    any::Any,
+    fmt,
+    panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook},
+    sync::{Mutex, PoisonError},
+};
 
 /// What kind of problem it is, as a word for programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]

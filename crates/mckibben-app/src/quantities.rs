@@ -2,9 +2,14 @@
 //! every number that describes a muscle.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::muscle::measures::{MEASURES, STIFFNESS};
-use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
-use mckibben::{muscle::Measure, size};
+use mckibben::{
+    muscle::{
+        Measure,
+        measures::{MEASURES, STIFFNESS},
+    },
+    size,
+    units::{Dimension, RangeError, Values, parse_quantity, parse_values},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

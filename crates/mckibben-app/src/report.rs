@@ -1,15 +1,17 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
-use crate::NameOrFile;
-use crate::flags::Args;
 use crate::{
     BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    PointAnswer, Result, ShapeRequest, Units, check, compare, curve, force, number, percent,
-    print::Rows, ratio, shape, words::fixed,
+    NameOrFile, PointAnswer, Result, ShapeRequest, Units, check, compare, curve, flags::Args,
+    force, number, percent, print::Rows, ratio, shape, words::fixed,
 };
-use mckibben::analysis::{Burst, FailurePressure, SAFETY};
-use mckibben::muscle::Direction;
-use mckibben::{curve::Test, muscle::file::to_toml, progress::Progress, warning::is_of_burst};
+use mckibben::{
+    analysis::{Burst, FailurePressure, SAFETY},
+    curve::Test,
+    muscle::{Direction, file::to_toml},
+    progress::Progress,
+    warning::is_of_burst,
+};
 use mckibben_build::{Plan, TestPoint, drawing_svg};
 use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;

@@ -1,10 +1,10 @@
 //! Rubbers of the library.
 
 use crate::{Problem, rubber};
-use mckibben::rubber::library::{
-    self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw,
+use mckibben::rubber::{
+    Law, RubberLaw,
+    library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw},
 };
-use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;

@@ -2,21 +2,25 @@
 
 mod page;
 
-use crate::flags::{self, Args};
 use crate::{
     Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
+    flags::{self, Args},
     muscle_of, readable,
 };
-use mckibben::muscle::{Muscle, Rubber};
 #[cfg(feature = "clap")]
 use mckibben::units::typed::Ratio;
-use mckibben::{muscle::file::to_toml, progress::Progress, rubber::over_time::OgdenRoxburgh, size};
-use mckibben_fit::rubber::{
-    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
-    read_tests,
+use mckibben::{
+    muscle::{Muscle, Rubber, file::to_toml},
+    progress::Progress,
+    rubber::over_time::OgdenRoxburgh,
+    size,
 };
-use mckibben_fit::rubber_over_time::{
-    PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+use mckibben_fit::{
+    rubber::{
+        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
+        read_tests,
+    },
+    rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history},
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -5,11 +5,20 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull,
     ratio,
 };
-use mckibben::answer::{Answer, Options};
-use mckibben::units::typed::{Force, Pressure, Ratio};
-use mckibben::{analysis::Evaluation, model::Workspace, muscle::Muscle};
-use mckibben_fem::axisymmetric::{Axisymmetric, Section};
-use mckibben_fem::{elements::Elements, output::Stations, simulation::free_contraction, with_ends};
+use mckibben::{
+    analysis::Evaluation,
+    answer::{Answer, Options},
+    model::Workspace,
+    muscle::Muscle,
+    units::typed::{Force, Pressure, Ratio},
+};
+use mckibben_fem::{
+    axisymmetric::{Axisymmetric, Section},
+    elements::Elements,
+    output::Stations,
+    simulation::free_contraction,
+    with_ends,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

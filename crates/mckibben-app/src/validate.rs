@@ -2,8 +2,7 @@
 
 mod page;
 
-use crate::flags::Args;
-use crate::{Model, Result};
+use crate::{Model, Result, flags::Args};
 use mckibben::{joint, muscle::Muscle, progress::Progress, verification::VerificationRow};
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::verification;

@@ -1,9 +1,12 @@
 //! Sentences for a whole answer, once each, in place of one a point.
 
-use mckibben::model::Response;
-use mckibben::muscle::Muscle;
-use mckibben::warning::{Warning, of_response};
-use mckibben::{analysis::Evaluation, answer::Answer};
+use mckibben::{
+    analysis::Evaluation,
+    answer::Answer,
+    model::Response,
+    muscle::Muscle,
+    warning::{Warning, of_response},
+};
 
 /// What points of a muscle warn of: each sentence once, of each kind the gravest.
 pub(crate) fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {

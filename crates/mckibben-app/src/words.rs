@@ -1,8 +1,10 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
-use mckibben::muscle::{BraidStiffness, Muscle};
-use mckibben::rubber::Law;
-use mckibben::units::trimmed;
+use mckibben::{
+    muscle::{BraidStiffness, Muscle},
+    rubber::Law,
+    units::trimmed,
+};
 use std::path::Path;
 
 /// A number with so many significant digits, without an exponent where it is short without.

@@ -1,7 +1,9 @@
 //! Lengths of tube and sleeve to cut.
 
-use mckibben::muscle::Muscle;
-use mckibben::sleeve::{Helix, library};
+use mckibben::{
+    muscle::Muscle,
+    sleeve::{Helix, library},
+};
 
 /// Lengths and diameters of tube and sleeve before they are mounted.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]

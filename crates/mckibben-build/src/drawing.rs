@@ -1,10 +1,12 @@
 //! The drawing: the muscle at rest, half in section; the same at the working pressure; a
 //! cross-section; parts and title block on A4.
 
-use crate::frame::{self, FRAME_MM, TITLE_MM, largest, ratio};
-use crate::text::{mm, percent, significant, trimmed};
-use crate::view::{View, diameter};
-use crate::{Clamps, Fitting, Plan};
+use crate::{
+    Clamps, Fitting, Plan,
+    frame::{self, FRAME_MM, TITLE_MM, largest, ratio},
+    text::{mm, percent, significant, trimmed},
+    view::{View, diameter},
+};
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

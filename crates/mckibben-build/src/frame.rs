@@ -1,7 +1,9 @@
 //! The sheets: A4 with a frame and a title block, and the scales in use.
 
-use crate::Plan;
-use crate::text::{mm, significant, trimmed};
+use crate::{
+    Plan,
+    text::{mm, significant, trimmed},
+};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.

@@ -1,10 +1,10 @@
 //! The bill of materials.
 
-use crate::text::{mm, trimmed};
-use crate::{Clamps, Cut, Fitting, Plan, SleeveCut};
-use mckibben::muscle::Muscle;
-use mckibben::rubber::library as rubbers;
-use mckibben::sleeve::library as sleeves;
+use crate::{
+    Clamps, Cut, Fitting, Plan, SleeveCut,
+    text::{mm, trimmed},
+};
+use mckibben::{muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves};
 use mckibben_design::tubes::{self, TubePart};
 
 /// Density of printed plugs in g/mm³: solid PETG, 1.27 g/cm³ (PLA has 1.24).

@@ -1,13 +1,10 @@
 //! All numbers of a build.
 
-use crate::clamps::Tie;
 use crate::{
     AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
+    clamps::Tie, material, plug, test_points,
 };
-use crate::{material, plug, test_points};
-use mckibben::analysis::burst::ends::clamp_load_n;
-use mckibben::muscle::Muscle;
-use mckibben::refused::Refused;
+use mckibben::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused};
 use std::f64::consts::PI;
 
 /// Choices of the builder.

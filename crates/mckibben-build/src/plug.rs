@@ -1,12 +1,16 @@
 //! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a
 //! bolt.
 
-use crate::Mesh;
-use crate::mesh::{FACETS, Ring};
+use crate::{
+    Mesh,
+    mesh::{FACETS, Ring},
+};
 use mckibben::muscle::Terminals;
-use std::f64::consts::{PI, TAU};
-use std::fmt;
-use std::str::FromStr;
+use std::{
+    f64::consts::{PI, TAU},
+    fmt,
+    str::FromStr,
+};
 use thiserror::Error;
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:

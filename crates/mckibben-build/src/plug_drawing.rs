@@ -1,9 +1,11 @@
 //! The drawing of the plugs: both in section, with their measures.
 
-use crate::frame::{self, FRAME_MM, largest};
-use crate::text::mm;
-use crate::view::{SMALL_MM, View, diameter};
-use crate::{Fitting, Plan, Stem};
+use crate::{
+    Fitting, Plan, Stem,
+    frame::{self, FRAME_MM, largest},
+    text::mm,
+    view::{SMALL_MM, View, diameter},
+};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Room for both plugs side by side, and for the higher one, in mm.

@@ -1,8 +1,10 @@
 //! Pressures of the tests and the energy of the air.
 
 use crate::text::significant;
-use mckibben::analysis::{ATMOSPHERE_MPA, FailureMode};
-use mckibben::units::{Unit, rounded};
+use mckibben::{
+    analysis::{ATMOSPHERE_MPA, FailureMode},
+    units::{Unit, rounded},
+};
 
 /// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,11 +1,11 @@
 //! Cut list, bill of materials and steps, in Markdown.
 
-use crate::safety::relief_mpa;
-use crate::text::{mm, percent, significant, trimmed};
-use crate::{BuildPart, Clamps, Fitting, Plan, SleeveLength};
-use mckibben_io::clean;
-use mckibben_io::files::File;
-use mckibben_io::template::render;
+use crate::{
+    BuildPart, Clamps, Fitting, Plan, SleeveLength,
+    safety::relief_mpa,
+    text::{mm, percent, significant, trimmed},
+};
+use mckibben_io::{clean, files::File, template::render};
 
 type Values = Vec<(&'static str, String)>;
 

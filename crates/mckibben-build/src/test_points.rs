@@ -1,7 +1,9 @@
 //! The points of the first test.
 
-use crate::text::{mm, trimmed};
-use crate::{Operating, Plan};
+use crate::{
+    Operating, Plan,
+    text::{mm, trimmed},
+};
 use mckibben::muscle::Direction;
 
 /// A point of the test.

@@ -1,7 +1,6 @@
 //! Tools of a drawing: a view at a scale, dimensions, hatches.
 
-use crate::EyePlug;
-use crate::text::mm;
+use crate::{EyePlug, text::mm};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Height of dimensions and notes in mm.

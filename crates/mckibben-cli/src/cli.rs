@@ -1,10 +1,12 @@
 //! The command line: its commands, and what every command takes.
 
-use crate::commands::{
-    build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
-    motion, parts, point, rubber, schema, serve, simulate, validate,
+use crate::{
+    Format, Problem,
+    commands::{
+        build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
+        motion, parts, point, rubber, schema, serve, simulate, validate,
+    },
 };
-use crate::{Format, Problem};
 use clap::{Arg, ArgAction, CommandFactory, Parser, Subcommand};
 use mckibben::units::NamedUnit;
 

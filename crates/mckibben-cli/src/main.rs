@@ -20,9 +20,10 @@ use clap::FromArgMatches;
 use format::Format;
 use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
-use output::text::place;
-use output::{Output, print_page};
-use output::{check_ending, emit, ending, overwrite, save, save_all, save_inside, warn};
+use output::{
+    Output, check_ending, emit, ending, overwrite, print_page, save, save_all, save_inside,
+    text::place, warn,
+};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;

@@ -1,7 +1,9 @@
 //! Figures into files.
 
-use crate::Problem;
-use crate::output::{ending, save as save_file};
+use crate::{
+    Problem,
+    output::{ending, save as save_file},
+};
 use mckibben::units::typed::Length;
 use mckibben_app::{ProblemKind, Units};
 use mckibben_report::{Figure, FigureError};

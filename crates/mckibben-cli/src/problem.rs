@@ -1,14 +1,20 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words
 //! of the command line.
 
-use crate::typed::{flag_of, in_flags};
-use crate::{clean, output::plain, quantities::unit_hint, shown};
+use crate::{
+    clean,
+    output::plain,
+    quantities::unit_hint,
+    shown,
+    typed::{flag_of, in_flags},
+};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use mckibben::muscle::measures::MEASURES;
-use mckibben::units::{QuantityError, RangeError};
+use mckibben::{
+    muscle::measures::MEASURES,
+    units::{QuantityError, RangeError},
+};
 use mckibben_app::{Ending, Problem, ProblemKind};
-use std::error::Error;
-use std::io;
+use std::{error::Error, io};
 
 /// What a flag's value is refused for.
 pub fn of_value(error: &clap::Error) -> Option<Problem> {

@@ -5,10 +5,14 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::{ProblemKind, words::number};
 use signal_hook::{consts, flag};
-use std::fmt::Write;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock, Mutex, Once, PoisonError};
-use std::time::{Duration, Instant};
+use std::{
+    fmt::Write,
+    sync::{
+        Arc, LazyLock, Mutex, Once, PoisonError,
+        atomic::{AtomicBool, Ordering},
+    },
+    time::{Duration, Instant},
+};
 
 /// Set by Ctrl-C and the signals that end a process, which are taken over when a command begins.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);

@@ -2,8 +2,7 @@
 //! first pressure, force and length on the command line; else those of the drive file; else MPa, N
 //! and mm. JSON and CSV have fixed units.
 
-use crate::quantities::check_unit;
-use crate::typed::flags;
+use crate::{quantities::check_unit, typed::flags};
 use mckibben_app::units::Units;
 use std::sync::OnceLock;
 

@@ -1,7 +1,6 @@
 //! The command that was typed: the names of its flags, and the texts behind them.
 
-use clap::parser::ValueSource;
-use clap::{ArgMatches, Command};
+use clap::{ArgMatches, Command, parser::ValueSource};
 use mckibben::muscle::Measure;
 use std::sync::OnceLock;
 

@@ -8,8 +8,11 @@
 //! that of the bench. Burst, strands and rubber are its seller's matter: they are not checked.
 
 use crate::{Build, Limits, OperatingPoint, Spec, fits};
-use mckibben::muscle::{Muscle, Tube};
-use mckibben::{analysis::Evaluation, model::Workspace};
+use mckibben::{
+    analysis::Evaluation,
+    model::Workspace,
+    muscle::{Muscle, Tube},
+};
 use serde::Serialize;
 
 /// The ± that a muscle as sold must leave, where nothing is guaranteed.

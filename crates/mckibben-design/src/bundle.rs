@@ -8,8 +8,10 @@
 //! that is known.
 
 use crate::{Build, Candidate, CandidatePoint, OperatingPoint, Spec};
-use mckibben::analysis::{Evaluation, Options, bisect};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::{
+    analysis::{Evaluation, Options, bisect},
+    model::{ForceModel, ThickWall, Workspace},
+};
 use serde::Serialize;
 
 /// What the muscles of a bundle do together.

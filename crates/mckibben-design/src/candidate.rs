@@ -1,11 +1,15 @@
 //! One muscle held against a specification.
 
-use crate::limits::check::{Probe, Score};
-use crate::trial::Trial;
-use crate::{Below, Limit, OperatingPoint};
-use mckibben::analysis::{Burst, Evaluation, burst};
-use mckibben::model::{ModelError, Response};
-use mckibben::muscle::Muscle;
+use crate::{
+    Below, Limit, OperatingPoint,
+    limits::check::{Probe, Score},
+    trial::Trial,
+};
+use mckibben::{
+    analysis::{Burst, Evaluation, burst},
+    model::{ModelError, Response},
+    muscle::Muscle,
+};
 use serde::Serialize;
 use std::collections::HashSet;
 

@@ -1,16 +1,20 @@
 //! Two equal muscles and the pulley between them.
 
-use crate::limits::check::probe;
-use crate::line::{Merit, Sample, along, best_of, least, refine};
-use crate::models::THICK_WALL;
-use crate::run::searched;
-use crate::search::{COARSE_STEPS, Pick, Search, nice_steps};
-use crate::{Build, Demand, Models, Outcome, Spec, SpecError, design_with};
-use mckibben::cancel::Cancelled;
-use mckibben::muscle::Muscle;
-use mckibben::progress::{CancelOnly, Progress};
-use mckibben::threads;
-use mckibben::units::Values;
+use crate::{
+    Build, Demand, Models, Outcome, Spec, SpecError, design_with,
+    limits::check::probe,
+    line::{Merit, Sample, along, best_of, least, refine},
+    models::THICK_WALL,
+    run::searched,
+    search::{COARSE_STEPS, Pick, Search, nice_steps},
+};
+use mckibben::{
+    cancel::Cancelled,
+    muscle::Muscle,
+    progress::{CancelOnly, Progress},
+    threads,
+    units::Values,
+};
 use std::cmp::Ordering;
 
 /// Samples of an interval of radii, and golden sections after them.

@@ -1,7 +1,9 @@
 //! The models of a search, and which of them looks at a muscle.
 
-use mckibben::model::{ForceModel, ModelError, ModelKind};
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{ForceModel, ModelError, ModelKind},
+    muscle::Muscle,
+};
 
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;

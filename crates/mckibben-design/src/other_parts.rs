@@ -1,15 +1,16 @@
 //! Where nothing fits: other parts with which a muscle does.
 
-use crate::tubes::cast_of;
 use crate::{
     BraidChoice, Build, Candidate, Closest, Demand, Models, Open, Relaxation, Spec, design_with,
-    fits,
+    fits, tubes::cast_of,
 };
-use mckibben::analysis::bisect;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle};
-use mckibben::progress::Progress;
-use mckibben::sleeve::library;
-use mckibben::units::tidy;
+use mckibben::{
+    analysis::bisect,
+    muscle::{Braid, BraidStiffness, Muscle},
+    progress::Progress,
+    sleeve::library,
+    units::tidy,
+};
 
 /// An overexpanded sleeve expands to so many times its least diameter.
 const EXPANDS: f64 = 4.0;

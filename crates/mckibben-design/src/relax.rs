@@ -1,16 +1,22 @@
 //! Where nothing fits: what to change, of each kind the smallest change that makes a muscle fit.
 
-use crate::limits::AT_POINTS;
-use crate::limits::check::{Probe, probe_with};
-use crate::limits::pressure::PressureLimit;
-use crate::relaxation::{Change, EASED, three_digits};
-use crate::search::{Pick, Search};
-use crate::trial::Trial;
-use crate::{Build, Check, Limit, Relaxation, Spec, fits};
-use mckibben::analysis::{Evaluation, Options, bisect, find_root};
-use mckibben::model::ModelError;
-use mckibben::muscle::Muscle;
-use mckibben::threads;
+use crate::{
+    Build, Check, Limit, Relaxation, Spec, fits,
+    limits::{
+        AT_POINTS,
+        check::{Probe, probe_with},
+        pressure::PressureLimit,
+    },
+    relaxation::{Change, EASED, three_digits},
+    search::{Pick, Search},
+    trial::Trial,
+};
+use mckibben::{
+    analysis::{Evaluation, Options, bisect, find_root},
+    model::ModelError,
+    muscle::Muscle,
+    threads,
+};
 use std::collections::HashSet;
 
 /// A kind of change.

@@ -1,8 +1,6 @@
 //! A change of a specification: what it does, and how it is said.
 
-use crate::bundle::envelope_ratio;
-use crate::limits::check::Show;
-use crate::{Demand, Lift, OperatingPoint, Spec};
+use crate::{Demand, Lift, OperatingPoint, Spec, bundle::envelope_ratio, limits::check::Show};
 use mckibben::units::{Dimension, Values, rounded, tidy};
 use serde::Serialize;
 

@@ -1,15 +1,19 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
-use crate::candidate::candidate;
-use crate::limits::check::{Probe, Score, probe, probe_with};
-use crate::line::STEPS;
-use crate::relax::{Kind, Misses};
-use crate::search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult};
-use crate::trial::Trial;
-use crate::{Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError};
-use mckibben::progress::{Progress, Silent};
-use mckibben::threads;
-use mckibben::units::Values;
+use crate::{
+    Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError,
+    candidate::candidate,
+    limits::check::{Probe, Score, probe, probe_with},
+    line::STEPS,
+    relax::{Kind, Misses},
+    search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult},
+    trial::Trial,
+};
+use mckibben::{
+    progress::{Progress, Silent},
+    threads,
+    units::Values,
+};
 use std::cmp::Ordering;
 
 /// What a design found.

@@ -6,15 +6,19 @@
 //! leads on, so that a narrow window is found as well. The innermost axis, the diameter, is
 //! searched by the roots of the single limits ([`line`](super::line)).
 
-use crate::limits::check::{NO_SCORE, Score, probe_with};
-use crate::line::{self, Found, Merit, Sample};
-use crate::models::THICK_WALL;
-use crate::trial::Trial;
-use crate::{BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, TubePart};
-use mckibben::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
-use mckibben::progress::Progress;
-use mckibben::threads;
-use mckibben::units::Values;
+use crate::{
+    BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, TubePart,
+    limits::check::{NO_SCORE, Score, probe_with},
+    line::{self, Found, Merit, Sample},
+    models::THICK_WALL,
+    trial::Trial,
+};
+use mckibben::{
+    muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube},
+    progress::Progress,
+    threads,
+    units::Values,
+};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Golden sections on a line whose best muscle another model looks for again.

@@ -1,12 +1,14 @@
 //! What is wanted, and what may be varied.
 
 use crate::{Demand, Limits, OperatingPoint, TubePart};
-use mckibben::analysis::{Options, bisect};
-use mckibben::cancel::Cancelled;
-use mckibben::liquid::LiquidSupply;
-use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber};
-use mckibben::rubber::over_time::erf;
-use mckibben::units::Values;
+use mckibben::{
+    analysis::{Options, bisect},
+    cancel::Cancelled,
+    liquid::LiquidSupply,
+    muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber},
+    rubber::over_time::erf,
+    units::Values,
+};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -1,12 +1,13 @@
 //! The main job as a whole: a specification that leaves some things open, and what is chosen.
 
-use crate::other_parts::other_parts;
 use crate::{
     Bundle, Candidate, Models, Outcome, Relaxation, Spec, SpecError, bundle, design_joint,
-    design_with,
+    design_with, other_parts::other_parts,
 };
-use mckibben::progress::{CancelOnly, Progress};
-use mckibben::units::Values;
+use mckibben::{
+    progress::{CancelOnly, Progress},
+    units::Values,
+};
 
 /// What a specification leaves open, so that another one may be tried where nothing fits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

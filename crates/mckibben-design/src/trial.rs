@@ -1,12 +1,16 @@
 //! A muscle held against a specification: its model, and the thick-wall model for what that does
 //! not know.
 
-use crate::limits::pressure::{self, Below};
-use crate::{Build, OperatingPoint, Spec};
-use mckibben::analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root};
-use mckibben::cancel;
-use mckibben::model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace};
-use mckibben::muscle::Muscle;
+use crate::{
+    Build, OperatingPoint, Spec,
+    limits::pressure::{self, Below},
+};
+use mckibben::{
+    analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root},
+    cancel,
+    model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},
+    muscle::Muscle,
+};
 
 pub struct Trial<'a> {
     pub spec: &'a Spec,

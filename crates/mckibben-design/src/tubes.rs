@@ -4,12 +4,12 @@
 //! a bore as rods are sold, and a wall of at least [`LEAST_CAST_WALL_MM`] between a share of
 //! [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
-use mckibben::catalogue::{CastRow, PartsFile, Sources, TubeRow};
-use mckibben::rubber::library;
-use mckibben::rubber::{LibraryError, Rubber};
+use mckibben::{
+    catalogue::{CastRow, PartsFile, Sources, TubeRow},
+    rubber::{LibraryError, Rubber, library},
+};
 use serde::Serialize;
-use std::collections::BTreeSet;
-use std::sync::OnceLock;
+use std::{collections::BTreeSet, sync::OnceLock};
 use thiserror::Error;
 
 /// Least wall in mm of a tube that is cast by hand.

@@ -1,9 +1,8 @@
 //! Why a muscle cannot be exported.
 
-use mckibben::analysis::AnalysisError;
-use mckibben::cancel::Cancelled;
-use mckibben::model::ModelError;
-use mckibben::muscle::MuscleError;
+use mckibben::{
+    analysis::AnalysisError, cancel::Cancelled, model::ModelError, muscle::MuscleError,
+};
 use thiserror::Error;
 
 pub(crate) type Result<T, E = ExportError> = std::result::Result<T, E>;

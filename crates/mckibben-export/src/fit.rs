@@ -6,13 +6,17 @@
 //! pull, and at the end of the box where its slope would let a pull return. The errors are those at
 //! other points, with slack as 0 N.
 
-use crate::form::{FUNCTIONS, functions};
-use crate::{ExportError, Form, HostError, Result};
-use mckibben::analysis::{Evaluation, Options, bisect};
-use mckibben::cancel;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Direction;
-use mckibben::threads;
+use crate::{
+    ExportError, Form, HostError, Result,
+    form::{FUNCTIONS, functions},
+};
+use mckibben::{
+    analysis::{Evaluation, Options, bisect},
+    cancel,
+    model::{ForceModel, Workspace},
+    muscle::Direction,
+    threads,
+};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 

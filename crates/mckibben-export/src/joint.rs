@@ -1,13 +1,16 @@
 //! A joint for a controller or a simulator: its muscles in closed form, on their ways about the
 //! joint.
 
-use crate::muscle::plain;
-use crate::template::list;
-use crate::{Artefact, BoxRequest, ExportError, ExportedMuscle, MARK, Result, Target};
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::joint::{Joint, JointSpring, Path};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Direction;
+use crate::{
+    Artefact, BoxRequest, ExportError, ExportedMuscle, MARK, Result, Target, muscle::plain,
+    template::list,
+};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    joint::{Joint, JointSpring, Path},
+    model::{ForceModel, Workspace},
+    muscle::Direction,
+};
 use serde::Serialize;
 
 /// Angles and pressures at which the stiffness is compared.

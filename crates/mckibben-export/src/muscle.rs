@@ -1,10 +1,14 @@
 //! A muscle fitted for export, with its facts for artefacts.
 
-use crate::fit::{Fitted, Sample, fit};
-use crate::{BoxRequest, ExportError, Form, FormErrors, MARK, Result};
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Direction, file::to_toml};
+use crate::{
+    BoxRequest, ExportError, Form, FormErrors, MARK, Result,
+    fit::{Fitted, Sample, fit},
+};
+use mckibben::{
+    analysis::Evaluation,
+    model::{ForceModel, Workspace},
+    muscle::{Direction, file::to_toml},
+};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 

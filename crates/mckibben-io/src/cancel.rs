@@ -4,10 +4,14 @@
 //! the work. Every loop that may be long [looks](check) at the flag of its thread; work side by
 //! side (threads of the crate `mckibben`) takes the flag along.
 
-use std::cell::RefCell;
-use std::marker::PhantomData;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::{
+    cell::RefCell,
+    marker::PhantomData,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
 use thiserror::Error;
 
 /// The caller wanted the work to end.

@@ -1,8 +1,12 @@
 //! Values that serde writes as words.
 
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
+use serde::{
+    Deserialize,
+    de::{
+        IntoDeserializer,
+        value::{Error, StrDeserializer},
+    },
+};
 
 /// The value that serde writes as a word, such as a variant of an enum.
 pub fn named<'w, T: Deserialize<'w>>(word: &'w str) -> Option<T> {

@@ -1,9 +1,11 @@
 //! Named valves.
 
 use crate::{MotionError, Orifice, Result, Valve};
-use mckibben::muscle::file::{FileError, Source};
-use mckibben::nearest::nearest;
-use mckibben::units::{Dimension, parse_quantity};
+use mckibben::{
+    muscle::file::{FileError, Source},
+    nearest::nearest,
+    units::{Dimension, parse_quantity},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::sync::LazyLock;

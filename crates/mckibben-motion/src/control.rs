@@ -1,7 +1,6 @@
 //! The position controller.
 
-use crate::state::ControllerState;
-use crate::{Result, error::within};
+use crate::{Result, error::within, state::ControllerState};
 
 /// What the controller commands.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,7 @@ use crate::{
     ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid,
     PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
-use mckibben::model::ForceModel;
-use mckibben::muscle::Friction;
+use mckibben::{model::ForceModel, muscle::Friction};
 
 /// The supply of compressed air.
 #[derive(Debug, Clone, Copy, PartialEq)]

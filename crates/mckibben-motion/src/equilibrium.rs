@@ -1,12 +1,12 @@
 //! Where a drive rests.
 
-use crate::state::State;
-use crate::system::{Switch, System};
 use crate::{
-    ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind, error::within,
+    ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind,
+    error::within,
+    state::State,
+    system::{Switch, System},
 };
-use mckibben::analysis::find_root;
-use mckibben::model::ModelError;
+use mckibben::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,6 @@
 //! Why there is no motion.
 
-use mckibben::cancel::Cancelled;
-use mckibben::model::ModelError;
-use mckibben::muscle::MuscleError;
-use mckibben::size::TooLarge;
+use mckibben::{cancel::Cancelled, model::ModelError, muscle::MuscleError, size::TooLarge};
 use thiserror::Error;
 
 /// A motion, or why there is none.

@@ -1,8 +1,10 @@
 //! Stops, slack, switching and reversals: which they are, when they come, and what they change.
 
-use crate::state::State;
-use crate::system::{Point, Switch, System};
-use crate::{Result, Target, ValveKind};
+use crate::{
+    Result, Target, ValveKind,
+    state::State,
+    system::{Point, Switch, System},
+};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

@@ -1,12 +1,12 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
-use crate::air::Cavity;
-use crate::control::Control;
-use crate::fluid::{FluidRates, Medium};
-use crate::state::{MuscleState, State};
-use crate::system::{Mode, Switch, System};
 use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Syringe, Target, ValveKind,
+    air::Cavity,
+    control::Control,
+    fluid::{FluidRates, Medium},
+    state::{MuscleState, State},
+    system::{Mode, Switch, System},
 };
 
 impl System<'_> {

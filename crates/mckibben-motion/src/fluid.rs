@@ -1,7 +1,6 @@
 //! What fills a muscle: air or a liquid.
 
-use crate::air::Cavity;
-use crate::{Air, Flow, LiquidFill};
+use crate::{Air, Flow, LiquidFill, air::Cavity};
 
 /// What fills a muscle.
 #[derive(Debug, Clone, PartialEq)]

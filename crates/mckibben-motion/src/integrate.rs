@@ -14,11 +14,13 @@
 //! γ0 h (q_0 − Σ l_i(0) q_i) with the parabola's value at the start, and a step in which it is too
 //! large is rejected.
 
-use differential_equations::interpolate::Interpolation;
-use differential_equations::linalg::Matrix;
-use differential_equations::methods::{ImplicitRungeKutta, Ordinary};
-use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
-use differential_equations::status::Status;
+use differential_equations::{
+    interpolate::Interpolation,
+    linalg::Matrix,
+    methods::{ImplicitRungeKutta, Ordinary},
+    ode::{ODE, OrdinaryNumericalMethod},
+    status::Status,
+};
 use std::cell::RefCell;
 
 /// Why the library takes no step; its messages are about its settings.

@@ -1,8 +1,6 @@
 //! The drive about an equilibrium, as a linear system.
 
-use crate::integrate::Equations;
-use crate::system::System;
-use crate::{Drive, MotionError, Result};
+use crate::{Drive, MotionError, Result, integrate::Equations, system::System};
 use mckibben::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;

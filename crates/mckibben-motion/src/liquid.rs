@@ -1,11 +1,10 @@
 //! A liquid in the place of the air: its balance, and what a valve, a line, a pump or a syringe
 //! lets through.
 
-use crate::air::Cavity;
-use crate::fluid::Medium;
-use crate::{ATMOSPHERE_MPA, Flow, Hose, Result, ValveKind, error::within};
-use mckibben::analysis::find_root;
-use mckibben::liquid::Liquid;
+use crate::{
+    ATMOSPHERE_MPA, Flow, Hose, Result, ValveKind, air::Cavity, error::within, fluid::Medium,
+};
+use mckibben::{analysis::find_root, liquid::Liquid};
 use std::f64::consts::PI;
 
 /// The pressure difference of a flow coefficient, 1 bar, in MPa, and its liquid's density (water)

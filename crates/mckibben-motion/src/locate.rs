@@ -1,10 +1,6 @@
 //! When an event comes: the first guard that fails within a step, by its dense output.
 
-use crate::events::Guard;
-use crate::integrate::Stepper;
-use crate::run::Integration;
-use crate::state::State;
-use crate::{OnStop, Result};
+use crate::{OnStop, Result, events::Guard, integrate::Stepper, run::Integration, state::State};
 use mckibben::analysis::find_root;
 
 /// Whether the function of a guard needs an answer of a model.

@@ -1,9 +1,11 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
 use crate::{MotionError, Result, error::within};
-use mckibben::joint::{Joint, JointSpring};
-use mckibben::load::Load;
-use mckibben::model::ForceModel;
+use mckibben::{
+    joint::{Joint, JointSpring},
+    load::Load,
+    model::ForceModel,
+};
 
 /// Contraction of a muscle at a position, and its derivative by the coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,10 @@
 //! and the slack muscle.
 
 use crate::Actuated;
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm},
+};
 use std::cell::{Cell, OnceCell, RefCell};
 
 /// A quantity of a muscle with its derivatives.

@@ -1,7 +1,6 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
-use crate::system::System;
-use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target};
+use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
 use mckibben::analysis::bisect;
 
 /// A point that was integrated.

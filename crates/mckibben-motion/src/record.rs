@@ -1,13 +1,15 @@
 //! What is written down of an integration: the series while it goes, and the sums at its end.
 
-use crate::air::{exergy_mj_per_g, normal_litres};
-use crate::integrate::Stepper;
-use crate::member::Substitute;
-use crate::metrics::{Passed, rest, step_figures};
-use crate::run::Integration;
-use crate::state::State;
-use crate::system::System;
-use crate::{ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result};
+use crate::{
+    ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result,
+    air::{exergy_mj_per_g, normal_litres},
+    integrate::Stepper,
+    member::Substitute,
+    metrics::{Passed, rest, step_figures},
+    run::Integration,
+    state::State,
+    system::System,
+};
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest

@@ -1,13 +1,14 @@
 //! From a drive to its motion.
 
-use crate::events::Guard;
-use crate::integrate::{Stepper, stepper};
-use crate::metrics::Passed;
-use crate::state::State;
-use crate::system::System;
-use crate::{Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result};
-use mckibben::progress::Progress;
-use mckibben::size;
+use crate::{
+    Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result,
+    events::Guard,
+    integrate::{Stepper, stepper},
+    metrics::Passed,
+    state::State,
+    system::System,
+};
+use mckibben::{progress::Progress, size};
 
 /// Runs a drive to its end.
 ///

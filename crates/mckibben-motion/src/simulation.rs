@@ -1,10 +1,12 @@
 //! A drive in a control loop: one step of constant commands after the other.
 
-use crate::member::Memory;
-use crate::run::Integration;
-use crate::state::State;
-use crate::system::{Modes, Switch, System};
-use crate::{Command, Drive, Motion, MotionError, Result, Target};
+use crate::{
+    Command, Drive, Motion, MotionError, Result, Target,
+    member::Memory,
+    run::Integration,
+    state::State,
+    system::{Modes, Switch, System},
+};
 use mckibben::progress::Progress;
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.

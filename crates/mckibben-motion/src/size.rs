@@ -1,7 +1,10 @@
 //! The smallest valve that is quick enough.
 
-use crate::metrics::{changes, rise_time};
-use crate::{Actuator, Command, Drive, Motion, MotionError, Result, Target, equilibrium, run};
+use crate::{
+    Actuator, Command, Drive, Motion, MotionError, Result, Target, equilibrium,
+    metrics::{changes, rise_time},
+    run,
+};
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.

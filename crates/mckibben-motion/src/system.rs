@@ -1,11 +1,13 @@
 //! The equations of motion of a drive.
 
-use crate::air::{Cavity, cavity_area_mm2};
-use crate::fluid::{FluidRates, Medium};
-use crate::integrate::Equations;
-use crate::member::{Answer, Member, Moment, Substitute};
-use crate::state::{ControllerState, Layout, MuscleState, State, Totals};
-use crate::{ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target};
+use crate::{
+    ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target,
+    air::{Cavity, cavity_area_mm2},
+    fluid::{FluidRates, Medium},
+    integrate::Equations,
+    member::{Answer, Member, Moment, Substitute},
+    state::{ControllerState, Layout, MuscleState, State, Totals},
+};
 use mckibben::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 

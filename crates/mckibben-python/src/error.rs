@@ -2,8 +2,7 @@
 
 use crate::value;
 use mckibben_app::{ArrayError, Problem};
-use pyo3::exceptions::PyRuntimeError;
-use pyo3::prelude::*;
+use pyo3::{exceptions::PyRuntimeError, prelude::*};
 use serde_json::json;
 
 /// Why a call has no answer: a problem of the application layer, of a point of a list where it is

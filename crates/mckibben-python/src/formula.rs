@@ -4,8 +4,7 @@ use crate::{error::Wrong, run};
 use mckibben::formula::{Document, Formula as Fitted};
 use mckibben_app::{Problem, ProblemKind};
 use numpy::{PyReadonlyArray2, PyReadwriteArray1};
-use pyo3::exceptions::PyValueError;
-use pyo3::prelude::*;
+use pyo3::{exceptions::PyValueError, prelude::*};
 use std::{f64::consts::PI, path::Path};
 
 /// How far a point may be outside of the range by rounding.

@@ -4,8 +4,7 @@ use crate::{error::Wrong, run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{BoundModel, Many, PointQuantity};
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
-use pyo3::exceptions::PyValueError;
-use pyo3::prelude::*;
+use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
 
 /// A model bound to its muscle.

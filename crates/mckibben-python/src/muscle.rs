@@ -1,17 +1,19 @@
 //! A muscle: its file, its measures, and its models.
 
 use crate::{error::Wrong, model::Model, request, run, value};
-use mckibben::muscle::Muscle as Held;
-use mckibben::muscle::file::{FileError, parse_muscle, to_toml};
-use mckibben::muscle::measures::{STIFFNESS, fields};
-use mckibben::rubber::RubberLaw;
+use mckibben::{
+    muscle::{
+        Muscle as Held,
+        file::{FileError, parse_muscle, to_toml},
+        measures::{STIFFNESS, fields},
+    },
+    rubber::RubberLaw,
+};
 use mckibben_app::{
     BoundModel, MuscleFields, Problem, ProblemKind, QuestionFields, understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
-use pyo3::exceptions::PyValueError;
-use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
 use serde_json::{Value, json};
 
 /// A muscle.

@@ -9,9 +9,14 @@ use crate::error::Wrong;
 use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::{Problem, ProblemKind, within};
 use pyo3::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::{thread, time::Duration};
+use std::{
+    sync::{
+        atomic::{AtomicUsize, Ordering},
+        mpsc::{RecvTimeoutError, sync_channel},
+    },
+    thread,
+    time::Duration,
+};
 
 /// How often the calling thread looks at signals and progress.
 const TICK: Duration = Duration::from_millis(50);

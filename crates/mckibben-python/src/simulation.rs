@@ -4,11 +4,12 @@ use crate::{error::Wrong, request, run, value};
 use mckibben::threads::Threads;
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
-use pyo3::exceptions::PyValueError;
-use pyo3::prelude::*;
+use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{
+    Mutex, MutexGuard, PoisonError,
+    atomic::{AtomicUsize, Ordering},
+};
 
 /// A drive that is stepped.
 #[pyclass(frozen, module = "mckibben._native")]

@@ -1,9 +1,7 @@
 //! Maps, lists and numbers of Python and of requests, from the one to the other by way of JSON's
 //! text; and what is said to the caller.
 
-use pyo3::exceptions::PyValueError;
-use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
 use serde_json::Value;
 
 /// Of maps with names, lists, texts and finite numbers; any other object is Python's `TypeError` or

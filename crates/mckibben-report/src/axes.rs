@@ -1,14 +1,16 @@
 //! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
 
-use crate::curve::Frame;
-use crate::figure::{Axis, FigureError, Panel, Result, Series, Style};
-use crate::font::{Metrics, PANEL_TITLE};
-use crate::labels::{self, Label};
-use crate::legend::{self, Legend};
-use crate::line_labels::{self, Ended};
-use crate::rect::{PER_MM, Rect};
-use crate::room::Room;
-use crate::ticks::{self, Scale};
+use crate::{
+    curve::Frame,
+    figure::{Axis, FigureError, Panel, Result, Series, Style},
+    font::{Metrics, PANEL_TITLE},
+    labels::{self, Label},
+    legend::{self, Legend},
+    line_labels::{self, Ended},
+    rect::{PER_MM, Rect},
+    room::Room,
+    ticks::{self, Scale},
+};
 
 /// Font sizes of tick texts and axis labels.
 pub(crate) const TICK: f64 = 9.8;

@@ -1,11 +1,12 @@
 //! From points of a series to what is seen of them: projection, gaps, clipping, thinning.
 
+use crate::{
+    figure::Mark,
+    rect::{Rect, Spot, between},
+    smooth::smooth,
+    ticks::Scale,
+};
 use std::collections::HashSet;
-
-use crate::figure::Mark;
-use crate::rect::{Rect, Spot, between};
-use crate::smooth::smooth;
-use crate::ticks::Scale;
 
 /// Maps values of two axes onto a rectangle.
 pub(crate) struct Frame {

@@ -1,9 +1,11 @@
 //! The numbers of a figure as a table.
 
-use crate::document::head;
-use crate::figure::{Figure, Panel, Result};
-use crate::ticks::number;
-use crate::xml::escape;
+use crate::{
+    document::head,
+    figure::{Figure, Panel, Result},
+    ticks::number,
+    xml::escape,
+};
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu \

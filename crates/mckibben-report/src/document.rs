@@ -1,7 +1,9 @@
 //! A report: headings, texts, tables, figures and a body, as one page that needs no network.
 
-use crate::figure::{Figure, Result};
-use crate::xml::escape;
+use crate::{
+    figure::{Figure, Result},
+    xml::escape,
+};
 use mckibben_io::clean;
 use std::fmt::Write as _;
 

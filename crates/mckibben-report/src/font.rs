@@ -1,8 +1,7 @@
 //! The embedded font: the width of texts set in it.
 
-use ttf_parser::Face;
-
 use crate::figure::{FigureError, Result};
+use ttf_parser::Face;
 
 /// Families named in the drawing: the embedded one first, then what readers have at hand
 /// (all of them narrower, so nothing overlaps when one of them is taken).

@@ -1,10 +1,12 @@
 //! Texts beside marks, kept clear of the data and of each other.
 
-use crate::curve::Frame;
-use crate::figure::Mark;
-use crate::font::Metrics;
-use crate::rect::{Rect, Spot};
-use crate::room::Room;
+use crate::{
+    curve::Frame,
+    figure::Mark,
+    font::Metrics,
+    rect::{Rect, Spot},
+    room::Room,
+};
 
 /// Font size of these texts.
 pub(crate) const SIZE: f64 = 10.0;

@@ -1,11 +1,13 @@
 //! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
 
-use crate::axes::{Grid, Placed};
-use crate::figure::{Figure, FigureError, Panel, Result};
-use crate::font::{CAPTION, Metrics, TITLE};
-use crate::legend::{self, Entry, Legend};
-use crate::palette::Colours;
-use crate::rect::{PER_MM, Rect};
+use crate::{
+    axes::{Grid, Placed},
+    figure::{Figure, FigureError, Panel, Result},
+    font::{CAPTION, Metrics, TITLE},
+    legend::{self, Entry, Legend},
+    palette::Colours,
+    rect::{PER_MM, Rect},
+};
 
 const MARGIN: f64 = 16.0;
 /// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over

@@ -1,8 +1,10 @@
 //! The legend: its entries, and rows of them below what they explain.
 
-use crate::figure::{Panel, Style};
-use crate::font::Metrics;
-use crate::rect::Rect;
+use crate::{
+    figure::{Panel, Style},
+    font::Metrics,
+    rect::Rect,
+};
 
 /// Font size of the entries.
 pub(crate) const SIZE: f64 = 10.0;

@@ -1,10 +1,12 @@
 //! Texts that name lines directly: beside the plot where lines reach its right edge, otherwise
 //! beside the line.
 
-use crate::font::Metrics;
-use crate::labels::{HEIGHT, Label, SIZE, around, cost_of, inside};
-use crate::rect::{Rect, Spot};
-use crate::room::Room;
+use crate::{
+    font::Metrics,
+    labels::{HEIGHT, Label, SIZE, around, cost_of, inside},
+    rect::{Rect, Spot},
+    room::Room,
+};
 
 /// A line with its text.
 pub(crate) struct Ended {

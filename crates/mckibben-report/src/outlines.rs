@@ -1,13 +1,15 @@
 //! Texts of a drawing as outlines: for programs that have no fonts.
 
+use crate::{
+    figure::{FigureError, Result},
+    font::Metrics,
+};
+use resvg::usvg::{
+    Options, Tree,
+    roxmltree::{Document, Node},
+};
 use std::fmt::Write as _;
-
-use resvg::usvg::roxmltree::{Document, Node};
-use resvg::usvg::{Options, Tree};
 use ttf_parser::{GlyphId, OutlineBuilder};
-
-use crate::figure::{FigureError, Result};
-use crate::font::Metrics;
 
 /// A drawing of [`crate::Figure::to_svg`] or [`crate::Sheet::to_svg`] with each `text` element
 /// replaced by a `path`: the outlines of its characters in the embedded font. The n-th one, from 0,

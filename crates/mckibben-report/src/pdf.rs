@@ -1,18 +1,21 @@
 //! The figure as PDF: the same SVG as one page of vectors of the figure's size, its texts as
 //! outlines.
 
+use crate::{
+    figure::{Figure, FigureError, Result},
+    outlines::tree,
+};
+use flate2::{Compression, write::ZlibEncoder};
+use pdf_writer::{
+    Content, Filter, Name, Pdf, Rect, Ref, TextStr,
+    types::{LineCapStyle, LineJoinStyle},
+    writers::ExtGraphicsState,
+};
+use resvg::{
+    tiny_skia::{PathSegment, Point},
+    usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform},
+};
 use std::io::Write as _;
-
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
-use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::writers::ExtGraphicsState;
-use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, TextStr};
-use resvg::tiny_skia::{PathSegment, Point};
-use resvg::usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform};
-
-use crate::figure::{Figure, FigureError, Result};
-use crate::outlines::tree;
 
 /// Points (1/72 in) for each pixel of CSS (1/96 in).
 const POINTS: f32 = 0.75;

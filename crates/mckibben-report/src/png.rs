@@ -1,9 +1,10 @@
 //! The figure as pixels: the same SVG, rendered with the embedded font.
 
+use crate::{
+    figure::{Figure, FigureError, Result},
+    outlines::tree,
+};
 use resvg::tiny_skia;
-
-use crate::figure::{Figure, FigureError, Result};
-use crate::outlines::tree;
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
 const SCALE: f32 = 2.5;

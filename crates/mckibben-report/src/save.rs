@@ -1,8 +1,7 @@
 //! A figure as the bytes of a file.
 
-use std::path::Path;
-
 use crate::figure::{Figure, FigureError, Result};
+use std::path::Path;
 
 impl Figure {
     /// The bytes of a file of this name; its ending (`.svg`, `.png`, `.pdf`, `.html`) names the

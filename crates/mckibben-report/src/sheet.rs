@@ -4,12 +4,14 @@
 //! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO
 //! 128-2: outlines twice as wide as all others.
 
-use crate::figure::{FigureError, Result};
-use crate::layout::check_paper;
-use crate::rect::{PER_MM, Spot};
-use crate::strokes::{self, END, MIDDLE, through, upwards};
-use crate::svg::{INK, head};
-use crate::xml::length as n;
+use crate::{
+    figure::{FigureError, Result},
+    layout::check_paper,
+    rect::{PER_MM, Spot},
+    strokes::{self, END, MIDDLE, through, upwards},
+    svg::{INK, head},
+    xml::length as n,
+};
 use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.

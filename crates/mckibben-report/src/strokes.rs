@@ -1,11 +1,12 @@
 //! Lines and markers as SVG.
 
+use crate::{
+    figure::Style,
+    palette::{self, Colours, Shape},
+    rect::Spot,
+    xml::{escape, length as n},
+};
 use std::fmt::Write as _;
-
-use crate::figure::Style;
-use crate::palette::{self, Colours, Shape};
-use crate::rect::Spot;
-use crate::xml::{escape, length as n};
 
 const LINE_WIDTH: f64 = 1.7;
 const MARKER: f64 = 3.1;

@@ -1,19 +1,20 @@
 //! The figure as SVG text.
 
+use crate::{
+    axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH},
+    curve::Frame,
+    figure::{Figure, Result, Style},
+    font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE},
+    labels::{self, Label},
+    layout::{self, Page},
+    legend::{self, Legend},
+    palette::Colours,
+    rect::{PER_MM, Spot},
+    strokes::{self, END, MIDDLE, area, series as draw_series, thin, through, upwards},
+    ticks,
+    xml::{escape, length as n},
+};
 use std::fmt::Write as _;
-
-use crate::axes::{Axes, LABEL, Placed, TICK, TICK_LENGTH};
-use crate::curve::Frame;
-use crate::figure::{Figure, Result, Style};
-use crate::font::{CAPTION, FAMILY, Metrics, PANEL_TITLE, TITLE};
-use crate::labels::{self, Label};
-use crate::layout::{self, Page};
-use crate::legend::{self, Legend};
-use crate::palette::Colours;
-use crate::rect::{PER_MM, Spot};
-use crate::strokes::{self, END, MIDDLE, area, series as draw_series, thin, through, upwards};
-use crate::ticks;
-use crate::xml::{escape, length as n};
 
 pub(crate) const INK: &str = "#222222";
 pub(crate) const SOFT: &str = "#595959";

@@ -1,11 +1,15 @@
 //! `POST /api/COMMAND`.
 
 use crate::refusal::Refusal;
-use axum::extract::{Path, State};
-use axum::http::header::{ACCEPT, CONTENT_TYPE};
-use axum::http::{HeaderMap, StatusCode};
-use axum::response::{IntoResponse, Response};
-use axum::{Json, extract::rejection::JsonRejection};
+use axum::{
+    Json,
+    extract::{Path, State, rejection::JsonRejection},
+    http::{
+        HeaderMap, StatusCode,
+        header::{ACCEPT, CONTENT_TYPE},
+    },
+    response::{IntoResponse, Response},
+};
 use mckibben::{cancel::Cancel, progress::Silent, threads::Threads};
 use mckibben_app::Problem;
 use serde_json::Value;

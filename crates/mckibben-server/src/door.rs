@@ -1,11 +1,15 @@
 //! The door: who may come in, for how long, and what every answer carries.
 
 use crate::refusal::Refusal;
-use axum::extract::{Request, State};
-use axum::http::header::{CACHE_CONTROL, HOST, HeaderName, ORIGIN};
-use axum::http::{HeaderValue, StatusCode};
-use axum::middleware::Next;
-use axum::response::{IntoResponse, Response};
+use axum::{
+    extract::{Request, State},
+    http::{
+        HeaderValue, StatusCode,
+        header::{CACHE_CONTROL, HOST, HeaderName, ORIGIN},
+    },
+    middleware::Next,
+    response::{IntoResponse, Response},
+};
 use std::time::Duration;
 use tokio::time::timeout;
 

@@ -10,8 +10,12 @@ mod door;
 mod page;
 mod refusal;
 
-use axum::routing::{Router, get, post};
-use axum::{extract::DefaultBodyLimit, middleware::from_fn_with_state, serve::ListenerExt};
+use axum::{
+    extract::DefaultBodyLimit,
+    middleware::from_fn_with_state,
+    routing::{Router, get, post},
+    serve::ListenerExt,
+};
 use std::{future::IntoFuture, io, sync::Arc, time::Duration};
 use tokio::{sync::Semaphore, time::sleep};
 use tower_http::compression::{CompressionLayer, CompressionLevel};

@@ -1,11 +1,17 @@
 //! The page: files that the program carries. Nothing of a request's path reaches the disk.
 
 use crate::refusal::Refusal;
-use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE, ETAG, IF_NONE_MATCH};
-use axum::http::{HeaderMap, StatusCode, Uri};
-use axum::response::{IntoResponse, Response};
-use std::borrow::Cow;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use axum::{
+    http::{
+        HeaderMap, StatusCode, Uri,
+        header::{CACHE_CONTROL, CONTENT_TYPE, ETAG, IF_NONE_MATCH},
+    },
+    response::{IntoResponse, Response},
+};
+use std::{
+    borrow::Cow,
+    hash::{DefaultHasher, Hash, Hasher},
+};
 
 fn file(path: &str) -> Option<Cow<'static, [u8]>> {
     match path {

@@ -1,8 +1,11 @@
 //! Why a request is not answered: `{"error": {"kind", "message", "hint", …}}`, as on the command
 //! line.
 
-use axum::response::{IntoResponse, Response};
-use axum::{Json, http::StatusCode};
+use axum::{
+    Json,
+    http::StatusCode,
+    response::{IntoResponse, Response},
+};
 use mckibben_app::{Problem, ProblemKind};
 use serde_json::json;
 

@@ -3,13 +3,13 @@
 
 pub use crate::analysis::Options;
 
-use crate::analysis::{AnalysisError, Evaluation};
-use crate::model::{ModelError, Response, Result};
-use crate::muscle::Direction;
-use crate::rubber::RubberLaw;
-use crate::uncertainty::UncertaintyParts;
-use crate::warning::{
-    Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n,
+use crate::{
+    analysis::{AnalysisError, Evaluation},
+    model::{ModelError, Response, Result},
+    muscle::Direction,
+    rubber::RubberLaw,
+    uncertainty::UncertaintyParts,
+    warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n},
 };
 use serde::{Deserialize, Serialize};
 

@@ -1,11 +1,12 @@
 //! Files of parts in TOML: `[[tube]]`, `[[cast]]`, `[[sleeve]]`, and the `[sources]` that their
 //! rows name.
 
-use crate::muscle::file::{FileError, Source};
-use crate::nearest::{meant, nearest};
-use crate::sleeve::SleeveRow;
-use crate::units::Positive;
-use crate::units::typed::Length;
+use crate::{
+    muscle::file::{FileError, Source},
+    nearest::{meant, nearest},
+    sleeve::SleeveRow,
+    units::{Positive, typed::Length},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -4,9 +4,11 @@
 //! - isotonic: F fixed, ε(P);
 //! - isobaric: P fixed, F(ε).
 
-use crate::analysis::{AnalysisError, Evaluation};
-use crate::answer::Answer;
-use crate::cancel;
+use crate::{
+    analysis::{AnalysisError, Evaluation},
+    answer::Answer,
+    cancel,
+};
 use serde::{Deserialize, Serialize};
 
 /// Which test.

@@ -1,7 +1,6 @@
 //! Liquids that fill a muscle: their compression under pressure, with the gas that is in them.
 
-use crate::analysis::ATMOSPHERE_MPA;
-use crate::refused::Refused;
+use crate::{analysis::ATMOSPHERE_MPA, refused::Refused};
 use serde::Serialize;
 
 /// The liquids that have a name, at 20 °C and without gas. Water: ρ and K (isothermal) by

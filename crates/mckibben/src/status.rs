@@ -1,11 +1,14 @@
 //! How a point of a test or campaign ended, in one word.
 
 use schemars::JsonSchema;
-use serde::de::IntoDeserializer;
-use serde::de::value::{Error, StrDeserializer};
-use serde::{Deserialize, Serialize};
-use std::fmt;
-use std::str::FromStr;
+use serde::{
+    Deserialize, Serialize,
+    de::{
+        IntoDeserializer,
+        value::{Error, StrDeserializer},
+    },
+};
+use std::{fmt, str::FromStr};
 
 /// How a point ended. The words, in JSON, CSV and the tables of campaigns, are a contract.
 #[derive(

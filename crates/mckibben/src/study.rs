@@ -5,10 +5,12 @@
 //! prototype's bore, as the paper drew them) and with D0 = 30 mm. The paper's findings are computed
 //! from the curves, each with a verdict; they do not all hold.
 
-use crate::analysis::{AnalysisError, Evaluation, Options};
-use crate::curve::{Curve, Test};
-use crate::model::{ForceModel, Ideal, ModelError, Workspace};
-use crate::muscle::{Direction, Muscle, MuscleError, Tube};
+use crate::{
+    analysis::{AnalysisError, Evaluation, Options},
+    curve::{Curve, Test},
+    model::{ForceModel, Ideal, ModelError, Workspace},
+    muscle::{Direction, Muscle, MuscleError, Tube},
+};
 use serde::Serialize;
 use thiserror::Error;
 

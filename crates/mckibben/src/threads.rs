@@ -10,12 +10,15 @@
 //! thread.
 
 use crate::cancel::Cancel;
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use std::num::NonZero;
-use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
-use std::sync::{Mutex, OnceLock, PoisonError};
-use std::time::Duration;
+use rayon::{ThreadPool, ThreadPoolBuilder, prelude::*};
+use std::{
+    num::NonZero,
+    sync::{
+        Mutex, OnceLock, PoisonError,
+        mpsc::{RecvTimeoutError, SyncSender, sync_channel},
+    },
+    time::Duration,
+};
 use thiserror::Error;
 
 /// The caller of [`Threads::for_each`] hears from it this often at least.

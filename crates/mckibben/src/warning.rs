@@ -1,9 +1,11 @@
 //! What the user should know of an answer.
 
-use crate::analysis::{FailureMode, NoBurst, SAFETY};
-use crate::model::{Response, ThickWall};
-use crate::muscle::{Muscle, Rubber};
-use crate::units::{rounded, short_numbers};
+use crate::{
+    analysis::{FailureMode, NoBurst, SAFETY},
+    model::{Response, ThickWall},
+    muscle::{Muscle, Rubber},
+    units::{rounded, short_numbers},
+};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 

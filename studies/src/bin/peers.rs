@@ -6,14 +6,9 @@
 //! prints pulls, time and work as JSON. A mesh that ends in `:quadratic` has no deck.
 
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::output::{deck, increments};
-use mckibben_fem::simulation::Divided;
-use mckibben_fem::solver::continuation::Continuation;
-use mckibben_fem::solver::trail::Trail;
-use mckibben_fem::three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional};
+use mckibben_fem::{output::{deck, increments}, simulation::Divided, solver::{continuation::Continuation, trail::Trail}, three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional}};
 use mckibben_studies::increment;
-use std::error::Error;
-use std::time::Instant;
+use std::{error::Error, time::Instant};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();

@@ -7,8 +7,7 @@
 use mckibben::model::{ModelKind, Workspace};
 use mckibben_campaign::fit::universal::held_out_samples;
 use mckibben_report::{Axis, Figure, Panel, Series};
-use std::error::Error;
-use std::path::Path;
+use std::{error::Error, path::Path};
 
 /// Points of a curve, as steps of its share.
 const STEPS: usize = 200;

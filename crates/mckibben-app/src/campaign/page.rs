@@ -1,9 +1,11 @@
 //! Campaigns as people read them.
 
-use crate::Units;
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::NUMBER;
-use crate::words::{in_a_row, place};
+use crate::{
+    Units,
+    print::{Csv, Page, Rows, Show, Table},
+    units::NUMBER,
+    words::{in_a_row, place},
+};
 use mckibben_campaign::campaign::{CampaignStatus, Merged, ShardState, ShardStatus, Summary};
 
 impl Show for Summary {

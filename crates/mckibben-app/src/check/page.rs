@@ -1,11 +1,16 @@
 //! A checked muscle as people read it.
 
 use super::{Characteristics, CheckAnswer, FindingKind};
-use crate::print::{Csv, Page, Rows, Show};
-use crate::units::{DEGREES, GRAMS, JOULES, MEGAPASCALS, NORMAL_LITRES, NUMBER, PERCENT};
-use crate::{Units, number, words::braid_name, words::law_text};
-use mckibben::muscle::{EndFactor, Muscle};
-use mckibben::warning::is_of_burst;
+use crate::{
+    Units, number,
+    print::{Csv, Page, Rows, Show},
+    units::{DEGREES, GRAMS, JOULES, MEGAPASCALS, NORMAL_LITRES, NUMBER, PERCENT},
+    words::{braid_name, law_text},
+};
+use mckibben::{
+    muscle::{EndFactor, Muscle},
+    warning::is_of_burst,
+};
 
 /// The kinds, each with its heading, and what is said where nothing was found.
 const HEADINGS: [(FindingKind, &str, &str); 4] = [

@@ -1,9 +1,12 @@
 //! Compared models as people read them.
 
 use super::{CompareAnswer, ComparedModel, Direction};
-use crate::print::{Csv, Page, Show, Table, sentences};
-use crate::units::PERCENT;
-use crate::{UnderstoodTable, Units, words::in_a_row};
+use crate::{
+    UnderstoodTable, Units,
+    print::{Csv, Page, Show, Table, sentences},
+    units::PERCENT,
+    words::in_a_row,
+};
 
 impl Show for CompareAnswer {
     fn warnings(&self) -> Vec<String> {

@@ -1,12 +1,18 @@
 //! Curves as people read them.
 
 use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
-use crate::print::{Csv, Page, Show, Table, sentences};
-use crate::units::PERCENT;
-use crate::words::{aligned, half_width, within};
-use crate::{Units, breakdown, percent};
-use mckibben::curve::{Curve, CurvePoint, Test};
-use mckibben::{answer::Answer, muscle::Direction, study::StudyPanel};
+use crate::{
+    Units, breakdown, percent,
+    print::{Csv, Page, Show, Table, sentences},
+    units::PERCENT,
+    words::{aligned, half_width, within},
+};
+use mckibben::{
+    answer::Answer,
+    curve::{Curve, CurvePoint, Test},
+    muscle::Direction,
+    study::StudyPanel,
+};
 
 impl Show for CurveAnswer {
     fn warnings(&self) -> Vec<String> {

@@ -1,14 +1,20 @@
 //! What a design answers with.
 
-use super::remedies::RelaxationAnswer;
-use super::request::{OperatingPoint, TorqueWanted};
+use super::{
+    remedies::RelaxationAnswer,
+    request::{OperatingPoint, TorqueWanted},
+};
 use crate::{
     MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first,
-    said_of, words::braid_name, words::rubber_name,
+    said_of,
+    words::{braid_name, rubber_name},
 };
-use mckibben::analysis::Burst;
-use mckibben::muscle::{Braid, BraidStiffness};
-use mckibben::{liquid::Liquid, muscle::file::to_toml, warning::Warning};
+use mckibben::{
+    analysis::Burst,
+    liquid::Liquid,
+    muscle::{Braid, BraidStiffness, file::to_toml},
+    warning::Warning,
+};
 use mckibben_design::{
     Bought, BraidChoice, Bundle, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec,
     tubes::rubbers,

@@ -2,10 +2,14 @@
 
 use super::request::DesignRequest;
 use crate::words::number;
-use mckibben::muscle::{Braid, Muscle};
-use mckibben::units::typed::Choice;
-use mckibben_design::tubes::{LEAST_CAST_WALL_MM, rubbers};
-use mckibben_design::{BraidChoice, Design};
+use mckibben::{
+    muscle::{Braid, Muscle},
+    units::typed::Choice,
+};
+use mckibben_design::{
+    BraidChoice, Design,
+    tubes::{LEAST_CAST_WALL_MM, rubbers},
+};
 
 /// Pressure of a supply in MPa where none is given: that of a usual workshop.
 pub(super) const SUPPLY_MPA: f64 = 0.6;

@@ -2,8 +2,7 @@
 //! it.
 
 use super::CandidateAnswer;
-use crate::words::within;
-use crate::{Units, number, percent};
+use crate::{Units, number, percent, words::within};
 use mckibben::units::{Dimension, rounded, tidy};
 use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Demand, Spec};

@@ -19,13 +19,17 @@ pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach, touches};
 use decision::Decision;
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
-use mckibben::warning::Warning;
-use mckibben_design::bought::{Product, bought};
-use mckibben_design::{Build, Candidate, CandidatePoint, Design, Outcome, Spec};
+use mckibben::{
+    analysis::Evaluation,
+    model::{ForceModel, ModelError, Workspace},
+    muscle::Muscle,
+    progress::Progress,
+    warning::Warning,
+};
+use mckibben_design::{
+    Build, Candidate, CandidatePoint, Design, Outcome, Spec,
+    bought::{Product, bought},
+};
 use mckibben_fit::validation::library::{PREFIX, library};
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;

@@ -3,9 +3,11 @@
 mod candidates;
 
 use super::{Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer};
-use crate::print::{Csv, Page, Rows, Show, Table, sentences};
-use crate::units::{NEWTON_METRES, NORMAL_LITRES, PERCENT};
-use crate::{Units, number, percent};
+use crate::{
+    Units, number, percent,
+    print::{Csv, Page, Rows, Show, Table, sentences},
+    units::{NEWTON_METRES, NORMAL_LITRES, PERCENT},
+};
 use mckibben::units::rounded;
 
 impl Show for DesignAnswer {

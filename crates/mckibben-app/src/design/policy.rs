@@ -1,8 +1,10 @@
 //! Which model looks at a muscle of the search, and which one decides.
 
 use crate::{MeshFields, Model, ModelFields, Result};
-use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{ForceModel, ModelError},
+    muscle::Muscle,
+};
 use mckibben_design::{Build, Models, SearchedMuscles, near_the_box};
 
 #[derive(Debug, Clone)]

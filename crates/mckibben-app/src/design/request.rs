@@ -2,9 +2,11 @@
 
 #[cfg(feature = "clap")]
 use crate::ProblemKind;
-use crate::fields::name_or_file;
-use crate::flags::{self, Args};
-use crate::{LiquidFields, LoadFields, ModelFields, Problem, Result, Stiffness, TextFile, Units};
+use crate::{
+    LiquidFields, LoadFields, ModelFields, Problem, Result, Stiffness, TextFile, Units,
+    fields::name_or_file,
+    flags::{self, Args},
+};
 use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};

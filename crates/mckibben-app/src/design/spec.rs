@@ -1,23 +1,31 @@
 //! How a request becomes a specification, and what it leaves open.
 
-use super::assumed::{SUPPLY_MPA, Stated};
-use super::policy::ModelPolicy;
-use super::request::DesignRequest;
-use crate::parts::{sleeve_entries, unread, users_tubes};
-use crate::{
-    MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given, ratio, rubber,
-    sleeve,
+use super::{
+    assumed::{SUPPLY_MPA, Stated},
+    policy::ModelPolicy,
+    request::DesignRequest,
 };
-use mckibben::muscle::measures::{LENGTH, STRAND_MODULUS};
-use mckibben::muscle::{Braid, Direction, Muscle, Tube};
-use mckibben::sleeve::SleeveEntry;
-use mckibben::units::Values;
-use mckibben::units::typed::{Angle, Choice, Length, Quantity, Ratio};
-use mckibben::warning::strand_strength_n;
-use mckibben_design::tubes::{self, TubePart};
+use crate::{
+    MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given,
+    parts::{sleeve_entries, unread, users_tubes},
+    ratio, rubber, sleeve,
+};
+use mckibben::{
+    muscle::{
+        Braid, Direction, Muscle, Tube,
+        measures::{LENGTH, STRAND_MODULUS},
+    },
+    sleeve::SleeveEntry,
+    units::{
+        Values,
+        typed::{Angle, Choice, Length, Quantity, Ratio},
+    },
+    warning::strand_strength_n,
+};
 use mckibben_design::{
     BraidChoice, Demand, JointDemand, Lift, Limits, Open, OperatingPoint, SAFETY, Spec, Task,
     VALIDATED_STRAND_STRAIN, bundle,
+    tubes::{self, TubePart},
 };
 use std::borrow::Cow;
 

@@ -2,10 +2,12 @@
 
 use super::{BAND, caption};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::curve::{Curve, CurvePoint, Test};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::study::Study;
+use mckibben::{
+    analysis::{Evaluation, Options},
+    curve::{Curve, CurvePoint, Test},
+    model::{ForceModel, Workspace},
+    study::Study,
+};
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
 use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};

@@ -3,9 +3,12 @@
 use super::caption;
 use crate::{NamedFigure, words::number};
 use mckibben::formula::Formula;
-use mckibben_campaign::fit::data::{distinct, same};
-use mckibben_campaign::fit::paper_method::{CurveFit, LineFit, PaperMethod};
-use mckibben_campaign::{fit::FittedFormula, fit::errors::Compared};
+use mckibben_campaign::fit::{
+    FittedFormula,
+    data::{distinct, same},
+    errors::Compared,
+    paper_method::{CurveFit, LineFit, PaperMethod},
+};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// The diameter and wall that figures of one muscle show, where the table has them: the

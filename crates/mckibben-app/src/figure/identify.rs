@@ -1,15 +1,20 @@
 //! What was identified: the model over the points, and the residuals.
 
-use super::curves::{MOST_BANDS, pull};
-use super::{BAND, caption, has_band, some_of};
+use super::{
+    BAND, caption,
+    curves::{MOST_BANDS, pull},
+    has_band, some_of,
+};
 use crate::{percent, units::Units};
-use mckibben::analysis::Evaluation;
-use mckibben::model::Workspace;
-use mckibben::muscle::{Direction, Muscle};
-use mckibben_fit::identify::{Identification, PointFit};
-use mckibben_fit::measured::{DataPoint, Section, distinct, mean_of_data};
+use mckibben::{
+    analysis::Evaluation,
+    model::Workspace,
+    muscle::{Direction, Muscle},
+};
 use mckibben_fit::{
-    identify::Build, validation::case::MuscleCase, validation::report::MeasuredFit,
+    identify::{Build, Identification, PointFit},
+    measured::{DataPoint, Section, distinct, mean_of_data},
+    validation::{case::MuscleCase, report::MeasuredFit},
 };
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 

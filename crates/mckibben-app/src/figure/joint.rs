@@ -1,7 +1,6 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::curves::MOST_BANDS;
-use super::{BAND, caption};
+use super::{BAND, caption, curves::MOST_BANDS};
 use crate::{JointAnswer, JointRow, Units};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 

@@ -1,7 +1,10 @@
 //! Curves, shapes and strands of a finite-element test.
 
-use super::curves::{axes, label};
-use super::{caption, some_of};
+use super::{
+    caption,
+    curves::{axes, label},
+    some_of,
+};
 use crate::{MuscleSummary, Simulated, Units, percent};
 use mckibben::curve::Test;
 use mckibben_fem::results::Solution;

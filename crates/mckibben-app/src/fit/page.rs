@@ -1,16 +1,21 @@
 //! Fitted formulas as people read them, in the units of the formula.
 
 use super::{CheckFormulaAnswer, FitAnswer};
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{DEGREES, NUMBER, PERCENT};
-use crate::{Units, number, words::in_a_row};
+use crate::{
+    Units, number,
+    print::{Csv, Page, Rows, Show, Table},
+    units::{DEGREES, NUMBER, PERCENT},
+    words::in_a_row,
+};
 use mckibben::formula::{
     Body, Document, Formula, FormulaErrors, Made, MadeBraid, NamedBraid, UniversalFormula,
     UniversalSummary, paper_terms,
 };
-use mckibben_campaign::fit::results::Results;
-use mckibben_campaign::fit::signs::{Sign, signs};
-use mckibben_campaign::fit::{FittedFormula, PaperMethod};
+use mckibben_campaign::fit::{
+    FittedFormula, PaperMethod,
+    results::Results,
+    signs::{Sign, signs},
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 

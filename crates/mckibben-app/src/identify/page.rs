@@ -1,9 +1,12 @@
 //! Identified constants as people read them.
 
 use super::{IdentifiedPoint, IdentifyAnswer, LawRow, with_error_bar};
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::NUMBER;
-use crate::{UnderstoodTable, Units, percent, words::in_a_row};
+use crate::{
+    UnderstoodTable, Units, percent,
+    print::{Csv, Page, Rows, Show, Table},
+    units::NUMBER,
+    words::in_a_row,
+};
 use mckibben::muscle::Bench;
 use mckibben_fit::identify::{Identification, Identified};
 

@@ -1,9 +1,11 @@
 //! A joint as people read it.
 
 use super::{JointAnswer, JointMap, JointRow};
-use crate::print::{Amount, Csv, Page, Show, Table, sentences};
-use crate::units::{DEGREES, NEWTON_METRES, Scale};
-use crate::{Units, number};
+use crate::{
+    Units, number,
+    print::{Amount, Csv, Page, Show, Table, sentences},
+    units::{DEGREES, NEWTON_METRES, Scale},
+};
 
 const NM_PER_RAD: Scale = Scale::fixed("N m/rad");
 

@@ -1,9 +1,11 @@
 //! Equilibria with a load as people read them.
 
 use super::LoadAnswer;
-use crate::print::{Page, Rows, Table};
-use crate::units::{JOULES, NORMAL_LITRES, PERCENT};
-use crate::{Units, number};
+use crate::{
+    Units, number,
+    print::{Page, Rows, Table},
+    units::{JOULES, NORMAL_LITRES, PERCENT},
+};
 use mckibben::load::{Balance, LoadError};
 
 /// An equilibrium at a pressure, or why there is none.

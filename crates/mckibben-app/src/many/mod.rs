@@ -14,13 +14,19 @@ use crate::{
     AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
     burst_of, check_branch, finite, put_first, ratio, said_of,
 };
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, Reference, Workspace};
-use mckibben::threads::{self, Threads};
-use mckibben::{answer::Answer, answer::Options, muscle::Muscle, progress::Progress};
+use mckibben::{
+    analysis::Evaluation,
+    answer::{Answer, Options},
+    model::{ForceModel, Reference, Workspace},
+    muscle::Muscle,
+    progress::Progress,
+    threads::{self, Threads},
+};
 use mckibben_fit::identify::Target;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{
+    Mutex,
+    atomic::{AtomicUsize, Ordering},
+};
 
 /// The quantity that follows from each pair of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

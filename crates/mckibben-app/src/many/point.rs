@@ -12,10 +12,15 @@
 
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle};
-use mckibben::{cancel, differences::slope, rubber::RubberLaw, warning::strand_strength_n};
+use mckibben::{
+    analysis::Evaluation,
+    cancel,
+    differences::slope,
+    model::{ModelError, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle},
+    rubber::RubberLaw,
+    warning::strand_strength_n,
+};
 use mckibben_fit::identify::{Candidate, Target};
 use std::f64::consts::PI;
 

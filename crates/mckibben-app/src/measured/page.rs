@@ -4,9 +4,12 @@ use super::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFacts, MeasuredResult, MeasuredRubber,
     MeasuredRubberFit, MeasuredStress,
 };
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{MEGAPASCALS, NUMBER, PERCENT};
-use crate::{Units, in_one_line, number, words::in_a_row};
+use crate::{
+    Units, in_one_line, number,
+    print::{Csv, Page, Rows, Show, Table},
+    units::{MEGAPASCALS, NUMBER, PERCENT},
+    words::in_a_row,
+};
 
 impl Show for MeasuredAnswer {
     fn page(&self, u: &Units) -> Page {

@@ -1,14 +1,17 @@
 //! The end of a motion: its ±, and whether it rests.
 
-use super::moved::Moved;
-use super::{EndUncertainty, MotionRun};
-use crate::units::Units;
-use crate::words::{number, percent};
-use mckibben::analysis::Evaluation;
-use mckibben::answer::Options;
-use mckibben::joint::{JointModel, Turning};
-use mckibben::model::Workspace;
-use mckibben::warning::Warning;
+use super::{EndUncertainty, MotionRun, moved::Moved};
+use crate::{
+    units::Units,
+    words::{number, percent},
+};
+use mckibben::{
+    analysis::Evaluation,
+    answer::Options,
+    joint::{JointModel, Turning},
+    model::Workspace,
+    warning::Warning,
+};
 use mckibben_motion::{Coordinate, DriveFile, Motion, Moves, Target};
 
 /// A contraction that is nearer to a stop than this is on it.

@@ -6,14 +6,21 @@
 //! predicted.
 
 use super::{MotionRequest, Moved};
-use crate::identify::page::constants;
-use crate::print::{Page, Table};
-use crate::units::NUMBER;
-use crate::{Problem, ProblemKind, Result, TextFile, with_error_bar};
-use mckibben::progress::Progress;
-use mckibben::units::{Dimension, parse_quantity};
-use mckibben_fit::identify::Identified;
-use mckibben_fit::recorded::{fit_recorded, rms};
+use crate::{
+    Problem, ProblemKind, Result, TextFile,
+    identify::page::constants,
+    print::{Page, Table},
+    units::NUMBER,
+    with_error_bar,
+};
+use mckibben::{
+    progress::Progress,
+    units::{Dimension, parse_quantity},
+};
+use mckibben_fit::{
+    identify::Identified,
+    recorded::{fit_recorded, rms},
+};
 use mckibben_io::table::{Log, OverTime, Series, read_log};
 use mckibben_motion::{Command, Drive, number_at, run, with_value};
 use schemars::JsonSchema;

@@ -1,9 +1,7 @@
 //! What a drive moves: a muscle with its load, or a joint.
 
 use crate::{Model, Problem, ProblemKind, Result};
-use mckibben::joint::Joint;
-use mckibben::model::ForceModel;
-use mckibben::muscle::Friction;
+use mckibben::{joint::Joint, model::ForceModel, muscle::Friction};
 use mckibben_motion::{Actuated, Drive, DriveFile, Mechanism, SingleMuscle, Target};
 
 /// What a drive moves, with its models.

@@ -1,9 +1,11 @@
 //! A motion as people read it.
 
 use super::{MotionAnswer, MotionRun};
-use crate::print::{Csv, Page, Rows, Show, Table, sentences};
-use crate::units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale};
-use crate::{Units, number};
+use crate::{
+    Units, number,
+    print::{Csv, Page, Rows, Show, Table, sentences},
+    units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale},
+};
 
 const SECONDS: Scale = Scale::fixed("s");
 /// Most events of a run that are shown.

@@ -1,13 +1,16 @@
 //! Requests of a drive.
 
-use crate::fields::name_or_file;
-use crate::flags::{self, Args};
 use crate::{
-    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units, finite,
+    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units,
+    fields::name_or_file,
+    finite,
+    flags::{self, Args},
     given, no_ratio,
 };
-use mckibben::units::typed::{Damping, Pressure, Time};
-use mckibben::units::{Dimension, parse_quantity};
+use mckibben::units::{
+    Dimension, parse_quantity,
+    typed::{Damping, Pressure, Time},
+};
 use mckibben_motion::{MotionError, Valve, with_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,10 +1,12 @@
 //! What has a name, as people read it.
 
 use super::{ModelDetails, PartKind, PartShowAnswer, PartsListAnswer};
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{DEGREES, MEGAPASCALS, NUMBER, PERCENT, Scale};
-use crate::words::law_text;
-use crate::{BraidDetails, LibraryDetails, LibraryFit, RubberDetails, Units};
+use crate::{
+    BraidDetails, LibraryDetails, LibraryFit, RubberDetails, Units,
+    print::{Csv, Page, Rows, Show, Table},
+    units::{DEGREES, MEGAPASCALS, NUMBER, PERCENT, Scale},
+    words::law_text,
+};
 use mckibben::rubber::library::Standing;
 use mckibben_design::tubes::TubePart;
 

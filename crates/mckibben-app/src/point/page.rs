@@ -1,9 +1,11 @@
 //! A point as people read it.
 
 use super::{Background, PointAnswer};
-use crate::print::{Page, Rows, Show, sentences};
-use crate::units::{NUMBER, PERCENT};
-use crate::{PointQuantity, Scale, Units};
+use crate::{
+    PointQuantity, Scale, Units,
+    print::{Page, Rows, Show, sentences},
+    units::{NUMBER, PERCENT},
+};
 use mckibben::answer::Answer;
 
 impl Show for PointAnswer {

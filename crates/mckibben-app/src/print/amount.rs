@@ -1,7 +1,10 @@
 //! What a row or a cell of a table shows.
 
-use crate::words::{half_width, within};
-use crate::{Scale, units::NUMBER};
+use crate::{
+    Scale,
+    units::NUMBER,
+    words::{half_width, within},
+};
 
 /// A number, or what stands in its place.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,17 @@
 //! Laws of tension tests as people read them.
 
 use super::RubberFitAnswer;
-use crate::print::{Csv, Page, Rows, Show, Table};
-use crate::units::{MEGAPASCALS, NUMBER, PERCENT, Scale};
-use crate::{UnderstoodTable, Units, number, words::in_a_row};
+use crate::{
+    UnderstoodTable, Units, number,
+    print::{Csv, Page, Rows, Show, Table},
+    units::{MEGAPASCALS, NUMBER, PERCENT, Scale},
+    words::in_a_row,
+};
 use mckibben::rubber::Law;
-use mckibben_fit::rubber::{FittedLaw, Measure};
-use mckibben_fit::rubber_over_time::{PronyFit, SofteningFit};
+use mckibben_fit::{
+    rubber::{FittedLaw, Measure},
+    rubber_over_time::{PronyFit, SofteningFit},
+};
 
 const SECONDS: Scale = Scale::fixed("s");
 

@@ -6,26 +6,34 @@ mod page;
 
 pub use answer::*;
 
-use crate::flags::{self, Args};
-use crate::{Contractions, ModelFields};
 use crate::{
-    Model, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA, RequestedPoint, Result,
-    Units, burst_of, check_count, check_test, contractions, figure, forces, list, put_first, reach,
-    said_of, steps, warnings,
+    Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
+    RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure,
+    flags::{self, Args},
+    forces, list, put_first, reach, said_of, steps, warnings,
 };
 use files::ShapeFiles;
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ModelError, Response, Workspace};
-use mckibben::muscle::{Ends, Muscle};
-use mckibben::units::typed::{Force, List, Pressure};
 use mckibben::{
-    answer::Options, cancel, curve::Test, progress::Progress, status::Status, warning::overloaded,
+    analysis::Evaluation,
+    answer::Options,
+    cancel,
+    curve::Test,
+    model::{ModelError, Response, Workspace},
+    muscle::{Ends, Muscle},
+    progress::Progress,
+    status::Status,
+    units::typed::{Force, List, Pressure},
+    warning::overloaded,
 };
-use mckibben_fem::output::{Extent, Shape, deck};
-use mckibben_fem::simulation::{Given, Simulation, free_contraction};
 use mckibben_fem::{
-    FemError, axisymmetric::Axisymmetric, elements::Elements, results::Solution,
-    three_dimensional::ThreeDimensional, with_ends,
+    FemError,
+    axisymmetric::Axisymmetric,
+    elements::Elements,
+    output::{Extent, Shape, deck},
+    results::Solution,
+    simulation::{Given, Simulation, free_contraction},
+    three_dimensional::ThreeDimensional,
+    with_ends,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

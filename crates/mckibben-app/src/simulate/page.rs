@@ -1,9 +1,11 @@
 //! A finite-element test as people read it.
 
 use super::{SimulateAnswer, Simulated, SimulatedPoint, SimulatedRow};
-use crate::print::{Csv, Page, Rows, Show, Table, sentences};
-use crate::units::{DEGREES, JOULES, NUMBER, PERCENT};
-use crate::{Units, number, percent};
+use crate::{
+    Units, number, percent,
+    print::{Csv, Page, Rows, Show, Table, sentences},
+    units::{DEGREES, JOULES, NUMBER, PERCENT},
+};
 use mckibben::model::Response;
 
 type Line<'a> = (&'a Simulated, &'a SimulatedRow);

@@ -1,9 +1,11 @@
 //! The cases of verification and validation as people read them.
 
 use super::ValidateAnswer;
-use crate::Units;
-use crate::print::{Csv, Page, Show, Table};
-use crate::units::NUMBER;
+use crate::{
+    Units,
+    print::{Csv, Page, Show, Table},
+    units::NUMBER,
+};
 use mckibben::verification::{CaseKind, Measure, VerificationRow};
 
 /// The cases of one kind, and what they are.

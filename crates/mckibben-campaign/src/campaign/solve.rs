@@ -1,16 +1,12 @@
 //! The rows of one muscle. They depend on the plan and the muscle's number alone.
 
-use super::error::Result;
-use super::plan::{Inputs, Plan, constants, rounded};
+use super::{
+    error::Result,
+    plan::{Inputs, Plan, constants, rounded},
+};
 use crate::columns::PointRow;
-use mckibben::cancel::Cancelled;
-use mckibben::model::Workspace;
-use mckibben::progress::Progress;
-use mckibben::status::Status;
-use mckibben::threads;
-use mckibben_fem::FemError;
-use mckibben_fem::simulation::Detail;
-use mckibben_fem::solver::curve::CurvePoint;
+use mckibben::{cancel::Cancelled, model::Workspace, progress::Progress, status::Status, threads};
+use mckibben_fem::{FemError, simulation::Detail, solver::curve::CurvePoint};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there

@@ -10,16 +10,22 @@
 //!    cent; its largest error is stated, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
-use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same};
-use super::error::{FitError, Result};
-use mckibben::formula::Coefficients;
-use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
-use mckibben::rubber::{Law, MooneyRivlin};
+use super::{
+    data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same},
+    error::{FitError, Result},
+};
+use mckibben::{
+    formula::Coefficients,
+    model::{ForceModel, ModelError},
+    muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber},
+    rubber::{Law, MooneyRivlin},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fit::compare::MeasuredPoint;
-use mckibben_fit::identify::{DataPoint, Parameter, Request, Section, Target, identify};
-use mckibben_fit::least_squares::Loss;
+use mckibben_fit::{
+    compare::MeasuredPoint,
+    identify::{DataPoint, Parameter, Request, Section, Target, identify},
+    least_squares::Loss,
+};
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
 pub const TABLE_1: [[f64; 4]; 5] = [

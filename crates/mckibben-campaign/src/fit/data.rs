@@ -1,12 +1,16 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
 use crate::columns::PointRow;
-use mckibben::formula::{Coefficients, Formula};
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::threads;
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::simulation::{Detail, Simulation};
+use mckibben::{
+    formula::{Coefficients, Formula},
+    model::Workspace,
+    muscle::Muscle,
+    threads,
+};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    simulation::{Detail, Simulation},
+};
 pub use mckibben_fit::measured::{distinct, same};
 use serde::Serialize;
 

@@ -1,7 +1,9 @@
 //! Errors of forces against reference forces, and where they are.
 
-use super::data::{FitPoint, distinct, same};
-use super::error::{FitError, Result};
+use super::{
+    data::{FitPoint, distinct, same},
+    error::{FitError, Result},
+};
 use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 

@@ -13,11 +13,15 @@
 //! % of the smallest such error, and at most 48. Only inner diameters are left out; without the
 //! outermost the formula would have to extrapolate, which it refuses to do later.
 
-use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
-use super::error::{FitError, Result};
-use super::errors::{Compared, compared};
-use mckibben::cancel;
-use mckibben::formula::{GlobalTerms, Scales, Term};
+use super::{
+    data::{FULL_PRESSURE, FitPoint, distinct, same},
+    error::{FitError, Result},
+    errors::{Compared, compared},
+};
+use mckibben::{
+    cancel,
+    formula::{GlobalTerms, Scales, Term},
+};
 use nalgebra::{DMatrix, DVector};
 
 /// As many coefficients as the paper's formula.

@@ -2,10 +2,12 @@
 //! of a formula against the finite elements, as a share of the muscle's blocked force at .25 MPa,
 //! over points where they pull.
 
-use super::data::{FitPoint, Grid};
-use super::errors::{compared, errors};
-use super::make::{Method, fitted};
-use super::paper_method::Rules;
+use super::{
+    data::{FitPoint, Grid},
+    errors::{compared, errors},
+    make::{Method, fitted},
+    paper_method::Rules,
+};
 use mckibben::muscle::Muscle;
 use mckibben_fem::verification::VerificationRow;
 

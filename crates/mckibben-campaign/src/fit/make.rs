@@ -1,17 +1,20 @@
 //! From points to a formula with its range, errors and provenance.
 
-use super::data::{FitPoint, PRESSURES, distinct, same};
-use super::error::{FitError, Result};
-use super::errors::{Compared, compared, errors, regions};
-use super::global::{GlobalFit, MOST_TERMS, global};
-use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
-use crate::columns::PointRow;
-use crate::hash;
-use mckibben::formula::{
-    Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid, MadeRubber,
-    NamedBraid, Provenance,
+use super::{
+    data::{FitPoint, PRESSURES, distinct, same},
+    error::{FitError, Result},
+    errors::{Compared, compared, errors, regions},
+    global::{GlobalFit, MOST_TERMS, global},
+    paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
 };
-use mckibben::muscle::Muscle;
+use crate::{columns::PointRow, hash};
+use mckibben::{
+    formula::{
+        Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,
+        MadeRubber, NamedBraid, Provenance,
+    },
+    muscle::Muscle,
+};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {

@@ -7,9 +7,11 @@
 //!
 //! Each step is a separate least-squares fit; the residuals of one are not in the next.
 
-use super::data::{FitPoint, distinct, same};
-use super::error::{FitError, Result};
-use super::least_squares::least_squares;
+use super::{
+    data::{FitPoint, distinct, same},
+    error::{FitError, Result},
+    least_squares::least_squares,
+};
 use mckibben::formula::Coefficients;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};

@@ -4,16 +4,16 @@
 //! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over
 //! points where they pull.
 
-use super::constants::{fit_constants, table_1};
-use super::data::{FitPoint, Grid, pressure_steps, same};
-use super::error::{FitError, Result};
-use super::errors::{Errors, compared, errors};
-use super::make::{Method, fitted};
-use super::paper_method::{Rules, SlackRule, ThinRule};
-use super::universal::{HeldOutRow, held_out, held_out_samples};
-use mckibben::formula::Formula;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
+use super::{
+    constants::{fit_constants, table_1},
+    data::{FitPoint, Grid, pressure_steps, same},
+    error::{FitError, Result},
+    errors::{Errors, compared, errors},
+    make::{Method, fitted},
+    paper_method::{Rules, SlackRule, ThinRule},
+    universal::{HeldOutRow, held_out, held_out_samples},
+};
+use mckibben::{formula::Formula, muscle::Muscle, progress::Progress};
 use serde::Serialize;
 
 /// One comparison.

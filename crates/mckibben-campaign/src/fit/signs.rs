@@ -2,8 +2,7 @@
 //!
 //!   D0 35–50: a rises with P and with s; below 35 "opposite". b falls with P and with s. c rises with P and falls with s.
 
-use super::data::same;
-use super::paper_method::PaperMethod;
+use super::{data::same, paper_method::PaperMethod};
 
 /// One statement for one diameter, against the coefficients of steps 1–2.
 #[derive(Debug, Clone, PartialEq)]

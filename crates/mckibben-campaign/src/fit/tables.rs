@@ -1,7 +1,6 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
-use super::paper_method::PaperMethod;
-use super::signs::signs;
+use super::{paper_method::PaperMethod, signs::signs};
 use mckibben::formula::Coefficients;
 use serde::Serialize;
 use serde_json::{Map, Value, json};

@@ -2,11 +2,14 @@
 
 mod pdf;
 
-use crate::cli::examples;
-use crate::output::{ShownUnits, print};
-use crate::{Bar, Format, Problem, check_ending, ending, place, save, save_all, shown};
-use mckibben_app::print::Page;
-use mckibben_app::{BuildRequest, REPORT, build};
+use crate::{
+    Bar, Format, Problem, check_ending,
+    cli::examples,
+    ending,
+    output::{ShownUnits, print},
+    place, save, save_all, shown,
+};
+use mckibben_app::{BuildRequest, REPORT, build, print::Page};
 use std::path::PathBuf;
 
 /// The folder for a workshop.

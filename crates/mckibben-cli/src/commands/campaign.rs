@@ -1,17 +1,19 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
-use crate::cli::examples;
-use crate::output::{Output, json, print};
 use crate::{
-    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean, emit, overwrite, place,
-    progress::INTERRUPTED, warn,
+    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean,
+    cli::examples,
+    emit,
+    output::{Output, json, print},
+    overwrite, place,
+    progress::INTERRUPTED,
+    warn,
 };
 use clap::Subcommand;
 use mckibben::progress::{Progress, Silent};
-use mckibben_app::words::number;
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
-    campaign_merge, campaign_show, campaign_status,
+    campaign_merge, campaign_show, campaign_status, words::number,
 };
 use mckibben_campaign::campaign::Outcome;
 use std::time::{Duration, Instant};

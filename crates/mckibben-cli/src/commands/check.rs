@@ -1,8 +1,7 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
-use crate::cli::examples;
-use crate::{Format, Output, Problem, emit};
+use crate::{Format, Output, Problem, cli::examples, emit};
 use mckibben_app::{
     CheckFormulaRequest, CheckRequest, ProblemKind, TextFile, check, check_formula,
 };

@@ -1,7 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::cli::examples;
-use crate::{Bar, Format, Output, Plot, Problem};
+use crate::{Bar, Format, Output, Plot, Problem, cli::examples};
 use mckibben_app::CompareRequest;
 
 /// Models, and measured points.

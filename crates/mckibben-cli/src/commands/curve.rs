@@ -1,7 +1,11 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
-use crate::cli::examples;
-use crate::{Bar, Format, Output, Plot, Problem, exit_code, output::emit_json, output::form};
+use crate::{
+    Bar, Format, Output, Plot, Problem,
+    cli::examples,
+    exit_code,
+    output::{emit_json, form},
+};
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
 /// A family of curves, or the study of the paper.

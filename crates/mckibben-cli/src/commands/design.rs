@@ -1,8 +1,9 @@
 //! `design`: the main job.
 
-use crate::cli::examples;
-use crate::output::ShownUnits;
-use crate::{Bar, Format, NO_ANSWER, Plot, Problem, check_ending, emit, place, print_page, save};
+use crate::{
+    Bar, Format, NO_ANSWER, Plot, Problem, check_ending, cli::examples, emit, output::ShownUnits,
+    place, print_page, save,
+};
 use mckibben_app::DesignRequest;
 use std::path::{Path, PathBuf};
 

@@ -1,11 +1,13 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::cli::examples;
-use crate::output::{ShownUnits, print};
-use crate::{Format, Problem, place, save_all};
-use mckibben_app::print::Page;
+use crate::{
+    Format, Problem,
+    cli::examples,
+    output::{ShownUnits, print},
+    place, save_all,
+};
 use mckibben_app::{
-    BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list,
+    BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list, print::Page,
 };
 use std::path::{Path, PathBuf};
 

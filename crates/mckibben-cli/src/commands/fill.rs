@@ -1,7 +1,6 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::cli::examples;
-use crate::{Format, Output, Problem};
+use crate::{Format, Output, Problem, cli::examples};
 use mckibben_app::FillRequest;
 
 /// A volume of liquid pushed into a muscle.

@@ -1,14 +1,18 @@
 //! `fit`: from a table of points to a formula.
 
-use crate::cli::examples;
-use crate::output::print;
-use crate::{Bar, Format, NO_ANSWER, Problem, check_ending, overwrite, place, save, save_inside};
-use mckibben_app::print::Page;
-use mckibben_app::{FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report};
+use crate::{
+    Bar, Format, NO_ANSWER, Problem, check_ending, cli::examples, output::print, overwrite, place,
+    save, save_inside,
+};
+use mckibben_app::{
+    FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report, print::Page,
+};
 use mckibben_report::FigureError;
 use serde_json::{Map, json};
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::{
+    ffi::OsStr,
+    path::{Path, PathBuf},
+};
 
 /// A formula from a table of points.
 #[derive(Debug, clap::Args)]

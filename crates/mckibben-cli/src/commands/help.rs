@@ -1,7 +1,10 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::cli::examples;
-use crate::{Problem, cli::command, emit, overwrite, save_inside, unprinted};
+use crate::{
+    Problem,
+    cli::{command, examples},
+    emit, overwrite, save_inside, unprinted,
+};
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;

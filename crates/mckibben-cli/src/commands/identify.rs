@@ -1,10 +1,12 @@
 //! `identify`: constants of a muscle from points.
 
-use crate::cli::examples;
-use crate::output::{ShownUnits, print};
-use crate::{Bar, Format, Plot, Problem, check_ending, place, save};
-use mckibben_app::print::Page;
-use mckibben_app::{IdentifyRequest, MotionRequest, TextFile};
+use crate::{
+    Bar, Format, Plot, Problem, check_ending,
+    cli::examples,
+    output::{ShownUnits, print},
+    place, save,
+};
+use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
 use std::path::{Path, PathBuf};
 
 /// Constants of a muscle, or of a drive.

@@ -1,7 +1,6 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::cli::examples;
-use crate::{Bar, Format, Output, Plot, Problem, output::form};
+use crate::{Bar, Format, Output, Plot, Problem, cli::examples, output::form};
 use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
 use std::path::PathBuf;
 

@@ -1,7 +1,6 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-use crate::cli::examples;
-use crate::{Bar, Format, Output, Plot, Problem, exit_code, shown};
+use crate::{Bar, Format, Output, Plot, Problem, cli::examples, exit_code, shown};
 use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
 use std::path::PathBuf;
 

@@ -1,7 +1,6 @@
 //! `parts list|show`.
 
-use crate::cli::examples;
-use crate::{Format, Output, Problem};
+use crate::{Format, Output, Problem, cli::examples};
 use clap::Subcommand;
 use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
 

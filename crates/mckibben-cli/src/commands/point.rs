@@ -1,7 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::cli::examples;
-use crate::{Format, Output, Problem};
+use crate::{Format, Output, Problem, cli::examples};
 use clap::Args;
 use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 

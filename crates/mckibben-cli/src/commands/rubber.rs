@@ -1,11 +1,8 @@
 //! `rubber`: laws from tension tests.
 
-use crate::cli::examples;
-use crate::output::print;
-use crate::{Format, Plot, Problem, check_ending, place, save};
+use crate::{Format, Plot, Problem, check_ending, cli::examples, output::print, place, save};
 use mckibben::progress::Silent;
-use mckibben_app::print::Page;
-use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, rubber_fit};
+use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_fit};
 use std::path::{Path, PathBuf};
 
 /// Laws from tension tests.

@@ -1,7 +1,6 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::cli::examples;
-use crate::{Problem, check_ending, emit, overwrite, save_inside};
+use crate::{Problem, check_ending, cli::examples, emit, overwrite, save_inside};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 use std::path::PathBuf;
 

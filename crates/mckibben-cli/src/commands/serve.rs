@@ -3,8 +3,10 @@
 use crate::{Format, Problem, emit, progress, warn};
 use mckibben_app::ProblemKind;
 use mckibben_server::Config;
-use std::io::ErrorKind;
-use std::net::{Ipv4Addr, TcpListener};
+use std::{
+    io::ErrorKind,
+    net::{Ipv4Addr, TcpListener},
+};
 
 /// Serves until a signal ends it.
 #[derive(Debug, clap::Args)]

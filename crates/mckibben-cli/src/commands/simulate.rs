@@ -1,12 +1,13 @@
 //! `simulate`: one finite-element test with everything it knows.
 
-use crate::cli::examples;
 use crate::{
-    Bar, Format, Output, Plot, Problem, check_ending, exit_code, output, output::check, place,
-    save, save_all,
+    Bar, Format, Output, Plot, Problem, check_ending,
+    cli::examples,
+    exit_code,
+    output::{self, check},
+    place, save, save_all,
 };
-use mckibben_app::SimulateRequest;
-use mckibben_app::print::Page;
+use mckibben_app::{SimulateRequest, print::Page};
 use std::path::PathBuf;
 
 /// One finite-element test.

@@ -1,7 +1,6 @@
 //! `validate`: verification and validation, each with its table.
 
-use crate::cli::examples;
-use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, output::width};
+use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, cli::examples, output::width};
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
 };

@@ -5,20 +5,23 @@ pub mod text;
 pub mod width;
 mod write;
 
+use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
+use mckibben::warning::is_of_burst;
+use mckibben_app::{
+    ProblemKind, Units,
+    print::{Page, Show},
+};
+use serde::Serialize;
+use serde_json::Value;
+use std::{
+    io::{BufWriter, Error, Write},
+    path::{Path, PathBuf},
+};
 use table::Table;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
     save_all, save_inside, warn, warn_behind,
 };
-
-use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
-use mckibben::warning::is_of_burst;
-use mckibben_app::print::{Page, Show};
-use mckibben_app::{ProblemKind, Units};
-use serde::Serialize;
-use serde_json::Value;
-use std::io::{BufWriter, Error, Write};
-use std::path::{Path, PathBuf};
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)

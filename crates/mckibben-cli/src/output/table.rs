@@ -2,8 +2,10 @@
 //! values.
 
 use crate::Problem;
-use mckibben_app::ProblemKind;
-use mckibben_app::print::{Csv, Form};
+use mckibben_app::{
+    ProblemKind,
+    print::{Csv, Form},
+};
 use mckibben_io::clean::cell;
 use serde_json::{Map, Value};
 

@@ -1,8 +1,7 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
 use super::width::{self, fold};
-use crate::clean::line;
-use crate::typed::in_flags;
+use crate::{clean::line, typed::in_flags};
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::print::{Block, Column, Page};
 use std::path::Path;

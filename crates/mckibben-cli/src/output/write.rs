@@ -2,15 +2,22 @@
 //! is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::typed::{self, in_flags};
-use crate::{Problem, clean, progress, shown};
+use crate::{
+    Problem, clean, progress, shown,
+    typed::{self, in_flags},
+};
 use anstyle::{AnsiColor, Style};
 use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
 use mckibben_io::files::{check_free, put, put_all};
-use std::io::{Error, ErrorKind, Write};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::{path::Path, sync::Mutex};
+use std::{
+    io::{Error, ErrorKind, Write},
+    path::Path,
+    sync::{
+        Mutex,
+        atomic::{AtomicBool, Ordering},
+    },
+};
 
 /// Whether existing files are overwritten.
 static OVERWRITE: AtomicBool = AtomicBool::new(false);

@@ -1,11 +1,12 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
 use super::{AT_POINTS, Limit, pressure::Below};
-use crate::trial::Trial;
-use crate::{Build, Objective, OperatingPoint, Spec};
-use mckibben::model::{Response, Result};
-use mckibben::muscle::Muscle;
-use mckibben::units::{Dimension, rounded};
+use crate::{Build, Objective, OperatingPoint, Spec, trial::Trial};
+use mckibben::{
+    model::{Response, Result},
+    muscle::Muscle,
+    units::{Dimension, rounded},
+};
 
 /// Writes a pressure, a force or a length.
 pub type Show<'a> = &'a dyn Fn(Dimension, f64) -> String;

@@ -6,14 +6,15 @@
 pub mod check;
 pub mod pressure;
 
-use crate::bundle::envelope_ratio;
-use crate::{Relaxation, Spec};
+use crate::{Relaxation, Spec, bundle::envelope_ratio};
 use check::{AtPoint, Show, round};
 pub use mckibben::analysis::SAFETY;
-use mckibben::analysis::Safety;
-use mckibben::model::{ModelError, Result, ThickWall};
-use mckibben::units::Dimension;
-use mckibben::warning::VALIDATED_STRAND_STRAIN;
+use mckibben::{
+    analysis::Safety,
+    model::{ModelError, Result, ThickWall},
+    units::Dimension,
+    warning::VALIDATED_STRAND_STRAIN,
+};
 use serde::Serialize;
 
 /// Bounds on what comes out.

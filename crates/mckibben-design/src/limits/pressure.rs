@@ -1,12 +1,16 @@
 //! Limits that lower the pressure up to which a muscle is used.
 
 use super::check::Show;
-use crate::Relaxation;
-use crate::relaxation::{Change, three_digits};
-use crate::trial::Trial;
-use mckibben::analysis::{FailureMode, FailurePressure, NoBurst, bisect};
-use mckibben::model::{ModelError, Result};
-use mckibben::units::Dimension;
+use crate::{
+    Relaxation,
+    relaxation::{Change, three_digits},
+    trial::Trial,
+};
+use mckibben::{
+    analysis::{FailureMode, FailurePressure, NoBurst, bisect},
+    model::{ModelError, Result},
+    units::Dimension,
+};
 
 /// Why a muscle is not used up to the pressure of the supply.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,10 @@
 //! nothing else.
 
 use super::common;
-use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
+use crate::{
+    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    template::{list, lists, number, render},
+};
 
 pub(super) const TARGET: Target = Target {
     name: "c",

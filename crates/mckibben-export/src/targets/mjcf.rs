@@ -16,12 +16,14 @@
 //! "Computation", section "Muscle actuators"; engine_util_misc.c.) A limit of the force of all
 //! actuators at the tendon makes it slack.
 
-use super::c::{rendered, sources};
-use super::fit;
-use crate::muscle::LIMIT;
-use crate::template::{number, render};
+use super::{
+    c::{rendered, sources},
+    fit,
+};
 use crate::{
     Artefact, ExportError, ExportedJoint, ExportedMuscle, File, HostError, Result, Target,
+    muscle::LIMIT,
+    template::{number, render},
 };
 use mckibben::joint::{JointSpring, Path};
 

@@ -7,9 +7,10 @@ mod opensim;
 mod python;
 mod zip;
 
-use crate::fit::least_squares;
-use crate::template::number;
-use crate::{Artefact, ExportError, ExportedJoint, ExportedMuscle, HostError, Result};
+use crate::{
+    Artefact, ExportError, ExportedJoint, ExportedMuscle, HostError, Result, fit::least_squares,
+    template::number,
+};
 use nalgebra::{DMatrix, DVector};
 
 /// A target of `export`.

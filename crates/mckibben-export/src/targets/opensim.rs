@@ -9,9 +9,11 @@
 //! the model, not those of the braid.
 
 use super::fit;
-use crate::muscle::LIMIT;
-use crate::template::{number, render};
-use crate::{Artefact, ExportError, ExportedMuscle, File, Result, Target};
+use crate::{
+    Artefact, ExportError, ExportedMuscle, File, Result, Target,
+    muscle::LIMIT,
+    template::{number, render},
+};
 use std::f64::consts::PI;
 
 pub(super) const TARGET: Target = Target {

@@ -1,8 +1,10 @@
 //! Python: one file of functions for numbers and arrays of NumPy, JAX and PyTorch.
 
 use super::common;
-use crate::template::{list, lists, number, render};
-use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
+use crate::{
+    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    template::{list, lists, number, render},
+};
 
 pub(super) const TARGET: Target = Target {
     name: "python",

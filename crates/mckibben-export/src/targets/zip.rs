@@ -2,8 +2,7 @@
 
 use crate::{ExportError, Result};
 use std::io::{Cursor, Write as _};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use zip::{CompressionMethod, DateTime, ZipWriter, write::SimpleFileOptions};
 
 /// The bytes of an archive with these files, whose date is the first of 1980.
 pub(super) fn zip(files: impl Iterator<Item = (String, Vec<u8>)>) -> Result<Vec<u8>> {

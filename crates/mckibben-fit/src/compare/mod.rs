@@ -2,11 +2,8 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
-use crate::least_squares::Errors;
-use crate::measured::DataPoint;
-use mckibben::analysis::Evaluation;
-use mckibben::cancel;
-use mckibben::model::ModelError;
+use crate::{least_squares::Errors, measured::DataPoint};
+use mckibben::{analysis::Evaluation, cancel, model::ModelError};
 use serde::Serialize;
 
 /// Errors of a model, model − reference.

@@ -1,16 +1,25 @@
 //! Sentences about data and result: what does not fit together, what is not identifiable, where the
 //! model does not follow.
 
-use super::parameter::{NO_LOCK, sets_limit};
-use super::{Build, Identification, IdentifyError, PointFit, Request, Result, Target, signs};
-use crate::least_squares::{Loss, robust_deviation};
-use crate::measured::{DataPoint, Quantity, distinct};
-use crate::rubber::MODULI;
-use mckibben::cancel;
-use mckibben::model::{Ideal, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
-use mckibben::rubber::RubberLaw;
+use super::{
+    Build, Identification, IdentifyError, PointFit, Request, Result, Target,
+    parameter::{NO_LOCK, sets_limit},
+    signs,
+};
+use crate::{
+    least_squares::{Loss, robust_deviation},
+    measured::{DataPoint, Quantity, distinct},
+    rubber::MODULI,
+};
+use mckibben::{
+    cancel,
+    model::{Ideal, Workspace},
+    muscle::{
+        Muscle,
+        measures::{ANGLE, GRIP, SEATING, SLIP},
+    },
+    rubber::RubberLaw,
+};
 use std::cmp::Ordering;
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.

@@ -9,14 +9,17 @@
 //! tails: of 20 points on, the residual that 95 % of the points do not exceed takes the place of t
 //! s (the 0.95 (n + 1)-th smallest of n, interpolated).
 
-use super::problem::Problem;
-use super::{Identification, PointFit, Request};
-use crate::least_squares::{Estimate, Unknown, slopes, t95};
-use crate::measured::{DataPoint, MeasuredPoint, Section};
-use mckibben::extremes::ends;
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Bench, Direction};
-use mckibben::units::plausible;
+use super::{Identification, PointFit, Request, problem::Problem};
+use crate::{
+    least_squares::{Estimate, Unknown, slopes, t95},
+    measured::{DataPoint, MeasuredPoint, Section},
+};
+use mckibben::{
+    extremes::ends,
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Bench, Direction},
+    units::plausible,
+};
 
 /// Pressures and contractions of the grid.
 const GRID: (usize, usize) = (3, 5);

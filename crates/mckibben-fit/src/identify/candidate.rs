@@ -2,8 +2,10 @@
 
 use super::Target;
 use crate::measured::Section;
-use mckibben::muscle::measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT};
-use mckibben::muscle::{BraidStiffness, Muscle, MuscleError};
+use mckibben::muscle::{
+    BraidStiffness, Muscle, MuscleError,
+    measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT},
+};
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq)]

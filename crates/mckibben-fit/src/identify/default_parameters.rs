@@ -2,11 +2,13 @@
 
 use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify};
 use crate::measured::{DataPoint, distinct};
-use mckibben::model::Workspace;
-use mckibben::muscle::measures::{
-    FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING,
+use mckibben::{
+    model::Workspace,
+    muscle::{
+        Direction, Muscle,
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING},
+    },
 };
-use mckibben::muscle::{Direction, Muscle};
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;

@@ -1,9 +1,7 @@
 //! Why nothing was identified.
 
 use crate::least_squares::EstimateError;
-use mckibben::cancel::Cancelled;
-use mckibben::model::ModelError;
-use mckibben::muscle::MuscleError;
+use mckibben::{cancel::Cancelled, model::ModelError, muscle::MuscleError};
 use thiserror::Error;
 
 pub(crate) type Result<T, E = IdentifyError> = std::result::Result<T, E>;

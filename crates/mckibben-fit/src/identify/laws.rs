@@ -7,13 +7,16 @@
 //! compliant ends change the pull as a rubber that stiffens does, and the constants that follow can
 //! be ones that no rubber has.
 
-use super::advice::neighbours;
-use super::{Identification, IdentifyError, Parameter, Request, Result, Target, identify};
+use super::{
+    Identification, IdentifyError, Parameter, Request, Result, Target, advice::neighbours, identify,
+};
 use crate::least_squares::aicc;
-use mckibben::analysis::find_root;
-use mckibben::cancel::Cancelled;
-use mckibben::muscle::{Rubber, Tube};
-use mckibben::rubber::{Law, LawKind, RubberLaw};
+use mckibben::{
+    analysis::find_root,
+    cancel::Cancelled,
+    muscle::{Rubber, Tube},
+    rubber::{Law, LawKind, RubberLaw},
+};
 
 /// A rubber whose chains lock in tension below this stretch is not among the measured ones that
 /// ship: they stretch to 3 and more.

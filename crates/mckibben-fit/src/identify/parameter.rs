@@ -1,10 +1,15 @@
 //! The parameters that can be identified, named as in the muscle file.
 
-use mckibben::muscle::measures::{Identify, of_section};
-use mckibben::muscle::{Measure, Muscle};
-use mckibben::nearest::{meant, nearest};
-use mckibben::rubber::{ConstantValue, Law as RubberOf, RubberLaw};
-use mckibben::units::{Dimension, parse_quantity};
+use Target::{ContractionOffset, DeadVolume, Law, Modulus, Stiffness, StiffnessExponent};
+use mckibben::{
+    muscle::{
+        Measure, Muscle,
+        measures::{Identify, of_section},
+    },
+    nearest::{meant, nearest},
+    rubber::{ConstantValue, Law as RubberOf, RubberLaw},
+    units::{Dimension, parse_quantity},
+};
 use thiserror::Error;
 
 /// A constant or measure that data may tell.
@@ -26,8 +31,6 @@ pub enum Target {
     /// Volume of hose and fittings in the measured volumes, in mm³.
     DeadVolume,
 }
-
-use Target::{ContractionOffset, DeadVolume, Law, Modulus, Stiffness, StiffnessExponent};
 
 /// Names that are neither of the law nor of a measure; some have a second spelling.
 const NAMES: [(&str, Target); 7] = [

@@ -12,15 +12,20 @@
 //! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben::model::Slopes)) where it has
 //! one and no volumes were measured.
 
-use super::history;
-use super::{Candidate, Parameter, Request, Target};
-use crate::least_squares::Residuals;
-use crate::measured::{DataPoint, Quantity, Section};
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, ModelError, Result, Workspace};
-use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
-use mckibben::muscle::{BraidStiffness, Direction, Friction, Muscle};
-use mckibben::threads;
+use super::{Candidate, Parameter, Request, Target, history};
+use crate::{
+    least_squares::Residuals,
+    measured::{DataPoint, Quantity, Section},
+};
+use mckibben::{
+    analysis::Evaluation,
+    model::{ForceModel, ModelError, Result, Workspace},
+    muscle::{
+        BraidStiffness, Direction, Friction, Muscle,
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER},
+    },
+    threads,
+};
 
 /// Makes the model of a muscle.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>> + Sync + 'a;

@@ -1,8 +1,10 @@
 //! The result of an identification.
 
 use super::{Candidate, Target};
-use crate::least_squares::Errors;
-use crate::measured::{DataPoint, Quantity};
+use crate::{
+    least_squares::Errors,
+    measured::{DataPoint, Quantity},
+};
 use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::Serialize;
 

@@ -1,20 +1,28 @@
 //! From points and parameters to an [`Identification`].
 
-use super::bench::{Minimum, bench};
-use super::problem::Problem;
-use super::result::{spread, spreads};
 use super::{
     Build, Candidate, DataError, Identification, Identified, IdentifyError, Parameter, PointFit,
-    Result, Target, advice, history, signs,
+    Result, Target, advice,
+    bench::{Minimum, bench},
+    history,
+    problem::Problem,
+    result::{spread, spreads},
+    signs,
 };
-use crate::least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate};
-use crate::measured::{DataPoint, Quantity};
-use mckibben::cancel::Cancelled;
-use mckibben::model::ModelError;
-use mckibben::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
-use mckibben::muscle::{Direction, Muscle, MuscleError};
-use mckibben::progress::{Progress, Silent};
-use mckibben::rubber::RubberLaw;
+use crate::{
+    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate},
+    measured::{DataPoint, Quantity},
+};
+use mckibben::{
+    cancel::Cancelled,
+    model::ModelError,
+    muscle::{
+        Direction, Muscle, MuscleError,
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP},
+    },
+    progress::{Progress, Silent},
+    rubber::RubberLaw,
+};
 
 /// An identification that is requested.
 #[derive(Clone, Copy)]

@@ -1,10 +1,11 @@
 //! Points whose sign is flipped: a muscle pulls under pressure, and pulls less the shorter it is.
 
 use super::{IdentifyError, Result, advice};
-use crate::least_squares::Line;
-use crate::measured::{DataPoint, Quantity};
-use mckibben::cancel;
-use mckibben::muscle::Muscle;
+use crate::{
+    least_squares::Line,
+    measured::{DataPoint, Quantity},
+};
+use mckibben::{cancel, muscle::Muscle};
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies
 /// slack.

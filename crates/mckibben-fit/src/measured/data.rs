@@ -1,7 +1,9 @@
 //! A row of data: the measured quantity, its state, its muscle and its error.
 
-use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
-use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
+use mckibben::muscle::{
+    Direction, Measure, Muscle, MuscleError,
+    measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
+};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 

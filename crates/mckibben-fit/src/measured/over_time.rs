@@ -2,8 +2,7 @@
 //! motion.
 
 use super::data::interpolate;
-use mckibben::extremes::ends;
-use mckibben::muscle::Direction;
+use mckibben::{extremes::ends, muscle::Direction};
 
 /// Pressures over time that another instrument recorded.
 #[derive(Debug, Clone, PartialEq, Default)]

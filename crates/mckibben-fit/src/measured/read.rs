@@ -1,10 +1,7 @@
 //! Points from people's tables.
 
-use super::over_time::branches;
-use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section};
-use mckibben::cancel;
-use mckibben::extremes::ends;
-use mckibben::muscle::Direction;
+use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section, over_time::branches};
+use mckibben::{cancel, extremes::ends, muscle::Direction};
 use mckibben_io::table::{
     Column, Columns, Meaning, POINTS, RECORDED, Table, TableError, Understood, is_absolute, spoken,
 };

@@ -1,7 +1,9 @@
 //! A law with its constants and its errors.
 
-use super::problem::{Problem, Raw};
-use super::{FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden};
+use super::{
+    FitSettings, Mode, Result, TensionPoint, linear, no_fit, nonlinear, ogden,
+    problem::{Problem, Raw},
+};
 use crate::least_squares::{Errors, aicc, t95};
 use mckibben::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,

@@ -11,9 +11,12 @@
 //! violated most, add that inequality, solve again (J. E. Kelley, SIAM J. 8 (1960) 703).
 //! Mooney–Rivlin has C10 ≥ 0 and C01 ≥ 0 besides.
 
-use super::convex::{Inequality, normal, solve};
-use super::problem::{Problem, Raw};
-use super::{Result, no_fit};
+use super::{
+    Result,
+    convex::{Inequality, normal, solve},
+    no_fit,
+    problem::{Problem, Raw},
+};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
 

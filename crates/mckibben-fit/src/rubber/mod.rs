@@ -30,10 +30,12 @@ mod warning;
 
 pub use data::{read_tension, read_tests};
 pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter, StressErrors};
-use mckibben::cancel::{self, Cancelled};
-use mckibben::progress::{Progress, Silent};
 pub use mckibben::rubber::Form;
-use mckibben::rubber::MUSCLE_HOOP_STRETCH;
+use mckibben::{
+    cancel::{self, Cancelled},
+    progress::{Progress, Silent},
+    rubber::MUSCLE_HOOP_STRETCH,
+};
 pub use point::{Mode, TensionPoint};
 pub use problem::Measure;
 use problem::Problem;

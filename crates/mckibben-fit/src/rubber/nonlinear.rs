@@ -7,8 +7,10 @@
 //! limit has none. Standard error of the limit Y/q: Y/q² times that of q. The fit begins at several
 //! q and the lowest minimum is taken.
 
-use super::problem::{Problem, Raw};
-use super::{Result, no_fit};
+use super::{
+    Result, no_fit,
+    problem::{Problem, Raw},
+};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 

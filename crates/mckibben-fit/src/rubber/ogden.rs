@@ -7,12 +7,17 @@
 //! least squares); the best of them are followed to their minimum, and the lowest is taken. The
 //! list is fixed, so the same data give the same law.
 
-use super::convex::{Inequality, normal, solve, subsets};
-use super::problem::{Problem, Raw};
-use super::{Result, TensionFitError, no_fit};
+use super::{
+    Result, TensionFitError,
+    convex::{Inequality, normal, solve, subsets},
+    no_fit,
+    problem::{Problem, Raw},
+};
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
-use mckibben::cancel;
-use mckibben::rubber::{Form, Law, Ogden};
+use mckibben::{
+    cancel,
+    rubber::{Form, Law, Ogden},
+};
 
 const EXPONENTS: [f64; 14] = [
     0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0,

@@ -1,8 +1,10 @@
 //! The points with their weights, as the solvers see them.
 
 use super::{Mode, TensionPoint};
-use mckibben::cancel;
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::{
+    cancel,
+    rubber::{Law, RubberLaw},
+};
 use serde::{Deserialize, Serialize};
 
 /// The objective of a fit.

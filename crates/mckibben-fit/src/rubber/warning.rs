@@ -1,8 +1,6 @@
 //! Warnings about tests and laws.
 
-use super::problem::Problem;
-use super::runs::Sorted;
-use super::{FittedLaw, Mode, Parameter, TensionPoint};
+use super::{FittedLaw, Mode, Parameter, TensionPoint, problem::Problem, runs::Sorted};
 use mckibben::rubber::RubberLaw;
 
 /// Stretch that the wall of a strongly contracted muscle reaches (a 20° braid: 2.4).

@@ -8,8 +8,10 @@
 
 use super::{OverTimeFitError, Result};
 use crate::rubber::{Mode, TensionPoint};
-use mckibben::rubber::RubberLaw;
-use mckibben::rubber::over_time::{OgdenRoxburgh, Prony, Softened};
+use mckibben::rubber::{
+    RubberLaw,
+    over_time::{OgdenRoxburgh, Prony, Softened},
+};
 use mckibben_io::table::{Columns, HISTORIES, Table, TableError};
 
 /// A point of a history.

@@ -12,12 +12,15 @@
 //! sampled densely is weighted by its samples; points that are weighted by the time they stand for
 //! are the caller's choice.
 
-use super::bar::check;
-use super::{Bar, OverTimeFitError, Result, TimePoint, columns, elastic};
-use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use crate::rubber::{Form, TensionPoint};
-use mckibben::rubber::over_time::{Branch, Prony};
-use mckibben::rubber::{ConstantValue, Law, RubberLaw};
+use super::{Bar, OverTimeFitError, Result, TimePoint, bar::check, columns, elastic};
+use crate::{
+    least_squares::{Loss, Residuals, Unknown, estimate},
+    rubber::{Form, TensionPoint},
+};
+use mckibben::rubber::{
+    ConstantValue, Law, RubberLaw,
+    over_time::{Branch, Prony},
+};
 use serde::Serialize;
 
 /// A law that relaxes, from a uniaxial test over time.

@@ -5,12 +5,15 @@
 //! possible, each with its largest energy so far. No rate is known here: loops that depend on the
 //! rate are taken for softening.
 
-use super::bar::check;
-use super::{Bar, OverTimeFitError, Result, TimePoint, columns, elastic};
-use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
-use crate::rubber::{Form, TensionPoint};
-use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
-use mckibben::rubber::{Law, RubberLaw};
+use super::{Bar, OverTimeFitError, Result, TimePoint, bar::check, columns, elastic};
+use crate::{
+    least_squares::{Estimate, EstimateError, Loss, Unknown, estimate},
+    rubber::{Form, TensionPoint},
+};
+use mckibben::rubber::{
+    Law, RubberLaw,
+    over_time::{OgdenRoxburgh, Prony},
+};
 use serde::Serialize;
 
 /// A law that softens after its first loading, from a uniaxial test in the order of time.

@@ -11,10 +11,11 @@ pub use bar::{Bar, TimePoint, read_history};
 pub use fit_prony::{BranchFit, PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
 
-use crate::least_squares::EstimateError;
-use crate::rubber::{FitSettings, FittedLaw, Form, TensionFitError, TensionPoint, fit_tension};
-use mckibben::refused::Refused;
-use mckibben::rubber::Law;
+use crate::{
+    least_squares::EstimateError,
+    rubber::{FitSettings, FittedLaw, Form, TensionFitError, TensionPoint, fit_tension},
+};
+use mckibben::{refused::Refused, rubber::Law};
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 

@@ -3,8 +3,10 @@
 
 use super::*;
 use crate::rubber::Form;
-use mckibben::rubber::over_time::{Branch, Held, OgdenRoxburgh, Prony, Softened, erf};
-use mckibben::rubber::{Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh};
+use mckibben::rubber::{
+    Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh,
+    over_time::{Branch, Held, OgdenRoxburgh, Prony, Softened, erf},
+};
 use mckibben_io::table::Columns;
 
 const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {

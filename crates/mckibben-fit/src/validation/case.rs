@@ -4,10 +4,11 @@
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
 use super::rubber::RubberCase;
-use crate::identify::Parameter;
-use crate::measured::DataPoint;
-use mckibben::cancel::Cancel;
-use mckibben::muscle::{Friction, Muscle};
+use crate::{identify::Parameter, measured::DataPoint};
+use mckibben::{
+    cancel::Cancel,
+    muscle::{Friction, Muscle},
+};
 use mckibben_io::table::TableError;
 use rust_embed::Embed;
 use serde::{Deserialize, Serialize};

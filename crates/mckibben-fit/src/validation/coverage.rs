@@ -1,12 +1,18 @@
 //! The error of finite elements at measured pulls, and the share of the measured points that the ±
 //! covers.
 
-use super::case::MuscleCase;
-use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
-use crate::identify::{Parameter, Result};
-use crate::measured::mean_of_data;
-use mckibben::threads;
-use mckibben::verification::{CaseKind, Measure, VerificationRow};
+use super::{
+    case::MuscleCase,
+    residual::{Fitter, ForceErrors, Residual, compared, residuals},
+};
+use crate::{
+    identify::{Parameter, Result},
+    measured::mean_of_data,
+};
+use mckibben::{
+    threads,
+    verification::{CaseKind, Measure, VerificationRow},
+};
 
 /// The share of the points of a set that the ± must cover.
 pub const COVERAGE: f64 = 0.95;

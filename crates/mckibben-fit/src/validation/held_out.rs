@@ -1,12 +1,15 @@
 //! The share of points held out of a fit that the ± of the fit covers.
 
-use super::case::{CaseFit, MuscleCase};
-use super::coverage::{Coverage, share_row};
-use super::residual::{Fitter, ForceErrors, Residual, residuals};
-use crate::identify::{Identification, Result};
-use crate::measured::{DataPoint, mean_of_data};
-use mckibben::threads;
-use mckibben::verification::VerificationRow;
+use super::{
+    case::{CaseFit, MuscleCase},
+    coverage::{Coverage, share_row},
+    residual::{Fitter, ForceErrors, Residual, residuals},
+};
+use crate::{
+    identify::{Identification, Result},
+    measured::{DataPoint, mean_of_data},
+};
+use mckibben::{threads, verification::VerificationRow};
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
 const PARTS: usize = 5;

@@ -5,15 +5,21 @@
 //! for another length (`length_transfer`) and for another specimen (`transfer`). It covers at least
 //! 95 % of the points that were left out, less what chance makes of so few.
 
-use super::case::{CaseFit, MuscleCase};
-use super::coverage::{Coverage, share_row};
-use super::library::library;
-use super::residual::{Fitter, ForceErrors, Residual, residuals};
-use crate::identify::Build;
-use crate::measured::{DataPoint, distinct, mean_of_data, same};
-use mckibben::muscle::{Braid, Muscle};
-use mckibben::threads;
-use mckibben::verification::VerificationRow;
+use super::{
+    case::{CaseFit, MuscleCase},
+    coverage::{Coverage, share_row},
+    library::library,
+    residual::{Fitter, ForceErrors, Residual, residuals},
+};
+use crate::{
+    identify::Build,
+    measured::{DataPoint, distinct, mean_of_data, same},
+};
+use mckibben::{
+    muscle::{Braid, Muscle},
+    threads,
+    verification::VerificationRow,
+};
 
 /// Parts into which the pressures of a set are divided.
 const PARTS: usize = 5;

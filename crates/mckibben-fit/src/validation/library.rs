@@ -7,13 +7,13 @@
 //! thousandth of its ±: a constant that the points hardly determine may differ by more between
 //! machines, and the pull does not change with it.
 
-use super::case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file};
-use super::held_out::fit_points;
-use super::residual::{ForceErrors, Residual, residuals};
-use crate::identify::Build;
-use crate::measured::DataPoint;
-use mckibben::catalogue;
-use mckibben::muscle::Muscle;
+use super::{
+    case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file},
+    held_out::fit_points,
+    residual::{ForceErrors, Residual, residuals},
+};
+use crate::{identify::Build, measured::DataPoint};
+use mckibben::{catalogue, muscle::Muscle};
 use serde::Serialize;
 
 /// The prefix of the name of a muscle of the library in place of a muscle file: `lib:dmsp-20-300`.

@@ -22,12 +22,12 @@ pub mod residual;
 pub mod rubber;
 mod stress;
 
-use crate::compare::compare;
-use crate::identify::{Build, Parameter, Request, Target, identify};
-use crate::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
+use crate::{
+    compare::compare,
+    identify::{Build, Parameter, Request, Target, identify},
+    measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured},
+};
 use coverage::{Coverage, share_row, validated};
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::cancel::Cancelled;
 #[cfg(test)]
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::model::{Ideal, ThickWall, Workspace};
@@ -35,6 +35,10 @@ use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Muscle, file::parse_muscle};
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::verification::{Measure, VerificationRow};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    cancel::Cancelled,
+};
 use residual::{Fitter, ForceErrors};
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";

@@ -14,17 +14,23 @@
 //! Source: valve pulses of a Festo DMSP-10 hose in three lengths (data/volume). Range: above 0.1
 //! MPa, where the outflow is choked, and muscles that pull.
 
-use super::case::{CaseFit, MuscleCase};
-use super::coverage::validated;
-use super::residual::Fitter;
-use crate::identify::Build;
-use crate::least_squares::{Errors, Line};
-use crate::measured::{Section, mean_of_data};
-use mckibben::analysis::{ATMOSPHERE_MPA, Evaluation};
-use mckibben::model::{ModelError, Workspace};
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::threads;
-use mckibben::verification::{Measure, VerificationRow};
+use super::{
+    case::{CaseFit, MuscleCase},
+    coverage::validated,
+    residual::Fitter,
+};
+use crate::{
+    identify::Build,
+    least_squares::{Errors, Line},
+    measured::{Section, mean_of_data},
+};
+use mckibben::{
+    analysis::{ATMOSPHERE_MPA, Evaluation},
+    model::{ModelError, Workspace},
+    muscle::{Direction, Muscle},
+    threads,
+    verification::{Measure, VerificationRow},
+};
 
 const TABLE: &str = include_str!("../../data/volume/festo-dmsp-10-pulses.csv");
 /// Gauge pressures in MPa between which pulses are counted.

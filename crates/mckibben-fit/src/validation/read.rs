@@ -1,15 +1,20 @@
 //! A folder → what was measured.
 
-use super::case::{
-    By, CaseError, CaseFit, Facts, FittedSubset, MeasuredFolder, Measurement, MuscleCase, Split,
+use super::{
+    case::{
+        By, CaseError, CaseFit, Facts, FittedSubset, MeasuredFolder, Measurement, MuscleCase, Split,
+    },
+    rubber::RubberCase,
 };
-use super::rubber::RubberCase;
-use crate::identify::{Parameter, Target};
-use crate::measured::{Quantity, read_data};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::parse_muscle;
-use serde::Deserialize;
-use serde::de::{DeserializeOwned, IgnoredAny};
+use crate::{
+    identify::{Parameter, Target},
+    measured::{Quantity, read_data},
+};
+use mckibben::muscle::{Muscle, file::parse_muscle};
+use serde::{
+    Deserialize,
+    de::{DeserializeOwned, IgnoredAny},
+};
 use toml_edit::DocumentMut;
 
 /// `case.toml` as it is written.

@@ -1,15 +1,21 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted
 //! to and at the points it predicts.
 
-use super::case::{By, CaseFit, FittedSubset, MuscleCase};
-use super::residual::{Fitter, ForceErrors, Residual, compared, residuals};
-use crate::identify::{Identified, IdentifyError};
-use crate::measured::{DataPoint, distinct, mean_of_data, same};
-use crate::rubber_over_time::OverTimeFitError;
-use mckibben::cancel::Cancelled;
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::CancelOnly;
-use mckibben::threads;
+use super::{
+    case::{By, CaseFit, FittedSubset, MuscleCase},
+    residual::{Fitter, ForceErrors, Residual, compared, residuals},
+};
+use crate::{
+    identify::{Identified, IdentifyError},
+    measured::{DataPoint, distinct, mean_of_data, same},
+    rubber_over_time::OverTimeFitError,
+};
+use mckibben::{
+    cancel::Cancelled,
+    muscle::{Direction, Muscle},
+    progress::CancelOnly,
+    threads,
+};
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;

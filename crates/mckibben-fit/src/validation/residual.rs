@@ -1,14 +1,18 @@
 //! Measured pulls less those of a model.
 
 use super::case::CaseFit;
-use crate::identify::{Build, Identification, Identified, Request, Result, identify};
-use crate::least_squares::Errors;
-use crate::measured::{DataPoint, MeasuredPoint, Quantity, Section};
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Progress;
-use mckibben::uncertainty::UncertaintyParts;
+use crate::{
+    identify::{Build, Identification, Identified, Request, Result, identify},
+    least_squares::Errors,
+    measured::{DataPoint, MeasuredPoint, Quantity, Section},
+};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ForceModel, Workspace},
+    muscle::{Direction, Muscle},
+    progress::Progress,
+    uncertainty::UncertaintyParts,
+};
 use serde::Serialize;
 
 /// One measured point beside what a model says of it.

@@ -1,10 +1,14 @@
 //! The validation report of a measured rubber: the errors of each law at the stresses it was fitted
 //! to and at those it predicts.
 
-use super::case::{CaseError, Facts};
-use super::report::ReportError;
-use crate::rubber::{Form, Mode, Parameter, StressErrors, TensionPoint, read_tests};
-use crate::rubber_over_time::{self, TimePoint, read_history};
+use super::{
+    case::{CaseError, Facts},
+    report::ReportError,
+};
+use crate::{
+    rubber::{Form, Mode, Parameter, StressErrors, TensionPoint, read_tests},
+    rubber_over_time::{self, TimePoint, read_history},
+};
 use mckibben::progress::Progress;
 use mckibben_io::table::Columns;
 use serde::{Deserialize, Serialize};

@@ -1,12 +1,14 @@
 //! A law fitted to measured stresses, and its errors there.
 
 use super::rubber::{RubberCaseFit, RubberFit, RubberGroup};
-use crate::rubber::{
-    FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with, no_fit,
+use crate::{
+    rubber::{
+        FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with,
+        no_fit,
+    },
+    rubber_over_time::{Bar, Result, TimePoint, fit_prony},
 };
-use crate::rubber_over_time::{Bar, Result, TimePoint, fit_prony};
-use mckibben::progress::Progress;
-use mckibben::rubber::over_time::Prony;
+use mckibben::{progress::Progress, rubber::over_time::Prony};
 
 /// Strain that tells a move from a hold.
 const MOVE: f64 = 1e-3;

@@ -1,8 +1,10 @@
 //! The door in: a regular file, no longer than a file of its kind may be.
 
-use std::fs::{File, Metadata};
-use std::io::{Error, Read as _};
-use std::path::Path;
+use std::{
+    fs::{File, Metadata},
+    io::{Error, Read as _},
+    path::Path,
+};
 
 /// Why a file is not read. None of these says that what it holds is damaged.
 #[derive(Debug, thiserror::Error)]

@@ -1,8 +1,10 @@
 //! The door out: a file appears whole or not at all.
 
-use std::fs::{File, Metadata, OpenOptions};
-use std::io::{Error, ErrorKind, Result, Write as _};
-use std::path::{Path, PathBuf};
+use std::{
+    fs::{File, Metadata, OpenOptions},
+    io::{Error, ErrorKind, Result, Write as _},
+    path::{Path, PathBuf},
+};
 use tempfile::NamedTempFile;
 
 /// Puts `bytes` at `path`, whole or not at all; an existing file is overwritten only with

@@ -1,17 +1,19 @@
 //! Parquet → tables.
 
-use super::column::Column;
-use super::error::TableError;
-use super::write::GROUP;
-use parquet::column::page::{Page, PageMetadata, PageReader};
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
-use parquet::data_type::{DataType, DoubleType};
-use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::FileMetaData;
-use parquet::file::reader::FileReader;
-use parquet::file::serialized_reader::SerializedFileReader;
-use std::fs::File;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use super::{column::Column, error::TableError, write::GROUP};
+use parquet::{
+    column::{
+        page::{Page, PageMetadata, PageReader},
+        reader::{ColumnReader, ColumnReaderImpl, get_column_reader},
+    },
+    data_type::{DataType, DoubleType},
+    errors::{ParquetError, Result},
+    file::{metadata::FileMetaData, reader::FileReader, serialized_reader::SerializedFileReader},
+};
+use std::{
+    fs::File,
+    panic::{AssertUnwindSafe, catch_unwind},
+};
 
 /// A file whose metadata are read.
 pub struct Reader {

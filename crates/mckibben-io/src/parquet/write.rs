@@ -1,17 +1,21 @@
 //! Tables → Parquet.
 
-use super::column::{Column, Field, Packing};
-use super::error::TableError;
-use parquet::basic::{Compression, Encoding};
-use parquet::column::writer::ColumnWriter;
-use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
-use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::parser::parse_message_type;
-use parquet::schema::types::ColumnPath;
-use std::io::Write;
-use std::sync::Arc;
+use super::{
+    column::{Column, Field, Packing},
+    error::TableError,
+};
+use parquet::{
+    basic::{Compression, Encoding},
+    column::writer::ColumnWriter,
+    errors::{ParquetError, Result},
+    file::{
+        metadata::KeyValue,
+        properties::{EnabledStatistics, WriterProperties},
+        writer::SerializedFileWriter,
+    },
+    schema::{parser::parse_message_type, types::ColumnPath},
+};
+use std::{io::Write, sync::Arc};
 
 /// Most rows of a row group.
 pub const GROUP: usize = 1 << 16;

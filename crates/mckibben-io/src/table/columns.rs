@@ -1,12 +1,16 @@
 //! Which column is what, where its heading does not say so: `pressure="P1:kPa",contraction="x:mm"`;
 //! and what is the same in all rows of a table.
 
-use super::error::{TableError, listed, short};
-use super::heading::{self, Column, MINUS, plain};
-use super::kinds::Vocabulary;
-use super::vocabulary::Meaning;
-use crate::units::Unit;
-use crate::units::nearest::{meant, nearest};
+use super::{
+    error::{TableError, listed, short},
+    heading::{self, Column, MINUS, plain},
+    kinds::Vocabulary,
+    vocabulary::Meaning,
+};
+use crate::units::{
+    Unit,
+    nearest::{meant, nearest},
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

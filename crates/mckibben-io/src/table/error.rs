@@ -1,7 +1,6 @@
 //! Why a table cannot be read.
 
-use super::kinds::Need;
-use super::vocabulary::Meaning;
+use super::{kinds::Need, vocabulary::Meaning};
 use crate::cancel::Cancelled;
 use thiserror::Error;
 

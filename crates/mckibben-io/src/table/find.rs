@@ -1,12 +1,14 @@
 //! The line of the heading, and the column of each quantity.
 
-use super::columns::{Choice, Columns};
-use super::delimited::{Separator, Sheet, TableRow};
-use super::error::{TableError, listed};
-use super::heading::Column;
-use super::kinds::{Need, Vocabulary};
-use super::number::{self, Decimal};
-use super::vocabulary::Meaning;
+use super::{
+    columns::{Choice, Columns},
+    delimited::{Separator, Sheet, TableRow},
+    error::{TableError, listed},
+    heading::Column,
+    kinds::{Need, Vocabulary},
+    number::{self, Decimal},
+    vocabulary::Meaning,
+};
 
 /// A table whose columns are known.
 #[derive(Debug)]

@@ -1,8 +1,10 @@
 //! What a heading says: a quantity and its unit, in whatever spelling.
 
-use super::error::{TableError, short};
-use super::kinds::Vocabulary;
-use super::vocabulary::{Meaning, Words, is_spoken};
+use super::{
+    error::{TableError, short},
+    kinds::Vocabulary,
+    vocabulary::{Meaning, Words, is_spoken},
+};
 use crate::units::{Dimension, Unit};
 
 /// A column with its meaning.

@@ -1,10 +1,6 @@
 //! Loads from people's tables.
 
-use super::columns::Columns;
-use super::error::TableError;
-use super::find::Table;
-use super::kinds::LOADS;
-use super::vocabulary::Meaning;
+use super::{columns::Columns, error::TableError, find::Table, kinds::LOADS, vocabulary::Meaning};
 
 /// Groups of [`LOADS`].
 const SHORTENING: usize = 0;

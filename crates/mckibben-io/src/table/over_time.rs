@@ -1,10 +1,8 @@
 //! Tables of times and values.
 
-use super::columns::Columns;
-use super::error::TableError;
-use super::find::Table;
-use super::kinds::OVER_TIME;
-use super::vocabulary::Meaning;
+use super::{
+    columns::Columns, error::TableError, find::Table, kinds::OVER_TIME, vocabulary::Meaning,
+};
 
 type Result<T> = std::result::Result<T, TableError>;
 

@@ -1,9 +1,6 @@
 //! From the bytes of a file to the text of a table: whatever program wrote it.
 
-use super::error::TableError;
-use super::heading::plain;
-use super::vocabulary::is_known;
-use super::workbook;
+use super::{error::TableError, heading::plain, vocabulary::is_known, workbook};
 use crate::units::Dimension;
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{EUC_JP, Encoding, GBK, SHIFT_JIS, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};

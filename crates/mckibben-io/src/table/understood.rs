@@ -1,9 +1,6 @@
 //! What was understood of a table, for people to check.
 
-use super::error::short;
-use super::find::Table;
-use super::heading::Column;
-use super::number::Decimal;
+use super::{error::short, find::Table, heading::Column, number::Decimal};
 use crate::units::tidy;
 use serde::{Deserialize, Serialize};
 

@@ -1,14 +1,15 @@
 //! Numbers and words of a table's columns.
 
-use super::delimited::TableRow;
-use super::error::{TableError, short};
-use super::find::Table;
-use super::heading::{self, Column, plain};
-use super::kinds::Need;
-use super::number::{self, Decimal, NoNumber};
-use super::vocabulary::Meaning;
-use crate::cancel;
-use crate::units::Dimension;
+use super::{
+    delimited::TableRow,
+    error::{TableError, short},
+    find::Table,
+    heading::{self, Column, plain},
+    kinds::Need,
+    number::{self, Decimal, NoNumber},
+    vocabulary::Meaning,
+};
+use crate::{cancel, units::Dimension};
 
 impl Table {
     /// The column of a quantity.

@@ -5,11 +5,12 @@
 //! an underscore ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other
 //! spelling (`ue`) is beside them.
 
-use crate::units::Dimension;
-use crate::word::named;
+use crate::{units::Dimension, word::named};
 use serde::Deserialize;
-use std::collections::{BTreeMap, BTreeSet};
-use std::sync::LazyLock;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::LazyLock,
+};
 
 /// What a column means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]

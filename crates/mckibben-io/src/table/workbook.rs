@@ -1,11 +1,9 @@
 //! From a workbook to the text of a table: `.xlsx`, `.ods`, `.xls`. Lines are the rows of the
 //! sheet, tabs are between fields.
 
-use super::delimited::MAX_BYTES;
-use super::error::TableError;
+use super::{delimited::MAX_BYTES, error::TableError};
 use calamine::{Cell, Data, DataRef, DataType, Reader, Sheets, open_workbook_auto_from_rs};
-use std::collections::BTreeMap;
-use std::io::Cursor;
+use std::{collections::BTreeMap, io::Cursor};
 
 /// Cells that hold anything, in the order of rows.
 #[derive(Default)]

@@ -1,10 +1,11 @@
 //! Quantities with a bound, and intervals of them.
 
-use super::range::{Values, parse_values};
-use super::typed::Quantity;
+use super::{
+    range::{Values, parse_values},
+    typed::Quantity,
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::de::Error;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, de::Error};
 use std::borrow::Cow;
 
 /// A quantity above zero.

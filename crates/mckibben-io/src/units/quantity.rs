@@ -1,7 +1,6 @@
 //! One number with a unit.
 
-use super::convert::convert;
-use super::dimension::Dimension;
+use super::{convert::convert, dimension::Dimension};
 use thiserror::Error;
 
 /// Why a text is not the expected quantity.

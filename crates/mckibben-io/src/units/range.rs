@@ -1,8 +1,10 @@
 //! Ranges and lists of quantities.
 
-use super::convert::{convert, tidy};
-use super::dimension::Dimension;
-use super::quantity::{QuantityError, factor, plausible, shortened, split};
+use super::{
+    convert::{convert, tidy},
+    dimension::Dimension,
+    quantity::{QuantityError, factor, plausible, shortened, split},
+};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -3,18 +3,20 @@
 //! As text each takes a number with a unit (`2.5bar`); in JSON and TOML a bare number in the unit
 //! inside, or such a text. It is written as a bare number, under a name that carries the unit.
 
-use super::dimension::Dimension;
-use super::quantity::{QuantityError, parse_quantity};
-use super::range::{RangeError, Values, parse_values};
+use super::{
+    dimension::Dimension,
+    quantity::{QuantityError, parse_quantity},
+    range::{RangeError, Values, parse_values},
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Error, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
-use std::borrow::Cow;
-use std::fmt;
-use std::marker::PhantomData;
-use std::ops::Deref;
-use std::str::FromStr;
+use serde::{
+    Deserialize, Deserializer, Serialize,
+    de::{
+        Error, MapAccess, SeqAccess, Visitor,
+        value::{MapAccessDeserializer, SeqAccessDeserializer},
+    },
+};
+use std::{borrow::Cow, fmt, marker::PhantomData, ops::Deref, str::FromStr};
 
 /// A number of a dimension, in the unit inside.
 pub trait Quantity: Copy + From<f64> + Into<f64> {

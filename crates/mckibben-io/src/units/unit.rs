@@ -1,7 +1,9 @@
 //! Units by themselves, as written in the headings of tables.
 
-use super::convert::convert;
-use super::dimension::{Dimension, Spelled};
+use super::{
+    convert::convert,
+    dimension::{Dimension, Spelled},
+};
 
 /// A unit of some dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]

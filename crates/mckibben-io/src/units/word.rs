@@ -1,9 +1,11 @@
 //! A word, or a quantity: `"paper"` or `"321 N/mm"`.
 
-use super::dimension::Dimension;
-use super::nearest::{meant, nearest};
-use super::quantity::{QuantityError, parse_quantity};
-use super::typed::text_or_number;
+use super::{
+    dimension::Dimension,
+    nearest::{meant, nearest},
+    quantity::{QuantityError, parse_quantity},
+    typed::text_or_number,
+};
 use serde::Deserializer;
 use std::fmt;
 

@@ -1,20 +1,28 @@
 //! [command] and [controller].
 
-use super::Tables;
-use super::keys::{OfCommand, OfController, Output};
-use crate::command::Command;
-use crate::control::{Pid, PidOutput};
-use crate::drive::Target;
-use mckibben::muscle::file::{FileError, Source};
-use mckibben::units::typed::{Quantity, Time};
-use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use super::{
+    Tables,
+    keys::{OfCommand, OfController, Output},
+};
+use crate::{
+    command::Command,
+    control::{Pid, PidOutput},
+    drive::Target,
+};
+use mckibben::{
+    muscle::file::{FileError, Source},
+    units::{
+        Dimension, Values, parse_quantity, parse_values,
+        typed::{Quantity, Time},
+    },
+};
 use mckibben_io::table::{OverTime, read_over_time};
 use schemars::JsonSchema;
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
-use std::fmt;
-use std::marker::PhantomData;
+use serde::{
+    Deserialize, Deserializer,
+    de::{SeqAccess, Visitor, value::SeqAccessDeserializer},
+};
+use std::{fmt, marker::PhantomData};
 
 /// What a command over time is, for messages.
 const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 \

@@ -2,13 +2,17 @@
 
 use super::command::Course;
 use crate::valve::ValveKind;
-use mckibben::liquid::LIQUIDS;
-use mckibben::muscle::file::named;
-use mckibben::rubber::over_time::Prony;
-use mckibben::units::typed::{
-    Conductance, Damping, Flow, Length, Mass, Pressure, Ratio, Temperature, Time, Volume,
+use mckibben::{
+    liquid::LIQUIDS,
+    muscle::file::named,
+    rubber::over_time::Prony,
+    units::{
+        Interval, NotNegative, Positive,
+        typed::{
+            Conductance, Damping, Flow, Length, Mass, Pressure, Ratio, Temperature, Time, Volume,
+        },
+    },
 };
-use mckibben::units::{Interval, NotNegative, Positive};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 

@@ -1,14 +1,17 @@
 //! [liquid], and the valve of a liquid.
 
 use super::keys::{OfLiquid, OfValve};
-use crate::hose::Hose;
-use crate::liquid::{LiquidFill, LiquidValve, Restriction};
-use crate::valve::ValveKind;
-use mckibben::liquid::Liquid;
-use mckibben::muscle::file::{FileError, Source};
-use mckibben::refused::Refused;
-use mckibben::units::Positive;
-use mckibben::units::typed::Flow;
+use crate::{
+    hose::Hose,
+    liquid::{LiquidFill, LiquidValve, Restriction},
+    valve::ValveKind,
+};
+use mckibben::{
+    liquid::Liquid,
+    muscle::file::{FileError, Source},
+    refused::Refused,
+    units::{Positive, typed::Flow},
+};
 
 /// What [liquid] says.
 pub(super) fn liquid(

@@ -5,16 +5,22 @@ mod keys;
 mod liquid;
 mod valve;
 
-use crate::drive::{Actuator, Supply, Target};
-use crate::fluid::Fluid;
-use crate::viscoelastic::Prony;
+use crate::{
+    drive::{Actuator, Supply, Target},
+    fluid::Fluid,
+    viscoelastic::Prony,
+};
 use command::Commands;
 pub use keys::DriveKeys;
 use keys::{OfAir, OfLoad, OfSupply};
-use mckibben::load::{Load, LoadTable};
-use mckibben::muscle::file::{FileError, Keys, Source};
-use mckibben::units::Dimension;
-use mckibben::units::typed::{Angle, Quantity, Ratio};
+use mckibben::{
+    load::{Load, LoadTable},
+    muscle::file::{FileError, Keys, Source},
+    units::{
+        Dimension,
+        typed::{Angle, Quantity, Ratio},
+    },
+};
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;

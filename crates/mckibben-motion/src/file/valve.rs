@@ -1,17 +1,25 @@
 //! [valve], [regulator], [pump], [syringe] and [air].
 
-use super::keys::{DriveKeys, OfAir, OfPump, OfRegulator, OfSyringe, OfValve};
-use super::liquid;
-use crate::air::{Air, Heat};
-use crate::catalogue::{CRITICAL_RATIO, known, valve_named};
-use crate::drive::Actuator;
-use crate::hose::Hose;
-use crate::liquid::{Pump, Syringe};
-use crate::orifice::Orifice;
-use crate::valve::Valve;
-use mckibben::muscle::file::{FileError, Source};
-use mckibben::units::Positive;
-use mckibben::units::typed::{Conductance, Length};
+use super::{
+    keys::{DriveKeys, OfAir, OfPump, OfRegulator, OfSyringe, OfValve},
+    liquid,
+};
+use crate::{
+    air::{Air, Heat},
+    catalogue::{CRITICAL_RATIO, known, valve_named},
+    drive::Actuator,
+    hose::Hose,
+    liquid::{Pump, Syringe},
+    orifice::Orifice,
+    valve::Valve,
+};
+use mckibben::{
+    muscle::file::{FileError, Source},
+    units::{
+        Positive,
+        typed::{Conductance, Length},
+    },
+};
 
 /// How fast the piston of a syringe follows, in s, where the file does not say.
 const TIME_CONSTANT_S: f64 = 0.05;

@@ -10,12 +10,14 @@ use crate::{
     Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump,
     Restriction, SingleMuscle, Syringe, Target, ValveKind,
 };
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::liquid::Liquid;
-use mckibben::load::{Fill, Filling, Load};
-use mckibben::model::{Response, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::verification::VerificationRow;
+use mckibben::{
+    analysis::{Evaluation, Options},
+    liquid::Liquid,
+    load::{Fill, Filling, Load},
+    model::{Response, ThickWall, Workspace},
+    muscle::Muscle,
+    verification::VerificationRow,
+};
 use std::f64::consts::TAU;
 
 const CLOSED: &str = "closed form of a rigid vessel with a liquid";

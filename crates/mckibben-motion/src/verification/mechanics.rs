@@ -5,10 +5,12 @@ use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Linear, Orifice,
     Prony, SingleMuscle, Target, Valve, equilibrium,
 };
-use mckibben::load::Load;
-use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Friction, Muscle};
-use mckibben::verification::VerificationRow;
+use mckibben::{
+    load::Load,
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
+    muscle::{Friction, Muscle},
+    verification::VerificationRow,
+};
 use std::f64::consts::TAU;
 
 const BALANCE: &str = "identity: energies of a drive with every loss";

@@ -10,9 +10,11 @@ use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
     Valve,
 };
-use mckibben::model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::verification::VerificationRow;
+use mckibben::{
+    model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace},
+    muscle::Muscle,
+    verification::VerificationRow,
+};
 
 const SOURCE: &str = "ISO 6358: closed form of a rigid vessel";
 const BALANCE: &str = "identity: what goes in, comes out and stays";

@@ -1,7 +1,9 @@
 //! Air that a stroke takes.
 
-use super::error::{AnalysisError, Result};
-use super::evaluation::Evaluation;
+use super::{
+    error::{AnalysisError, Result},
+    evaluation::Evaluation,
+};
 use serde::Serialize;
 
 /// Atmospheric pressure in MPa (ISO 2533).

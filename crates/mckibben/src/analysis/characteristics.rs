@@ -1,7 +1,6 @@
 //! Free contraction, dead pressure and work.
 
-use super::error::Result;
-use super::evaluation::Evaluation;
+use super::{error::Result, evaluation::Evaluation};
 
 impl Evaluation<'_> {
     /// Free contraction: the ε at which a muscle at this pressure no longer pulls.

@@ -1,9 +1,6 @@
 //! Why a question about a model has no answer.
 
-use crate::cancel::Cancelled;
-use crate::model::ModelError;
-use crate::status::Status;
-use crate::units::trimmed as short;
+use crate::{cancel::Cancelled, model::ModelError, status::Status, units::trimmed as short};
 use thiserror::Error;
 
 /// The answer to a question about a model, or why it has none.

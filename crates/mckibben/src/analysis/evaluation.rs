@@ -1,10 +1,10 @@
 //! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
-use crate::cancel;
-use crate::model::{
-    ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm,
+use crate::{
+    cancel,
+    model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm},
+    muscle::{Direction, Muscle},
 };
-use crate::muscle::{Direction, Muscle};
 use serde::{Deserialize, Serialize};
 
 /// How questions are answered.

@@ -4,13 +4,16 @@
 //!
 //! Friction is no part of a model: with it only samples remain.
 
-use super::error::{AnalysisError, Result};
-use super::evaluation::{Evaluation, Options};
-use super::sweep::{Sweep, Zero, places};
-use crate::cancel;
-use crate::model::root::rising_root;
-use crate::model::{ModelError, Workspace};
-use crate::muscle::Muscle;
+use super::{
+    error::{AnalysisError, Result},
+    evaluation::{Evaluation, Options},
+    sweep::{Sweep, Zero, places},
+};
+use crate::{
+    cancel,
+    model::{ModelError, Workspace, root::rising_root},
+    muscle::Muscle,
+};
 use std::cmp::Ordering::Equal;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.

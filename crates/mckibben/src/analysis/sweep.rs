@@ -4,8 +4,7 @@
 //! rule, and places without an answer between them. Samples at given places come first; where they
 //! leave an end or an extremum between them that may reach zero, more are taken there.
 
-use super::golden::golden;
-use super::root::find_root;
+use super::{golden::golden, root::find_root};
 use crate::cancel::{self, Cancelled};
 
 /// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap

@@ -31,8 +31,7 @@ pub use universal::{
     UniversalTerm,
 };
 
-use file::File;
-use file::check::interval;
+use file::{File, check::interval};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 

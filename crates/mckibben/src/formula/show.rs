@@ -1,7 +1,6 @@
 //! A formula for readers: its equation in words and in LaTeX.
 
-use super::terms::name;
-use super::{Body, Formula};
+use super::{Body, Formula, terms::name};
 
 /// Digits of a coefficient for readers; the file has all of them.
 fn digits(v: f64) -> String {

@@ -1,7 +1,6 @@
 //! The terms of a formula.
 
-use super::Coefficients;
-use super::file::check::positive;
+use super::{Coefficients, file::check::positive};
 use serde::{Deserialize, Serialize};
 
 /// What the variables of a `global` formula are divided by.

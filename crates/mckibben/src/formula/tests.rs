@@ -1,6 +1,8 @@
 use super::*;
-use crate::model::{ForceModel, FormulaModel, ModelKind, Workspace};
-use crate::muscle::Muscle;
+use crate::{
+    model::{ForceModel, FormulaModel, ModelKind, Workspace},
+    muscle::Muscle,
+};
 use std::sync::Arc;
 
 fn summary() -> ErrorSummary {

@@ -1,7 +1,6 @@
 //! Why a joint has no answer.
 
-use crate::analysis::AnalysisError;
-use crate::cancel::Cancelled;
+use crate::{analysis::AnalysisError, cancel::Cancelled};
 use thiserror::Error;
 
 /// The answer of a joint, or why it has none.

@@ -1,12 +1,19 @@
 //! Joint files: TOML in the muscle file's manner.
 
 use super::{Joint, JointError, JointMuscle, JointSpring, Link, Path, PulleyFriction};
-use crate::muscle::Muscle;
-use crate::muscle::file::{FileError, Source};
-use crate::units::typed::{
-    Angle, AngularDamping, AngularStiffness, Force, Inertia, Length, Mass, Ratio, Stiffness, Torque,
+use crate::{
+    muscle::{
+        Muscle,
+        file::{FileError, Source},
+    },
+    units::{
+        Interval, NotNegative, Positive,
+        typed::{
+            Angle, AngularDamping, AngularStiffness, Force, Inertia, Length, Mass, Ratio,
+            Stiffness, Torque,
+        },
+    },
 };
-use crate::units::{Interval, NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,9 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::analysis::Sweep;
-use crate::model::Workspace;
-use crate::muscle::Direction;
+use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;

@@ -1,11 +1,12 @@
 //! Which angles and stiffnesses a joint reaches.
 
-use super::model::Fixed;
-use super::{JointError, JointModel, Rest, Result, ShutStiffness};
-use crate::extremes::ends;
-use crate::model::{Interval, ModelError, Quantity, Workspace};
-use crate::progress::Progress;
-use crate::threads::Threads;
+use super::{JointError, JointModel, Rest, Result, ShutStiffness, model::Fixed};
+use crate::{
+    extremes::ends,
+    model::{Interval, ModelError, Quantity, Workspace},
+    progress::Progress,
+    threads::Threads,
+};
 use serde::{Deserialize, Serialize};
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.

@@ -1,11 +1,13 @@
 //! Torque and stiffness at pressures and an angle.
 
 use super::{Joint, JointError, Result, ShutStiffness};
-use crate::analysis::{AnalysisError, Evaluation, Options};
-use crate::answer::{Answer, SlackState};
-use crate::model::{ForceModel, Workspace};
-use crate::muscle::Direction;
-use crate::uncertainty::UncertaintyParts;
+use crate::{
+    analysis::{AnalysisError, Evaluation, Options},
+    answer::{Answer, SlackState},
+    model::{ForceModel, Workspace},
+    muscle::Direction,
+    uncertainty::UncertaintyParts,
+};
 use serde::{Deserialize, Serialize};
 
 /// Which way the joint turns: on which branch of their friction the muscles are.

@@ -1,9 +1,7 @@
 //! Where a joint comes to rest.
 
-use super::model::Fixed;
-use super::{JointError, JointModel, Result};
-use crate::analysis::find_root;
-use crate::model::Workspace;
+use super::{JointError, JointModel, Result, model::Fixed};
+use crate::{analysis::find_root, model::Workspace};
 
 /// Parts into which the range of the angle is cut in search of every rest.
 const SCAN: usize = 72;

@@ -1,7 +1,9 @@
 //! The stiffness of a joint whose valves are shut: the air in each muscle stays, and pushes back.
 
-use crate::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
-use crate::model::Response;
+use crate::{
+    analysis::{ATMOSPHERE_MPA, HEAT_RATIO},
+    model::Response,
+};
 use serde::{Deserialize, Serialize};
 
 /// −dτ/dφ with the valves shut, in N m/rad: at constant temperature for slow turns, without heat

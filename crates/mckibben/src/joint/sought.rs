@@ -2,8 +2,7 @@
 //! pressure ±τ/|∂τ/∂P|.
 
 use super::{JointModel, JointPoint};
-use crate::answer::FLAT_MPA;
-use crate::model::Workspace;
+use crate::{answer::FLAT_MPA, model::Workspace};
 
 impl JointModel<'_> {
     /// 95 % half-width in degrees of the angle at which a joint rests; `None` where it is wider

@@ -1,10 +1,10 @@
-use super::verification::muscle;
-use super::*;
-use crate::model::{ForceModel, ModelKind, Workspace};
-use crate::muscle::measures::PRESTRETCH;
-use crate::muscle::{Braid, BraidStiffness};
-use crate::progress::Silent;
-use crate::random::{Random, rounds};
+use super::{verification::muscle, *};
+use crate::{
+    model::{ForceModel, ModelKind, Workspace},
+    muscle::{Braid, BraidStiffness, measures::PRESTRETCH},
+    progress::Silent,
+    random::{Random, rounds},
+};
 
 fn antagonists() -> Joint {
     let muscles = vec![

@@ -15,10 +15,11 @@
 //! the model, of a rubber or of a braid makes both muscles stiffer, so that it adds fully; and as a
 //! square beside it Σ Δ″ ±F.
 
-use super::JointModel;
-use super::model::MuscleState;
-use crate::model::Workspace;
-use crate::uncertainty::{Shifts, UncertaintyParts, stiffness_uncertainty_n_per_mm};
+use super::{JointModel, model::MuscleState};
+use crate::{
+    model::Workspace,
+    uncertainty::{Shifts, UncertaintyParts, stiffness_uncertainty_n_per_mm},
+};
 
 /// The place of the friction among the parts.
 const FRICTION: usize = 6;

@@ -1,12 +1,14 @@
 //! Joints against virtual work, symmetry and their own inverses.
 
 use super::{Joint, JointModel, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
-use crate::analysis::{Evaluation, Options};
-use crate::load::GRAVITY_M_PER_S2;
-use crate::model::{ForceModel, Ideal, Workspace};
-use crate::muscle::{Muscle, Tube};
-use crate::random::Random;
-use crate::verification::VerificationRow;
+use crate::{
+    analysis::{Evaluation, Options},
+    load::GRAVITY_M_PER_S2,
+    model::{ForceModel, Ideal, Workspace},
+    muscle::{Muscle, Tube},
+    random::Random,
+    verification::VerificationRow,
+};
 
 const WORK: &str = "virtual work: τ = d/dφ (Σ ∫F dΔ − E of weight and spring)";
 const SYMMETRY: &str = "symmetry: two equal muscles at one pressure";

@@ -1,9 +1,11 @@
 //! Where muscle and load are in balance.
 
 use super::Load;
-use crate::analysis::{AnalysisError, Evaluation, Options, Sweep, straight_strands};
-use crate::answer::Answer;
-use crate::model::ModelError;
+use crate::{
+    analysis::{AnalysisError, Evaluation, Options, Sweep, straight_strands},
+    answer::Answer,
+    model::ModelError,
+};
 use serde::Serialize;
 use thiserror::Error;
 

@@ -8,10 +8,12 @@ mod way;
 pub use filling::Filling;
 
 use super::Load;
-use crate::analysis::{AnalysisError, Evaluation, HIGHEST_PRESSURE_MPA, Options};
-use crate::answer::{Answer, exactly};
-use crate::model::ModelError;
-use crate::refused::Refused;
+use crate::{
+    analysis::{AnalysisError, Evaluation, HIGHEST_PRESSURE_MPA, Options},
+    answer::{Answer, exactly},
+    model::ModelError,
+    refused::Refused,
+};
 use serde::Serialize;
 use std::fmt;
 use thiserror::Error;

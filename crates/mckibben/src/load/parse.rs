@@ -1,8 +1,10 @@
 //! Loads as people write them.
 
 use super::{Lever, Load, LoadTable, refused};
-use crate::refused::Refused;
-use crate::units::{Dimension, parse_quantity};
+use crate::{
+    refused::Refused,
+    units::{Dimension, parse_quantity},
+};
 
 impl Load {
     /// Reads a load; `table` gives the points of a table by the name behind `table:`.

@@ -6,8 +6,10 @@
 //! form has lost its squares (its dimension is force/length) and holds for one turn; this is F = −P
 //! dV/dL.
 
-use super::proportional::{Inverse, PerPressure, Proportional};
-use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
+use super::{
+    ForceModel, ModelEntry, ModelError, ModelInfo, Result,
+    proportional::{Inverse, PerPressure, Proportional},
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 

@@ -6,9 +6,11 @@
 //! Source: Chou & Hannaford (1996) \[chou1996\], whose text was not at hand: the formula is taken
 //! from Tondu's review (2012) \[tondu2012\] and agrees with the volume above.
 
-use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, proportional};
-use super::{ForceModel, ModelEntry, ModelInfo, Result};
+use super::{
+    ForceModel, ModelEntry, ModelInfo, Result,
+    pantograph::Pantograph,
+    proportional::{PerPressure, proportional},
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 

@@ -13,9 +13,11 @@
 //! The published form leaves out that the cones are pressed on axially too: with kc = 0 it does not
 //! become the ideal formula but pulls π (r² − r0²) P more.
 
-use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, proportional};
-use super::{ForceModel, ModelEntry, ModelError, ModelInfo, ModelRange, Result};
+use super::{
+    ForceModel, ModelEntry, ModelError, ModelInfo, ModelRange, Result,
+    pantograph::Pantograph,
+    proportional::{PerPressure, proportional},
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 

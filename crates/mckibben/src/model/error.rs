@@ -1,8 +1,7 @@
 //! Why a model has no answer.
 
 use super::RangeViolation;
-use crate::cancel::Cancelled;
-use crate::status::Status;
+use crate::{cancel::Cancelled, status::Status};
 use thiserror::Error;
 
 fn list(violations: &[RangeViolation], make: &[String]) -> String {

@@ -6,9 +6,11 @@
 //! (tensions)·cosθ. Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009)
 //! \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
-use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, proportional};
-use super::{ForceModel, ModelEntry, ModelInfo, Result};
+use super::{
+    ForceModel, ModelEntry, ModelInfo, Result,
+    pantograph::Pantograph,
+    proportional::{PerPressure, proportional},
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 

@@ -4,8 +4,10 @@ use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
     Reference, Response, Result, Workspace, notes,
 };
-use crate::formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section, alike};
-use crate::muscle::Muscle;
+use crate::{
+    formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section, alike},
+    muscle::Muscle,
+};
 use std::sync::Arc;
 
 /// Constants and stiffnesses within this, relative, are the same.

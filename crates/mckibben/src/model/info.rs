@@ -3,8 +3,7 @@
 use super::{Accuracy, ModelRange, Reference, notes};
 use crate::muscle::Muscle;
 use serde::Serialize;
-use std::borrow::Cow;
-use std::sync::Arc;
+use std::{borrow::Cow, sync::Arc};
 
 /// Name and one line of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]

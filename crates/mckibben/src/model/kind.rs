@@ -1,11 +1,12 @@
 //! The models by name: one list from which names, help, sources and construction come.
 
 use super::*;
-use crate::formula::UniversalFormula;
-use crate::nearest::{meant, nearest};
-use crate::refused::Refused;
-use std::fmt;
-use std::str::FromStr;
+use crate::{
+    formula::UniversalFormula,
+    nearest::{meant, nearest},
+    refused::Refused,
+};
+use std::{fmt, str::FromStr};
 
 /// That no model has a name: the nearest, and all that there are.
 pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {

@@ -10,8 +10,10 @@
 //! hand; derived here from the energy (the form printed in Tondu's review of 2012 \[tondu2012\]
 //! omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
-use super::pantograph::Pantograph;
-use super::{ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace};
+use super::{
+    ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace,
+    pantograph::Pantograph,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 

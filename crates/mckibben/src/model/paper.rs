@@ -7,10 +7,14 @@
 //! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors
 //! to finite elements of one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
-use super::formula::{Bound, of_sections};
-use super::{Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference};
-use crate::formula::{Coefficients, FormulaRange};
-use crate::muscle::Muscle;
+use super::{
+    Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference,
+    formula::{Bound, of_sections},
+};
+use crate::{
+    formula::{Coefficients, FormulaRange},
+    muscle::Muscle,
+};
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {
     name: "paper",

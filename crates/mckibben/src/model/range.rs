@@ -1,7 +1,9 @@
 //! The pressures, contractions and measures for which a model is valid.
 
-use super::interval::{Interval, Quantity, RangeViolation};
-use super::{ModelError, Result};
+use super::{
+    ModelError, Result,
+    interval::{Interval, Quantity, RangeViolation},
+};
 use crate::muscle::Muscle;
 use serde::{Serialize, Serializer};
 

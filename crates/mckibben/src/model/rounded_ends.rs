@@ -12,11 +12,13 @@
 //! the ends is taken as if it belonged to the middle. Kothera et al. was not at hand in full; this
 //! reading is derived from the sentence above.
 
-use super::force_balance::balance;
-use super::pantograph::Pantograph;
-use super::proportional::{PerPressure, proportional};
-use super::root::rising_root;
-use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Result};
+use super::{
+    ForceModel, ModelEntry, ModelError, ModelInfo, Result,
+    force_balance::balance,
+    pantograph::Pantograph,
+    proportional::{PerPressure, proportional},
+    root::rising_root,
+};
 use crate::muscle::Muscle;
 
 pub(super) const ENTRY: ModelEntry = ModelEntry {

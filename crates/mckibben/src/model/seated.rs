@@ -9,8 +9,10 @@ use super::{
     ForceModel, ModelError, ModelId, ModelInfo, ModelRange, Response, Result, Workspace,
     pivoting_n_per_mm,
 };
-use crate::differences::slope;
-use crate::muscle::{EndState, Ends, Muscle};
+use crate::{
+    differences::slope,
+    muscle::{EndState, Ends, Muscle},
+};
 use std::sync::Arc;
 
 /// A model of a muscle whose ends yield.

@@ -19,11 +19,15 @@
 //!
 //! per length at rest in the muscle, Wn that of the natural tube per its own length.
 
-use super::quadrature::rule;
-use super::wall_energy::{SquareEnergy, WallEnergy};
-use super::wall_mooney::Mooney;
-use crate::muscle::Tube;
-use crate::rubber::{Law, LawVisitor, MooneyRivlin, RubberLaw};
+use super::{
+    quadrature::rule,
+    wall_energy::{SquareEnergy, WallEnergy},
+    wall_mooney::Mooney,
+};
+use crate::{
+    muscle::Tube,
+    rubber::{Law, LawVisitor, MooneyRivlin, RubberLaw},
+};
 use std::f64::consts::PI;
 
 /// The wall of a tube at rest with its integration points.

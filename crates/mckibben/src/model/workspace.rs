@@ -1,9 +1,7 @@
 //! What changes while a model answers.
 
 use crate::muscle::EndState;
-use std::any::Any;
-use std::fmt;
-use std::sync::Arc;
+use std::{any::Any, fmt, sync::Arc};
 
 /// Which model a workspace's content belongs to. Copies of a model share it.
 #[derive(Debug, Clone, Default)]

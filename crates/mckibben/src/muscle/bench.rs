@@ -1,9 +1,13 @@
 //! What a bench says of the muscle whose constants were identified from its points.
 
-use super::measures::{SECTIONS, of_section};
-use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube};
-use crate::units::NotNegative;
-use crate::units::typed::{Force, Length, Pressure, Ratio, one, pair, several};
+use super::{
+    BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube,
+    measures::{SECTIONS, of_section},
+};
+use crate::units::{
+    NotNegative,
+    typed::{Force, Length, Pressure, Ratio, one, pair, several},
+};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;

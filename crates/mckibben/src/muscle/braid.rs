@@ -1,13 +1,15 @@
 //! The braided sleeve: two families of helical strands at ±θ0 on the tube's outer surface.
 
-use super::Crimp;
-use super::LARGEST_ANGLE_DEG;
-use super::error::{MuscleError, positive};
-use super::tube::Tube;
-use crate::refused::Refused;
-use crate::sleeve::SleeveShape;
-use crate::units::typed::Stiffness;
-use crate::units::{Dimension, QuantityError, Words};
+use super::{
+    Crimp, LARGEST_ANGLE_DEG,
+    error::{MuscleError, positive},
+    tube::Tube,
+};
+use crate::{
+    refused::Refused,
+    sleeve::SleeveShape,
+    units::{Dimension, QuantityError, Words, typed::Stiffness},
+};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::str::FromStr;
 

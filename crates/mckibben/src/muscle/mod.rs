@@ -41,8 +41,10 @@ pub use stated::Stated;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
-use crate::refused::Refused;
-use crate::rubber::{RubberLaw, library};
+use crate::{
+    refused::Refused,
+    rubber::{RubberLaw, library},
+};
 use std::sync::Arc;
 
 /// A muscle whose parts have been checked against each other.

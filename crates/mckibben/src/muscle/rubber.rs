@@ -1,8 +1,10 @@
 //! What the rubber of a muscle must be.
 
 use super::error::{MuscleError, positive};
-use crate::refused::Refused;
-use crate::rubber::{Bulk, Conditioned, Rubber};
+use crate::{
+    refused::Refused,
+    rubber::{Bulk, Conditioned, Rubber},
+};
 
 impl Rubber {
     /// Whether its constants, its history and its bulk modulus are valid.

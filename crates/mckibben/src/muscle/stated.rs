@@ -1,13 +1,15 @@
 //! What somebody states of a muscle, in a file or in a request, in place of what another muscle
 //! has.
 
-use super::braid::NEEDS_STRANDS;
-use super::error::{MuscleError, positive};
-use super::measures::{
-    ANGLE, MeasureValues, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA, STRAND_MODULUS,
-    STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER,
+use super::{
+    Braid, BraidStiffness, Measure, Muscle, Parts, Rubber, Strands,
+    braid::NEEDS_STRANDS,
+    error::{MuscleError, positive},
+    measures::{
+        ANGLE, MeasureValues, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA,
+        STRAND_MODULUS, STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER,
+    },
 };
-use super::{Braid, BraidStiffness, Measure, Muscle, Parts, Rubber, Strands};
 use crate::sleeve::Sleeve;
 use std::f64::consts::PI;
 

@@ -2,9 +2,10 @@
 
 use super::error::{MuscleError, positive};
 use schemars::JsonSchema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::{
+    Deserialize, Deserializer,
+    de::{MapAccess, Visitor, value::MapAccessDeserializer},
+};
 use std::fmt;
 
 /// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is

@@ -1,8 +1,7 @@
 //! The rubber tube.
 
 use super::error::MuscleError;
-use crate::refused::Refused;
-use crate::rubber::Rubber;
+use crate::{refused::Refused, rubber::Rubber};
 use std::borrow::Cow;
 
 /// A tube at rest, between the terminals.

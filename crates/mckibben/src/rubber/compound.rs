@@ -1,9 +1,10 @@
 //! The rubber of a tube: a law, its bulk behaviour, and where the constants come from.
 
-use super::over_time::{Held, OgdenRoxburgh, Prony};
-use super::{Law, MooneyRivlin, RubberLaw};
-use crate::units::typed::Pressure;
-use crate::units::{Dimension, Words};
+use super::{
+    Law, MooneyRivlin, RubberLaw,
+    over_time::{Held, OgdenRoxburgh, Prony},
+};
+use crate::units::{Dimension, Words, typed::Pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 

@@ -2,8 +2,7 @@
 //! fits, plans, columns, identification and sensitivities follow.
 
 use super::{Law, RubberLaw};
-use crate::refused::Refused;
-use crate::units::Dimension;
+use crate::{refused::Refused, units::Dimension};
 
 /// A constant of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,7 @@
 //! The laws as something with unknown constants.
 
 use super::{InvariantLaw, Law, LawKind, LawVisitor, RubberLaw};
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 /// Most terms of a law that is a sum of terms.
 const TERMS: usize = 3;

@@ -6,9 +6,11 @@
 
 use super::{Law, LawKind, NEEDS_ALL, foreign, one_of_all};
 use crate::nearest::{meant, nearest};
-use serde::de::{Error, MapAccess, Visitor};
-use serde::ser::SerializeMap;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{
+    Deserialize, Deserializer, Serialize, Serializer,
+    de::{Error, MapAccess, Visitor},
+    ser::SerializeMap,
+};
 use std::fmt;
 
 impl Serialize for Law {

@@ -1,10 +1,14 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
-use super::row::{self, SleeveRow};
-use super::{Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused};
-use crate::catalogue::{PartsFile, Sources, named, plain};
-use crate::muscle::file::Source;
-use crate::refused::Refused;
+use super::{
+    Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused,
+    row::{self, SleeveRow},
+};
+use crate::{
+    catalogue::{PartsFile, Sources, named, plain},
+    muscle::file::Source,
+    refused::Refused,
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::sync::OnceLock;

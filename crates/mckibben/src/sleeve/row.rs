@@ -1,10 +1,16 @@
 //! A row of a table of sleeves, and the sleeves that follow from it.
 
-use super::library::{Material, SleeveEntry, estimated};
-use super::{Helix, Sleeve, SleeveShape};
-use crate::catalogue::Sources;
-use crate::units::Positive;
-use crate::units::typed::{Angle, Force, Length, Pressure, Ratio};
+use super::{
+    Helix, Sleeve, SleeveShape,
+    library::{Material, SleeveEntry, estimated},
+};
+use crate::{
+    catalogue::Sources,
+    units::{
+        Positive,
+        typed::{Angle, Force, Length, Pressure, Ratio},
+    },
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

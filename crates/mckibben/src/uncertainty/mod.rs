@@ -73,11 +73,13 @@ mod shifts;
 
 pub use shifts::{ONE_AXIS, Shifts};
 
-use crate::analysis::{Evaluation, Options};
-use crate::answer::Answer;
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Response, ThickWall};
-use crate::muscle::{Bench, Direction, Muscle};
-use crate::rubber::RubberLaw;
+use crate::{
+    analysis::{Evaluation, Options},
+    answer::Answer,
+    model::{Accuracy, BlockedAt, ForceModel, Reference, Response, ThickWall},
+    muscle::{Bench, Direction, Muscle},
+    rubber::RubberLaw,
+};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2};
 

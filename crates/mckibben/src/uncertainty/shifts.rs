@@ -4,12 +4,15 @@
 //! A shift has a sign. Muscles with the same rubber and braid therefore add their shifts value by
 //! value before the largest is taken: two of them that pull against each other cancel a part of it.
 
+use crate::{
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube},
+    rubber::{
+        Law, NeoHookean, RubberLaw,
+        library::{is_known_from_one_axis, of_equal_standing, stiffness_factor},
+    },
+};
 use std::array;
-
-use crate::model::{ForceModel, ThickWall, Workspace};
-use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
-use crate::rubber::library::{is_known_from_one_axis, of_equal_standing, stiffness_factor};
-use crate::rubber::{Law, NeoHookean, RubberLaw};
 
 /// Share of the stiffness of a rubber that is known from one axis.
 pub const ONE_AXIS: f64 = 0.19;

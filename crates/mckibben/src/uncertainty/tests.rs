@@ -1,8 +1,12 @@
 use super::*;
-use crate::model::{Ideal, ThickWall, Workspace};
-use crate::muscle::{Braid, BraidStiffness, Friction, Rubber, Tube};
-use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
-use crate::rubber::{Law, NeoHookean};
+use crate::{
+    model::{Ideal, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Friction, Rubber, Tube},
+    rubber::{
+        Law, NeoHookean,
+        library::{is_known_from_one_axis, of_equal_standing},
+    },
+};
 
 /// The parts by the thick-wall model, in which the pull itself does not count.
 fn parts_of(

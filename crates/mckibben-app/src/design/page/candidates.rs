@@ -1,8 +1,10 @@
 //! The table of candidates.
 
-use crate::print::{Page, Table};
-use crate::units::{DEGREES, GRAMS, NORMAL_LITRES, PERCENT};
-use crate::{CandidateAnswer, DesignAnswer, Units};
+use crate::{
+    CandidateAnswer, DesignAnswer, Units,
+    print::{Page, Table},
+    units::{DEGREES, GRAMS, NORMAL_LITRES, PERCENT},
+};
 
 impl DesignAnswer {
     /// The candidates with what differs among them; with `is_full` everything that is known of

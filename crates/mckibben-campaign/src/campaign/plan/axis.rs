@@ -1,10 +1,13 @@
 //! The quantities that can vary, and the measures of a muscle that follow.
 
-use mckibben::muscle::measures::{MEASURES, Parts};
-use mckibben::muscle::{BraidStiffness, Measure, Muscle, MuscleError};
-use mckibben::rubber::Law;
-use mckibben::rubber::library;
-use mckibben::units::{Dimension, Values};
+use mckibben::{
+    muscle::{
+        BraidStiffness, Measure, Muscle, MuscleError,
+        measures::{MEASURES, Parts},
+    },
+    rubber::{Law, library},
+    units::{Dimension, Values},
+};
 
 /// Keys in `[vary]` with a column in every table, ratios to D0 and the factor of all moduli among
 /// them.

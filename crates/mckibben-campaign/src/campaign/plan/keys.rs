@@ -1,19 +1,24 @@
 //! The keys of a plan file beside those of its muscle.
 
 use super::axis::{Axis, Variable, variables};
-use mckibben::muscle::Bench;
-use mckibben::muscle::file::{
-    MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table,
+use mckibben::{
+    muscle::{
+        Bench,
+        file::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table},
+    },
+    units::{
+        Dimension, Values, parse_values,
+        typed::{Choice, Pressure, Ratio, read_number},
+    },
 };
-use mckibben::units::typed::{Choice, Pressure, Ratio, read_number};
-use mckibben::units::{Dimension, Values, parse_values};
 use mckibben_fem::elements::Elements;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{DeserializeSeed, Error, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::{
+    Deserialize, Deserializer,
+    de::{DeserializeSeed, Error, MapAccess, SeqAccess, Visitor},
+};
 use serde_json::{Value, json};
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// A campaign: a muscle, what varies, and the points of each.
 #[derive(Deserialize, JsonSchema)]

@@ -1,10 +1,15 @@
 //! Text → plan.
 
-use super::keys::{Method, OfSampling, OfTest, PlanKeys, Vary};
-use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling};
-use super::{Plan, Testing, vary};
-use mckibben::muscle::file::{FileError, Source, read_text};
-use mckibben::units::typed::{Choice, Quantity};
+use super::{
+    Plan, Testing,
+    keys::{Method, OfSampling, OfTest, PlanKeys, Vary},
+    sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling},
+    vary,
+};
+use mckibben::{
+    muscle::file::{FileError, Source, read_text},
+    units::typed::{Choice, Quantity},
+};
 use mckibben_fem::elements::Elements;
 use std::path::Path;
 

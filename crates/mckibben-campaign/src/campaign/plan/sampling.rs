@@ -1,8 +1,10 @@
 //! How the axes of a plan are sampled.
 
 use super::axis::Axis;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::{
+    ChaCha8Rng,
+    rand_core::{Rng, SeedableRng},
+};
 
 /// The most muscles of a plan.
 pub(super) const MOST_MUSCLES: u64 = 20_000_000;

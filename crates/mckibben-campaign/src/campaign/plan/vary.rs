@@ -1,11 +1,17 @@
 //! What may be in the table `[vary]`.
 
-use super::axis::{Axis, CONSTANT, SCALE};
-use super::sampling::Sampling;
-use mckibben::muscle::file::{FileError, Source};
-use mckibben::muscle::measures::{ANGLE, Bounds};
-use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
-use mckibben::units::Values;
+use super::{
+    axis::{Axis, CONSTANT, SCALE},
+    sampling::Sampling,
+};
+use mckibben::{
+    muscle::{
+        Muscle, NEUTRAL_ANGLE_DEG,
+        file::{FileError, Source},
+        measures::{ANGLE, Bounds},
+    },
+    units::Values,
+};
 
 /// Pairs of which a plan has one.
 const EITHER: [(&str, &str); 3] = [

@@ -1,17 +1,25 @@
 //! One file of a store, the whole table or one part of it: tables of rows → Parquet → tables of
 //! rows.
 
-use super::folder::part_name;
-use super::layout::Field;
-use super::provenance::{Provenance, VERSION, Which};
-use super::table::Table;
-use crate::campaign::error::{CampaignError, Result};
-use crate::columns::PointRow;
-use mckibben_io::files::{ReadError, open};
-use mckibben_io::parquet::{GROUP, Reader, TableError, Writer};
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use super::{
+    folder::part_name,
+    layout::Field,
+    provenance::{Provenance, VERSION, Which},
+    table::Table,
+};
+use crate::{
+    campaign::error::{CampaignError, Result},
+    columns::PointRow,
+};
+use mckibben_io::{
+    files::{ReadError, open},
+    parquet::{GROUP, Reader, TableError, Writer},
+};
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 /// The longest file of a campaign in bytes.
 const MAX_BYTES: u64 = 64 << 30;

@@ -6,11 +6,13 @@
 use super::shard::Shard;
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, put_all, sync};
-use std::collections::BTreeMap;
-use std::fs::{DirEntry, File, OpenOptions, TryLockError};
-use std::io::{Error, ErrorKind};
-use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::{
+    collections::BTreeMap,
+    fs::{DirEntry, File, OpenOptions, TryLockError},
+    io::{Error, ErrorKind},
+    path::{Path, PathBuf},
+    time::{Duration, SystemTime},
+};
 
 const LOCK: &str = ".lock";
 /// The file that names the plan.

@@ -1,8 +1,9 @@
 //! Which columns a table has.
 
-use crate::campaign::plan::Plan;
-use crate::columns::PointRow;
-use crate::columns::{COLUMNS, Column, Role, Slot};
+use crate::{
+    campaign::plan::Plan,
+    columns::{COLUMNS, Column, PointRow, Role, Slot},
+};
 use mckibben_io::parquet::{Column as Values, Packing};
 use std::sync::Arc;
 

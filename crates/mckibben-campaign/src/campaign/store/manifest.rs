@@ -1,13 +1,14 @@
 //! The plan and version of a folder: the first process writes it, every other one must agree.
 
-use super::file::Opened;
-use super::folder::{Folder, MANIFEST};
-use super::provenance::Provenance;
+use super::{
+    file::Opened,
+    folder::{Folder, MANIFEST},
+    provenance::Provenance,
+};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, read};
 use serde::{Deserialize, Serialize};
-use std::io::ErrorKind;
-use std::path::Path;
+use std::{io::ErrorKind, path::Path};
 
 /// Its longest file in bytes.
 const LONGEST: u64 = 1 << 16;

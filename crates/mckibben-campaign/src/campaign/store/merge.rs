@@ -1,14 +1,18 @@
 //! Parts → one file.
 
-use super::file::{Opened, chained, write};
-use super::folder::{Folder, is_file_name, part_name};
-use super::provenance::{Provenance, Which};
+use super::{
+    file::{Opened, chained, write},
+    folder::{Folder, is_file_name, part_name},
+    provenance::{Provenance, Which},
+};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
 use serde::Serialize;
-use std::collections::BTreeMap;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeMap,
+    io::ErrorKind,
+    path::{Path, PathBuf},
+};
 
 /// A merged campaign.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]

@@ -1,9 +1,13 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
 use super::layout::Layout;
-use crate::campaign::error::{CampaignError, Result};
-use crate::campaign::plan::Plan;
-use crate::hash;
+use crate::{
+    campaign::{
+        error::{CampaignError, Result},
+        plan::Plan,
+    },
+    hash,
+};
 use serde::Serialize;
 use std::path::Path;
 

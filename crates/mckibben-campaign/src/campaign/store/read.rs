@@ -1,10 +1,14 @@
 //! Reads a campaign: one file, or a folder of parts.
 
-use super::file::{Opened, chained};
-use super::merge::Parts;
-use super::provenance::{Provenance, Which};
-use crate::campaign::error::{CampaignError, Result};
-use crate::columns::PointRow;
+use super::{
+    file::{Opened, chained},
+    merge::Parts,
+    provenance::{Provenance, Which},
+};
+use crate::{
+    campaign::error::{CampaignError, Result},
+    columns::PointRow,
+};
 use std::path::Path;
 
 /// The rows of a campaign one after another; holds one group of them at a time.

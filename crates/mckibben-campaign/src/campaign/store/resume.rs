@@ -1,13 +1,17 @@
 //! Existing files, and whether they belong to a plan.
 
-use super::file::Opened;
-use super::folder::Folder;
-use super::provenance::{Provenance, Which};
+use super::{
+    file::Opened,
+    folder::Folder,
+    provenance::{Provenance, Which},
+};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben::threads::Threads;
 use serde::Serialize;
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
 
 /// A damaged file that was computed again.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]

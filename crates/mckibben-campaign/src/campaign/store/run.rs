@@ -1,23 +1,28 @@
 //! Runs a plan into a store.
 
-use super::file::part;
-use super::folder::{Folder, check_name, is_file_name};
-use super::manifest::Manifest;
-use super::merge::Parts;
-use super::provenance::Provenance;
-use super::resume::{Recomputed, existing, finished};
-use super::shard::Shard;
-use super::table::Table;
-use crate::campaign::error::{CampaignError, Result};
-use crate::campaign::plan::Plan;
-use crate::campaign::solve;
-use mckibben::progress::Progress;
-use mckibben::threads::Threads;
+use super::{
+    file::part,
+    folder::{Folder, check_name, is_file_name},
+    manifest::Manifest,
+    merge::Parts,
+    provenance::Provenance,
+    resume::{Recomputed, existing, finished},
+    shard::Shard,
+    table::Table,
+};
+use crate::campaign::{
+    error::{CampaignError, Result},
+    plan::Plan,
+    solve,
+};
+use mckibben::{progress::Progress, threads::Threads};
 use mckibben_io::files::check_writable;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::{
+    path::{Path, PathBuf},
+    sync::atomic::{AtomicBool, Ordering},
+    time::{Duration, Instant},
+};
 
 /// How far a run came.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]

@@ -1,7 +1,6 @@
 //! One share of several.
 
-use std::fmt;
-use std::str::FromStr;
+use std::{fmt, str::FromStr};
 
 /// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by
 /// `count`.

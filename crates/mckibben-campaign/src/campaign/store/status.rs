@@ -1,16 +1,15 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any
 //! time and from any machine.
 
-use super::file::Opened;
-use super::folder::Folder;
-use super::manifest::Manifest;
-use super::shard::Shard;
+use super::{file::Opened, folder::Folder, manifest::Manifest, shard::Shard};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::ReadError;
 use serde::Serialize;
-use std::collections::BTreeSet;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeSet,
+    io::ErrorKind,
+    path::{Path, PathBuf},
+};
 
 /// How a shard is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]

@@ -1,15 +1,18 @@
 //! The content of a campaign in a few numbers.
 
-use super::file::Opened;
-use super::folder::Folder;
-use super::layout::Field;
-use super::provenance::{Provenance, Which};
-use crate::campaign::error::{CampaignError, Result};
-use crate::columns::{PointRow, Role};
+use super::{
+    file::Opened,
+    folder::Folder,
+    layout::Field,
+    provenance::{Provenance, Which},
+};
+use crate::{
+    campaign::error::{CampaignError, Result},
+    columns::{PointRow, Role},
+};
 use mckibben::status::Status;
 use serde::Serialize;
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// Rows that failed in the same way.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]

@@ -1,8 +1,7 @@
 //! Rows as columns in memory.
 
 use super::layout::Field;
-use crate::columns::PointRow;
-use crate::columns::Slot;
+use crate::columns::{PointRow, Slot};
 use mckibben_io::parquet::{Column, Text};
 use std::sync::Arc;
 

@@ -2,11 +2,13 @@
 //! else.
 
 use super::*;
-use crate::campaign::store::file::{Opened, part as encode};
-use crate::campaign::store::folder::Folder;
-use crate::campaign::store::layout::Layout;
-use crate::campaign::store::provenance::Which;
-use crate::campaign::store::table::Table;
+use crate::campaign::store::{
+    file::{Opened, part as encode},
+    folder::Folder,
+    layout::Layout,
+    provenance::Which,
+    table::Table,
+};
 
 fn is_refused(path: &Path) {
     let opened = Opened::file(path).map(drop);

@@ -5,8 +5,10 @@ mod rows;
 mod same_bytes;
 
 use super::*;
-use mckibben::progress::{Progress, Silent};
-use mckibben::status::Status;
+use mckibben::{
+    progress::{Progress, Silent},
+    status::Status,
+};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 

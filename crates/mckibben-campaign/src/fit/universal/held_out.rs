@@ -1,11 +1,13 @@
 //! Random muscles that no fit has seen, and how far models are from finite elements on them.
 
 use super::points::{PullPoint, Sample, shares, summary};
-use mckibben::formula::UniversalSummary;
-use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::Random;
-use mckibben::threads;
+use mckibben::{
+    formula::UniversalSummary,
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::Random,
+    threads,
+};
 use mckibben_fem::axisymmetric::{Axisymmetric, sweep::law};
 use serde::Serialize;
 

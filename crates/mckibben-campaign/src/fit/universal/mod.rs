@@ -14,18 +14,22 @@
 mod held_out;
 mod points;
 
-use super::error::{FitError, Result};
-use super::least_squares::least_squares;
+use super::{
+    error::{FitError, Result},
+    least_squares::least_squares,
+};
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
-use mckibben::formula::{
-    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
-    UniversalTerm,
+use mckibben::{
+    formula::{
+        Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange,
+        UniversalSummary, UniversalTerm,
+    },
+    model::{EndPoint, ForceModel, Universal},
+    progress::Progress,
+    rubber::RubberLaw,
+    threads,
 };
-use mckibben::model::{EndPoint, ForceModel, Universal};
-use mckibben::progress::Progress;
-use mckibben::rubber::RubberLaw;
-use mckibben::threads;
 use nalgebra::{DMatrix, DVector};
 pub use points::{PullPoint, Sample, samples, shares, summary};
 use std::sync::Arc;

@@ -1,12 +1,16 @@
 //! From the rows of a campaign to points with their muscles.
 
-use crate::columns::PointRow;
-use crate::fit::error::{FitError, Result};
-use mckibben::formula::UniversalSummary;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::Law;
-use mckibben::threads;
+use crate::{
+    columns::PointRow,
+    fit::error::{FitError, Result},
+};
+use mckibben::{
+    formula::UniversalSummary,
+    model::{ForceModel, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    rubber::Law,
+    threads,
+};
 
 /// A point of a muscle where it pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,12 @@
 
 use crate::{Problem, progress};
 use mckibben_app::ProblemKind;
-use std::process::{Command, Stdio};
-use std::{fs::File, io, time::Duration};
+use std::{
+    fs::File,
+    io,
+    process::{Command, Stdio},
+    time::Duration,
+};
 use tempfile::TempDir;
 
 /// What names of folders of the browser begin with.

@@ -8,12 +8,14 @@
 
 mod variables;
 
-use super::c::{MCKIBBEN_JOINT, rendered, sources};
-use super::zip::zip;
-use crate::form::NODES;
-use crate::joint::JOINT_NUMBERS;
-use crate::template::render;
-use crate::{Artefact, ExportedJoint, ExportedMuscle, File, Result, Target};
+use super::{
+    c::{MCKIBBEN_JOINT, rendered, sources},
+    zip::zip,
+};
+use crate::{
+    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target, form::NODES,
+    joint::JOINT_NUMBERS, template::render,
+};
 use variables::{Variable, description, settings};
 
 pub(super) const TARGET: Target = Target {

@@ -1,8 +1,8 @@
 //! The variables of a unit, and their part of `modelDescription.xml` in both versions of FMI.
 
 use super::{Kind, Version};
-use crate::ExportedMuscle;
-use crate::template::number;
+use crate::{ExportedMuscle, template::number};
+use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 use std::fmt::Write as _;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -18,7 +18,6 @@ enum Role {
     /// The only integer.
     Status,
 }
-use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 
 /// The word of each role in the table, and its attributes in a description.
 const ROLES: [(&str, Role, &str); 8] = [

@@ -2,16 +2,20 @@ mod doubts;
 mod history;
 
 use super::*;
-use crate::least_squares::{Loss, Noise};
-use crate::measured::MeasuredPoint;
-use mckibben::cancel::Cancelled;
-use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
-use mckibben::muscle::measures::{END_FACTOR, PRESTRETCH};
-use mckibben::muscle::{
-    Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube,
+use crate::{
+    least_squares::{Loss, Noise},
+    measured::MeasuredPoint,
 };
-use mckibben::progress::Progress;
-use mckibben::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
+use mckibben::{
+    cancel::Cancelled,
+    model::{ForceModel, ModelError, ThickWall, Workspace},
+    muscle::{
+        Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube,
+        measures::{END_FACTOR, PRESTRETCH},
+    },
+    progress::Progress,
+    rubber::{Law, MooneyRivlin, NeoHookean, Yeoh},
+};
 
 fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(ThickWall::new(m)))

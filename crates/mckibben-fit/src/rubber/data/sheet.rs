@@ -4,8 +4,10 @@
 //! Without a mode in its row a specimen is a general one. A mode of one stretch beside a second
 //! stretch has to fit to it.
 
-use super::Result;
-use super::cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests};
+use super::{
+    Result,
+    cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests},
+};
 use crate::rubber::{Mode, TensionPoint};
 use mckibben_io::table::{Meaning, TableError};
 

@@ -1,7 +1,9 @@
 use super::*;
 use crate::least_squares::Noise;
-use mckibben::cancel::{Cancel, Cancelled};
-use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Yeoh};
+use mckibben::{
+    cancel::{Cancel, Cancelled},
+    rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Yeoh},
+};
 
 mod literature;
 mod reading;

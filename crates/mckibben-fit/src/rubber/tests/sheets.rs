@@ -1,7 +1,6 @@
 //! Specimens that are stretched along two axes, and tests that are held out.
 
-use super::reading::read;
-use super::*;
+use super::{reading::read, *};
 
 /// All states of a square of stretches, two stresses each; every third one as a difference of true
 /// stresses.

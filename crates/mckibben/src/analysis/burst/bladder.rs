@@ -5,14 +5,20 @@
 //! 54.7°, so that most rubbers never reach it. The stretch at break is 1 plus the elongation at
 //! break of a test in one axis; in two axes, at notches and after ageing rubber breaks earlier.
 
-use super::failure::{FailurePressure, NoBurst};
-use super::radii::Radii;
-use crate::analysis::error::Result;
-use crate::analysis::evaluation::{Evaluation, Options};
-use crate::analysis::sweep::Sweep;
-use crate::model::{ModelKind, Workspace};
-use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
-use crate::rubber::{RubberLaw, library};
+use super::{
+    failure::{FailurePressure, NoBurst},
+    radii::Radii,
+};
+use crate::{
+    analysis::{
+        error::Result,
+        evaluation::{Evaluation, Options},
+        sweep::Sweep,
+    },
+    model::{ModelKind, Workspace},
+    muscle::{Muscle, NEUTRAL_ANGLE_DEG},
+    rubber::{RubberLaw, library},
+};
 use std::iter::{once, successors};
 
 /// Where the search ends if nothing else fails before, in MPa.

@@ -6,11 +6,15 @@
 //! tube, so that the clamp carries both. T_clamp is the force at which it lets go, measured or of
 //! its maker.
 
-use super::failure::{FailurePressure, NoBurst};
-use super::strands::overloaded;
-use crate::analysis::error::Result;
-use crate::model::{ForceModel, Response};
-use crate::muscle::Muscle;
+use super::{
+    failure::{FailurePressure, NoBurst},
+    strands::overloaded,
+};
+use crate::{
+    analysis::error::Result,
+    model::{ForceModel, Response},
+    muscle::Muscle,
+};
 use std::f64::consts::PI;
 
 /// The pressure at which the clamps of a model's muscle let go, where they do not bear a pressure

@@ -19,10 +19,14 @@
 //! volume. It is an estimate, good to a factor of about 2: rubbers stiffen, strands have edges, and
 //! openings differ.
 
-use super::failure::{FailurePressure, NoBurst};
-use super::radii::Radii;
-use crate::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
-use crate::rubber::RubberLaw;
+use super::{
+    failure::{FailurePressure, NoBurst},
+    radii::Radii,
+};
+use crate::{
+    muscle::{Muscle, NEUTRAL_ANGLE_DEG},
+    rubber::RubberLaw,
+};
 use std::f64::consts::PI;
 
 /// Largest value of 2 sinφ (1 − ((1 + cosφ)/2)³).

@@ -15,9 +15,13 @@
 //! question.
 
 use super::failure::{Burst, FailurePressure, NoBurst};
-use crate::analysis::error::{AnalysisError, Result};
-use crate::analysis::root::find_root;
-use crate::model::{ForceModel, ModelError, ModelKind, Response, Workspace};
+use crate::{
+    analysis::{
+        error::{AnalysisError, Result},
+        root::find_root,
+    },
+    model::{ForceModel, ModelError, ModelKind, Response, Workspace},
+};
 
 /// Pressures in MPa up to which a burst is sought.
 const HIGHEST_MPA: f64 = 1e4;

@@ -1,7 +1,9 @@
 //! What numbers and names of a file must be, for serde.
 
-use serde::de::{Error, Unexpected};
-use serde::{Deserialize, Deserializer};
+use serde::{
+    Deserialize, Deserializer,
+    de::{Error, Unexpected},
+};
 
 #[expect(
     clippy::trivially_copy_pass_by_ref,

@@ -1,8 +1,10 @@
 //! What every file of a formula has: its format and its kind.
 
 use crate::formula::error::FormulaError;
-use serde::de::{DeserializeOwned, IgnoredAny};
-use serde::{Deserialize, Serialize};
+use serde::{
+    Deserialize, Serialize,
+    de::{DeserializeOwned, IgnoredAny},
+};
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize, schemars::JsonSchema)]
 pub(super) enum Format {

@@ -1,11 +1,12 @@
 //! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
 
-use super::check::{is_zero, name, up_to};
-use super::head::{Format, Kind, Read, read};
-use crate::formula::error::FormulaError;
+use super::{
+    check::{is_zero, name, up_to},
+    head::{Format, Kind, Read, read},
+};
 use crate::formula::{
     Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance,
-    Scales, Term, paper_terms,
+    Scales, Term, error::FormulaError, paper_terms,
 };
 use serde::{Deserialize, Serialize};
 

@@ -1,10 +1,12 @@
 //! The file of a formula for muscles of every make.
 
-use super::check::{is_zero, name, up_to};
-use super::head::{Format, Kind, Read, read};
-use crate::formula::error::FormulaError;
+use super::{
+    check::{is_zero, name, up_to},
+    head::{Format, Kind, Read, read},
+};
 use crate::formula::{
     Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
+    error::FormulaError,
 };
 use serde::{Deserialize, Serialize};
 

@@ -7,10 +7,11 @@ mod range;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
-use super::Provenance;
-use super::file::File;
-use super::file::check::share;
-use super::terms::name;
+use super::{
+    Provenance,
+    file::{File, check::share},
+    terms::name,
+};
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 

@@ -1,8 +1,10 @@
 //! The dimensionless box of a universal formula.
 
-use crate::formula::file::check::{interval, open_interval, positive};
-use crate::muscle::Muscle;
-use crate::rubber::RubberLaw;
+use crate::{
+    formula::file::check::{interval, open_interval, positive},
+    muscle::Muscle,
+    rubber::RubberLaw,
+};
 use serde::{Deserialize, Serialize};
 
 /// Where a universal formula was fitted; both ends belong to it.

@@ -1,7 +1,6 @@
 //! What is pushed into a muscle, and what holds it.
 
-use crate::liquid::Liquid;
-use crate::load::Load;
+use crate::{liquid::Liquid, load::Load};
 
 /// What is pushed into a muscle, and what holds it.
 ///

@@ -1,7 +1,9 @@
 //! Liquid that a stroke takes.
 
-use crate::analysis::{Evaluation, Result};
-use crate::liquid::LiquidSupply;
+use crate::{
+    analysis::{Evaluation, Result},
+    liquid::LiquidSupply,
+};
 
 impl Evaluation<'_> {
     /// Liquid from rest (ε = 0, no pressure, filled without air) to (P, ε): ΔV in mm³ at

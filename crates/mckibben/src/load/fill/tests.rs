@@ -1,9 +1,11 @@
 use super::*;
-use crate::analysis::{ATMOSPHERE_MPA, Evaluation};
-use crate::liquid::{Liquid, LiquidSupply};
-use crate::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace, gauss};
-use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
-use crate::rubber::{Law, NeoHookean};
+use crate::{
+    analysis::{ATMOSPHERE_MPA, Evaluation},
+    liquid::{Liquid, LiquidSupply},
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace, gauss},
+    muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, NeoHookean},
+};
 
 const WEIGHT: Load = Load::Force { force_n: 200.0 };
 

@@ -2,8 +2,10 @@
 //! which it is held.
 
 use super::filling::Filling;
-use crate::analysis::{AnalysisError, Evaluation, Result, Sweep};
-use crate::model::gauss;
+use crate::{
+    analysis::{AnalysisError, Evaluation, Result, Sweep},
+    model::gauss,
+};
 
 /// Parts into which a leg of the way is cut in search of the volume; they grow with the distance
 /// from its start.

@@ -1,6 +1,5 @@
 use super::*;
-use crate::model::ModelKind;
-use crate::muscle::Terminals;
+use crate::{model::ModelKind, muscle::Terminals};
 
 fn with(terminals: Terminals) -> Muscle {
     Muscle::prototype().with_terminals(terminals).unwrap()

@@ -1,8 +1,10 @@
 //! What the thick-wall model answers, and what it can do besides.
 
 use super::ThickWall;
-use crate::model::{ForceModel, ModelInfo, Response, Result, Workspace};
-use crate::muscle::EndFactor;
+use crate::{
+    model::{ForceModel, ModelInfo, Response, Result, Workspace},
+    muscle::EndFactor,
+};
 use std::f64::consts::PI;
 
 impl ForceModel for ThickWall {

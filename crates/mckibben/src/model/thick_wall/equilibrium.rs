@@ -1,9 +1,11 @@
 //! Equilibrium of the infinitely long muscle: one scalar equation in the outer radius.
 
 use super::ThickWall;
-use crate::model::{ModelError, Result, WallEnergy};
-use crate::muscle::Crimp;
-use crate::rubber::RubberLaw;
+use crate::{
+    model::{ModelError, Result, WallEnergy},
+    muscle::Crimp,
+    rubber::RubberLaw,
+};
 use std::f64::consts::PI;
 
 /// How far strands are followed before the answer is "no equilibrium".

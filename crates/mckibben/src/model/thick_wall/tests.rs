@@ -1,10 +1,11 @@
 //! The thick wall against verification G, its limits, and its own derivatives.
 
 use super::*;
-use crate::model::{ForceModel, ModelError, Workspace};
-use crate::muscle::measures::PRESTRETCH;
-use crate::muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube};
-use crate::rubber::{MooneyRivlin, RubberLaw};
+use crate::{
+    model::{ForceModel, ModelError, Workspace},
+    muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube, measures::PRESTRETCH},
+    rubber::{MooneyRivlin, RubberLaw},
+};
 use std::f64::consts::PI;
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {

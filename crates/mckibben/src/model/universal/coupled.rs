@@ -12,9 +12,11 @@
 //! The unknown of the middle is q = λf², in which its equation is nearly linear however stiff the
 //! strands are.
 
-use super::Universal;
-use super::dual::Dual;
-use super::end::{Section, Uniform};
+use super::{
+    Universal,
+    dual::Dual,
+    end::{Section, Uniform},
+};
 use crate::formula::Form;
 use std::f64::consts::PI;
 

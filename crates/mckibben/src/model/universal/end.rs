@@ -25,8 +25,10 @@
 //! above zero and cosφ below one by smooth floors that do nothing where it pulls.
 
 use super::dual::Dual;
-use crate::model::WallEnergy;
-use crate::model::thick_wall::{State, ThickWall};
+use crate::model::{
+    WallEnergy,
+    thick_wall::{State, ThickWall},
+};
 use std::f64::consts::PI;
 
 /// Places between Ro and b, and weights.

@@ -1,7 +1,6 @@
 //! What a point of known pull says about δ; for fits.
 
-use super::Universal;
-use super::search::ITERATIONS;
+use super::{Universal, search::ITERATIONS};
 
 /// What a point of known pull says about δ; for fits.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,10 +10,14 @@
 //! has the stretch λs0 of the terminal in place of λ. Of the bulge: B = 1 − Ro/b, M = μS/(P + μS),
 //! L = 1 − λ. μ is the shear modulus of the rubber at rest.
 
-use super::dual::Dual;
-use super::end::{End, EndZone};
-use crate::formula::{Deficit, Form};
-use crate::model::thick_wall::State;
+use super::{
+    dual::Dual,
+    end::{End, EndZone},
+};
+use crate::{
+    formula::{Deficit, Form},
+    model::thick_wall::State,
+};
 use std::array::from_fn;
 
 /// A deficit with a muscle's S and A put in: a polynomial in the other three variables.

@@ -5,11 +5,14 @@
 //! λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes. Answers
 //! there say where F = 0 lies, and that the muscle does not pull.
 
-use super::Universal;
-use super::search::{Middle, SearchPoint};
-use crate::model::thick_wall::State;
-use crate::model::{ModelError, Result, Workspace};
-use crate::rubber::RubberLaw;
+use super::{
+    Universal,
+    search::{Middle, SearchPoint},
+};
+use crate::{
+    model::{ModelError, Result, Workspace, thick_wall::State},
+    rubber::RubberLaw,
+};
 
 const ITERATIONS: usize = 60;
 /// A step this small leaves an error of its square.

@@ -1,9 +1,11 @@
 //! The box of a universal formula for one muscle.
 
-use crate::formula::UniversalRange;
-use crate::model::{Interval, ModelRange, Quantity};
-use crate::muscle::Muscle;
-use crate::rubber::{Law, RubberLaw};
+use crate::{
+    formula::UniversalRange,
+    model::{Interval, ModelRange, Quantity},
+    muscle::Muscle,
+    rubber::{Law, RubberLaw},
+};
 
 /// C01/(C10 + C01); 0 of a law without it.
 fn c01_share(law: &Law) -> f64 {

@@ -2,11 +2,8 @@
 //! the sections of the membrane solved at each step. Slower than [`super::coupled`], and without
 //! its conditions.
 
-use super::Universal;
-use super::coupled::LEAST_SLOPE;
-use super::dual::Dual;
-use crate::model::thick_wall::State;
-use crate::model::{ModelError, Result, Workspace};
+use super::{Universal, coupled::LEAST_SLOPE, dual::Dual};
+use crate::model::{ModelError, Result, Workspace, thick_wall::State};
 
 /// Newton steps in λ; three are usual.
 pub(super) const ITERATIONS: usize = 60;

@@ -1,9 +1,11 @@
 //! Limits, which are identities; slopes; and that nothing jumps.
 
-use crate::formula::UniversalFormula;
-use crate::model::{ForceModel, Ideal, ModelKind, ThickWall, Universal, Workspace};
-use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden};
+use crate::{
+    formula::UniversalFormula,
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Universal, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden},
+};
 
 const KINDS: [ModelKind; 2] = [ModelKind::Universal, ModelKind::UniversalSmall];
 

@@ -1,8 +1,6 @@
 //! The volume of the cavity.
 
-use super::Universal;
-use super::dual::Dual;
-use super::search::SearchPoint;
+use super::{Universal, dual::Dual, search::SearchPoint};
 use std::f64::consts::PI;
 
 impl Universal {

@@ -1,7 +1,6 @@
 //! `[identified]`: what a bench says of the muscle, written by `identify` and read again.
 
-use super::error::FileError;
-use super::source::Source;
+use super::{error::FileError, source::Source};
 use crate::muscle::{Bench, Direction};
 
 /// Rows, columns and parameters at most.

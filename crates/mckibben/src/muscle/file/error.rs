@@ -1,8 +1,7 @@
 //! What is wrong with a file, where, and what is expected there.
 
 use crate::muscle::MuscleError;
-use std::fmt;
-use std::path::PathBuf;
+use std::{fmt, path::PathBuf};
 
 /// A position in a text, both counted from 1; columns count characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,14 +1,20 @@
 //! What the JSON Schema of a file says of its keys, for messages and for editors.
 
-use super::error::FileError;
-use super::reader::{LIST, PAIR, PLAIN, TEXT, Wrong, Wrongness};
-use super::source::{Source, shortened};
-use crate::nearest::{meant, nearest};
-use crate::rubber::{Law, foreign};
-use crate::units::Dimension;
-use schemars::generate::SchemaSettings;
-use schemars::transform::{Transform, transform_subschemas};
-use schemars::{JsonSchema, Schema};
+use super::{
+    error::FileError,
+    reader::{LIST, PAIR, PLAIN, TEXT, Wrong, Wrongness},
+    source::{Source, shortened},
+};
+use crate::{
+    nearest::{meant, nearest},
+    rubber::{Law, foreign},
+    units::Dimension,
+};
+use schemars::{
+    JsonSchema, Schema,
+    generate::SchemaSettings,
+    transform::{Transform, transform_subschemas},
+};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 

@@ -1,21 +1,29 @@
 //! What the tube is made of: `rubber = "name"`, or `[tube.material]` with a law and its constants.
 
-use super::error::{FileError, without_key};
-use super::source::Source;
-use super::table::Rest;
-use crate::muscle::Rubber;
-use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
-use crate::rubber::{Bulk, Conditioned, Constant, Law, LawKind, NEEDS_ALL, library, one_of_all};
-use crate::units::typed::{Pressure, text_or_number};
-use crate::units::{Dimension, Positive, parse_quantity};
+use super::{
+    error::{FileError, without_key},
+    source::Source,
+    table::Rest,
+};
+use crate::{
+    muscle::Rubber,
+    rubber::{
+        Bulk, Conditioned, Constant, Law, LawKind, NEEDS_ALL, library, one_of_all,
+        over_time::{Held, OgdenRoxburgh, Prony},
+    },
+    units::{
+        Dimension, Positive, parse_quantity,
+        typed::{Pressure, text_or_number},
+    },
+};
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::{
+    Deserialize, Deserializer,
+    de::{Error, MapAccess, Visitor, value::MapAccessDeserializer},
+};
 use serde_json::{Value, json};
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// The keys of `[tube.material]` beside the law and its constants.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -1,15 +1,20 @@
 //! Text → muscle.
 
-use super::bench;
-use super::error::{FileError, without_key};
-use super::material::{self, Material};
-use super::source::Source;
-use super::table::{Beside, Table};
-use crate::muscle::measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL};
-use crate::muscle::{Bench, BraidStiffness, EndFactor, Muscle, MuscleError, Stated};
-use crate::sleeve::{Sleeve, library};
-use crate::units::Positive;
-use crate::units::typed::Length;
+use super::{
+    bench,
+    error::{FileError, without_key},
+    material::{self, Material},
+    source::Source,
+    table::{Beside, Table},
+};
+use crate::{
+    muscle::{
+        Bench, BraidStiffness, EndFactor, Muscle, MuscleError, Stated,
+        measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL},
+    },
+    sleeve::{Sleeve, library},
+    units::{Positive, typed::Length},
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
 use std::borrow::Cow;

@@ -1,14 +1,17 @@
 //! TOML → structs, by serde: an error knows the key, what stood there and what is expected.
 
 use super::keys::join;
-use crate::nearest::{meant, nearest};
-use crate::units::plausible;
-use serde::de::value::SeqDeserializer;
-use serde::de::{
-    DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, Unexpected,
-    Visitor,
+use crate::{
+    nearest::{meant, nearest},
+    units::plausible,
 };
-use serde::forward_to_deserialize_any;
+use serde::{
+    de::{
+        DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, Unexpected,
+        Visitor, value::SeqDeserializer,
+    },
+    forward_to_deserialize_any,
+};
 use std::fmt;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 

@@ -1,14 +1,14 @@
 //! A parsed file that knows the place of everything, and its values in the units used inside.
 
-use super::error::{FileError, TextPosition};
-use super::keys::Keys;
-use super::reader::At;
-use crate::units::Dimension;
-use crate::units::typed::read_number;
+use super::{
+    error::{FileError, TextPosition},
+    keys::Keys,
+    reader::At,
+};
+use crate::units::{Dimension, typed::read_number};
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::fmt;
-use std::ops::Range;
+use std::{fmt, ops::Range};
 use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 
 /// The longest file in bytes.

@@ -1,18 +1,20 @@
 //! Tables of a muscle file that hold measures, and other keys beside them.
 
 use super::error::without_key;
-use crate::muscle::Measure;
-use crate::muscle::measures::{END_FACTOR, MeasureValues, STIFFNESS, of_section};
+use crate::muscle::{
+    Measure,
+    measures::{END_FACTOR, MeasureValues, STIFFNESS, of_section},
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, Visitor,
+use serde::{
+    Deserialize,
+    de::{
+        DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess,
+        Visitor, value::MapAccessDeserializer,
+    },
 };
 use serde_json::{Map, Value};
-use std::borrow::Cow;
-use std::fmt;
-use std::marker::PhantomData;
+use std::{borrow::Cow, fmt, marker::PhantomData};
 
 /// The keys of a table beside its measures.
 pub trait Beside: DeserializeOwned + JsonSchema + Default {

@@ -1,7 +1,11 @@
 use super::*;
-use crate::muscle::*;
-use crate::rubber::over_time::{OgdenRoxburgh, Prony};
-use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh, library};
+use crate::{
+    muscle::*,
+    rubber::{
+        Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh, library,
+        over_time::{OgdenRoxburgh, Prony},
+    },
+};
 use proptest::prelude::*;
 
 fn number(low: f64, high: f64) -> BoxedStrategy<f64> {

@@ -1,14 +1,18 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
 use super::text::{Text, list, number, percent, quantity, text};
-use crate::muscle::measures::of_section;
-use crate::muscle::{
-    Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
+use crate::{
+    muscle::{
+        Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
+        measures::of_section,
+    },
+    rubber::{
+        library,
+        over_time::{Branch, OgdenRoxburgh},
+    },
+    sleeve::{self, Sleeve},
+    units::Dimension,
 };
-use crate::rubber::library;
-use crate::rubber::over_time::{Branch, OgdenRoxburgh};
-use crate::sleeve::{self, Sleeve};
-use crate::units::Dimension;
 
 /// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a
 /// cross-section of strands which the braid's stiffness does not use becomes a comment, and that a

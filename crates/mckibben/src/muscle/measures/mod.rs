@@ -15,14 +15,16 @@ mod values;
 pub use table::*;
 pub use values::MeasureValues;
 
-use super::error::{must, not_negative, positive};
-use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
-use crate::model::Ideal;
-use crate::units::Dimension;
-use crate::units::typed::read_number;
+use super::{
+    Braid, Friction, Muscle, MuscleError, Terminals, Tube,
+    error::{must, not_negative, positive},
+};
+use crate::{
+    model::Ideal,
+    units::{Dimension, typed::read_number},
+};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// What a muscle is made of, before its parts are checked against each other.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,10 @@
 //! The table: every measure, and how it is read from and written to the parts of a muscle.
 
 use super::{Bounds, Identify, Measure, Scale};
-use crate::muscle::{BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Parts, Strands};
-use crate::units::Dimension;
+use crate::{
+    muscle::{BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Parts, Strands},
+    units::Dimension,
+};
 
 /// All of them: fields of requests are in this order, keys of a muscle file in this order within
 /// their table.

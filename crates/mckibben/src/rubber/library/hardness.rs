@@ -16,8 +16,10 @@
 //! that are 1.06 to 3.7 times those measured.
 
 use super::LibraryError;
-use crate::rubber::{Law, NeoHookean, Rubber};
-use crate::units::{Dimension, parse_quantity};
+use crate::{
+    rubber::{Law, NeoHookean, Rubber},
+    units::{Dimension, parse_quantity},
+};
 
 /// Factor of the relation for cast silicones, of those for other rubbers, and of ± 5 A.
 const SILICONE: f64 = 1.20;

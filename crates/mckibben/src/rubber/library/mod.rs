@@ -26,9 +26,8 @@ pub use named::{
 pub use window::{Standing, Window, WindowLaw};
 
 use super::biaxial_unstable_from;
-use crate::catalogue::named as named_part;
 pub use crate::catalogue::plain;
-use crate::rubber::Rubber;
+use crate::{catalogue::named as named_part, rubber::Rubber};
 use std::sync::OnceLock;
 
 /// The table of published fits of silicones, as a path in `data/` of the repository.

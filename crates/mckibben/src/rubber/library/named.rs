@@ -1,10 +1,8 @@
 //! From a name to a law: its constants follow from the stretches that a muscle reaches, without
 //! steps.
 
-use super::hardness;
-use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, WindowLaw, entry};
-use crate::rubber::Law;
-use crate::rubber::Rubber;
+use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, WindowLaw, entry, hardness};
+use crate::rubber::{Law, Rubber};
 
 /// Stretch for which a law is meant where there is no muscle: that of the prototype
 /// ([`Muscle::reach`](crate::muscle::Muscle::reach)).

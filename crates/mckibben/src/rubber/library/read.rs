@@ -1,7 +1,6 @@
 //! The table of rubbers, from TOML.
 
-use super::entry::RubberEntry;
-use super::error::LibraryError;
+use super::{entry::RubberEntry, error::LibraryError};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

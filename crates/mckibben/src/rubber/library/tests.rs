@@ -1,6 +1,5 @@
 use super::*;
-use crate::rubber::Law;
-use crate::rubber::{MooneyRivlin, RubberLaw};
+use crate::rubber::{Law, MooneyRivlin, RubberLaw};
 
 /// The shipped CSV as records.
 fn csv(name: &str) -> Vec<csv::StringRecord> {

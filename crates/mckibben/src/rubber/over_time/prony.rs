@@ -1,10 +1,11 @@
 //! Relaxation: a Prony series over any law.
 
 use super::constant;
-use crate::refused::Refused;
-use crate::rubber::Law;
-use crate::units::typed::Time;
-use crate::units::{Dimension, Words};
+use crate::{
+    refused::Refused,
+    rubber::Law,
+    units::{Dimension, Words, typed::Time},
+};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// One branch.

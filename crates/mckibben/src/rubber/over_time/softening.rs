@@ -1,11 +1,15 @@
 //! Mullins softening by Ogden & Roxburgh: the stress of any law times η ≤ 1 where the rubber has
 //! been further before.
 
-use super::constant;
-use super::erf::{erf, erf_integral};
-use crate::refused::Refused;
-use crate::rubber::{Biaxial, Principal, RubberLaw};
-use crate::units::typed::{Pressure, one};
+use super::{
+    constant,
+    erf::{erf, erf_integral},
+};
+use crate::{
+    refused::Refused,
+    rubber::{Biaxial, Principal, RubberLaw},
+    units::typed::{Pressure, one},
+};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
