@@ -104,7 +104,7 @@ fn reason<S: Serializer>(error: &Option<LoadError>, serializer: S) -> Result<S::
 }
 
 /// Equilibria of a model and a load at pressures.
-pub(crate) fn loaded(
+pub fn loaded(
     fields: &LoadFields,
     evaluation: &mut Evaluation<'_>,
     pressures_mpa: &[f64],

@@ -212,7 +212,7 @@ impl JsonSchema for Measures {
 }
 
 /// Schema of the measures of a muscle beside those of its summary.
-pub(crate) fn stated_schema(_: &mut SchemaGenerator) -> Schema {
+pub fn stated_schema(_: &mut SchemaGenerator) -> Schema {
     let stated =
         stated_measures().map(|(field, m)| (field.to_owned(), m.schema(", where it is stated")));
     json_schema!({ "type": "object", "properties": stated.collect::<Map<_, _>>() })
@@ -223,7 +223,7 @@ fn stated_measures() -> impl Iterator<Item = (&'static str, &'static Measure)> {
 }
 
 /// Measures of a muscle beside those of its summary, where they are stated.
-pub(crate) fn stated(muscle: &Muscle) -> MeasureValues {
+pub fn stated(muscle: &Muscle) -> MeasureValues {
     let mut out = MeasureValues::default();
     for (_, measure) in stated_measures() {
         muscle

@@ -63,7 +63,7 @@ impl TitleBlock {
 const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
 /// A report of a muscle whose plan is made, by `fe`.
-pub(crate) fn report(
+pub fn report(
     request: &BuildRequest,
     (plan, burst): (&Plan, &Burst),
     progress: &dyn Progress,

@@ -11,7 +11,7 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
     Ok(find(command)?.schema())
 }
 
-pub(crate) fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
+pub fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     schemas_of(root::<Q>(), root::<A>())
 }
 
@@ -89,7 +89,7 @@ pub fn bundle() -> Value {
 /// Says of every field below a schema in which unit it is: `x-unit` is the unit of its numbers,
 /// `x-quantity` what they measure where a user may write a text with another unit in their place.
 /// Both follow from the field's name; a field whose name does not tell states them itself.
-pub(crate) fn annotate(schema: &mut Value) {
+pub fn annotate(schema: &mut Value) {
     const UNIT: &str = "x-unit";
     const QUANTITY: &str = "x-quantity";
     let fields = schema.get_mut("properties").and_then(Value::as_object_mut);

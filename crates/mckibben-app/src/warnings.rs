@@ -9,12 +9,12 @@ use mckibben::{
 };
 
 /// What points of a muscle warn of: each sentence once, of each kind the gravest.
-pub(crate) fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {
+pub fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {
     Warning::gravest(answers.flat_map(|a| &a.warnings))
 }
 
 /// The same of responses of one muscle.
-pub(crate) fn of_responses<'a>(
+pub fn of_responses<'a>(
     muscle: &Muscle,
     responses: impl Iterator<Item = &'a Response>,
 ) -> Vec<Warning> {
@@ -28,10 +28,7 @@ pub(crate) fn of_responses<'a>(
 /// The largest stretch of a model's rubber at points of pressure in MPa and contraction: at each
 /// pressure that of the largest contraction that is not slack, since contraction stretches the
 /// wall. `None` where the rubber's data have no end.
-pub(crate) fn largest_stretch(
-    evaluation: &mut Evaluation<'_>,
-    points: &[(f64, f64)],
-) -> Option<f64> {
+pub fn largest_stretch(evaluation: &mut Evaluation<'_>, points: &[(f64, f64)]) -> Option<f64> {
     evaluation.model.muscle().tube().rubber.fitted_to_stretch?;
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));

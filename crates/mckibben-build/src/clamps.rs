@@ -32,7 +32,7 @@ const TIGHTENED: f64 = 1.0 / 3.0;
 const FRICTION: f64 = 0.3;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tie {
+pub struct Tie {
     /// Width in mm.
     pub width_mm: f64,
     /// Least loop strength in N.

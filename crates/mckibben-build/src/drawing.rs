@@ -62,7 +62,7 @@ impl<'a> Body<'a> {
 }
 
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub(crate) fn on_paper(plan: &Plan) -> Sheet {
+pub fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::new(plan);
     let scale = body.scale();
     let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);

@@ -8,16 +8,16 @@ use mckibben_report::{Anchor, Pen, Sheet};
 
 /// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
 const PAPER_MM: (f64, f64) = (297.0, 210.0);
-pub(crate) const FRAME_MM: [f64; 4] = [20.0, 10.0, 287.0, 200.0];
+pub const FRAME_MM: [f64; 4] = [20.0, 10.0, 287.0, 200.0];
 /// Left edge and top of the title block.
-pub(crate) const TITLE_MM: (f64, f64) = (157.0, 40.0);
+pub const TITLE_MM: (f64, f64) = (157.0, 40.0);
 /// Scales in use (ISO 5455).
 const SCALES: [f64; 12] = [
     5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
 ];
 
 /// The largest scale at which something fits.
-pub(crate) fn largest(fits: impl Fn(f64) -> bool) -> f64 {
+pub fn largest(fits: impl Fn(f64) -> bool) -> f64 {
     SCALES
         .into_iter()
         .find(|s| fits(*s))
@@ -25,7 +25,7 @@ pub(crate) fn largest(fits: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// `1:2`, `5:1`.
-pub(crate) fn ratio(scale: f64) -> String {
+pub fn ratio(scale: f64) -> String {
     if scale >= 1.0 {
         format!("{}:1", trimmed(scale, 0))
     } else {
@@ -34,7 +34,7 @@ pub(crate) fn ratio(scale: f64) -> String {
 }
 
 /// An empty sheet of the two of a build, with frame and title block.
-pub(crate) fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
+pub fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
     let size = format!(
         "⌀{} × {} mm",
         mm(plan.muscle.outer_diameter_mm()),

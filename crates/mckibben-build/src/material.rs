@@ -43,7 +43,7 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     })
 }
 
-pub(crate) fn bill(plan: &Plan) -> Vec<BuildPart> {
+pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let Plan {
         muscle,
         cut,

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 /// Corners of a circle.
-pub(crate) const FACETS: usize = 96;
+pub const FACETS: usize = 96;
 
 /// A closed surface of triangles, in mm; corners run counter-clockwise as seen from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,7 +14,7 @@ pub struct Mesh {
 }
 
 /// Numbers of corners, in their order around.
-pub(crate) type Ring = Vec<usize>;
+pub type Ring = Vec<usize>;
 
 impl Mesh {
     pub(crate) fn corner(&mut self, at: [f64; 3]) -> usize {

@@ -42,7 +42,7 @@ const BOLTS_MM: [(f64, f64); 9] = [
 
 /// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a
 /// choice.
-pub(crate) const PRINTED_MPA: f64 = 10.0;
+pub const PRINTED_MPA: f64 = 10.0;
 
 /// The stem of both plugs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -288,7 +288,7 @@ fn eye_mm(bolt_mm: f64) -> (f64, f64, f64, f64) {
 
 /// The bolt in mm that a pull in N needs at [`BEARING_MPA`] in an eye as thick as the bolt: d =
 /// √(F/p), the next standard one.
-pub(crate) fn bolt_mm(pull_n: f64) -> f64 {
+pub fn bolt_mm(pull_n: f64) -> f64 {
     let least = (pull_n.max(0.0) / BEARING_MPA).sqrt();
     BOLTS_MM
         .iter()
@@ -298,7 +298,7 @@ pub(crate) fn bolt_mm(pull_n: f64) -> f64 {
 }
 
 /// Diameter in mm that an eye for a bolt needs on the collar.
-pub(crate) fn foot_mm(bolt_mm: f64) -> f64 {
+pub fn foot_mm(bolt_mm: f64) -> f64 {
     let (_, thickness, width, _) = eye_mm(bolt_mm);
     width.hypot(thickness)
 }

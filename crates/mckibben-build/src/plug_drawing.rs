@@ -12,7 +12,7 @@ use mckibben_report::{Anchor, Pen, Sheet};
 const ROOM_MM: (f64, f64) = (165.0, 70.0);
 
 /// The drawing on paper; all bodies have one scale.
-pub(crate) fn on_paper(plan: &Plan) -> Sheet {
+pub fn on_paper(plan: &Plan) -> Sheet {
     let air = &plan.air_plug;
     let eye = &plan.eye_plug;
     let head = air

@@ -10,7 +10,7 @@ use mckibben_io::{clean, files::File, template::render};
 type Values = Vec<(&'static str, String)>;
 
 /// The whole page, with links to the other files.
-pub(crate) fn markdown(plan: &Plan, files: &[File]) -> String {
+pub fn markdown(plan: &Plan, files: &[File]) -> String {
     let muscle = &plan.muscle;
     let operating = &plan.operating;
     let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);

@@ -24,7 +24,7 @@ const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 const PULLS: f64 = 0.85;
 
 /// The points in the order of the test: at each length the pressure rises, then falls.
-pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
+pub fn points(operating: &Operating) -> Vec<TestPoint> {
     let mut out = vec![];
     for share in SHARES {
         // To half a percent, which one can set.
@@ -62,7 +62,7 @@ pub(crate) fn points(operating: &Operating) -> Vec<TestPoint> {
     out
 }
 
-pub(crate) fn csv(plan: &Plan) -> String {
+pub fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
     let mut out = format!(
         concat!(

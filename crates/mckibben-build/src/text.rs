@@ -3,12 +3,12 @@
 pub(crate) use mckibben::units::trimmed;
 
 /// A length in mm to a hundredth.
-pub(crate) fn mm(value: f64) -> String {
+pub fn mm(value: f64) -> String {
     trimmed(value, 2)
 }
 
 /// A number to so many significant digits.
-pub(crate) fn significant(value: f64, digits: i32) -> String {
+pub fn significant(value: f64, digits: i32) -> String {
     if value == 0.0 || !value.is_finite() {
         return "0".into();
     }
@@ -18,6 +18,6 @@ pub(crate) fn significant(value: f64, digits: i32) -> String {
 }
 
 /// A contraction in percent.
-pub(crate) fn percent(ratio: f64) -> String {
+pub fn percent(ratio: f64) -> String {
     format!("{} %", trimmed(100.0 * ratio, 1))
 }

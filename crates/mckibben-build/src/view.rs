@@ -4,7 +4,7 @@ use crate::{EyePlug, text::mm};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Height of dimensions and notes in mm.
-pub(crate) const SMALL_MM: f64 = 2.5;
+pub const SMALL_MM: f64 = 2.5;
 /// Length and half width of an arrow in mm.
 const ARROW_MM: (f64, f64) = (2.5, 0.42);
 /// An extension line begins so far from the body, and ends so far beyond the dimension, in mm.
@@ -16,40 +16,40 @@ const HATCH_MM: f64 = 1.4;
 const THIN_MM: f64 = 1.0;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
-pub(crate) struct View<'a> {
-    pub(crate) sheet: &'a mut Sheet,
-    pub(crate) origin: [f64; 2],
+pub struct View<'a> {
+    pub sheet: &'a mut Sheet,
+    pub origin: [f64; 2],
     /// mm on paper for each mm of the body.
-    pub(crate) scale: f64,
+    pub scale: f64,
 }
 
 impl View<'_> {
     /// Where a point of the body lies on the sheet.
-    pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [
             self.origin[0] + self.scale * x,
             self.origin[1] + self.scale * y,
         ]
     }
 
-    pub(crate) fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
+    pub fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
         let points: Vec<_> = points.iter().map(|[x, y]| self.at(*x, *y)).collect();
         self.sheet.line(pen, points);
     }
 
-    pub(crate) fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
+    pub fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
         let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
         self.sheet.outline(pen, corners);
     }
 
-    pub(crate) fn circle(&mut self, pen: Pen, diameter: f64) {
+    pub fn circle(&mut self, pen: Pen, diameter: f64) {
         self.sheet
             .circle(pen, self.origin, 0.5 * diameter * self.scale);
     }
 
     /// The eye of a plug from its foot on, with the hole and the axis of the bolt, which reaches
     /// beyond by a share of the width.
-    pub(crate) fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
+    pub fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
         let (outline, _) = eye.eye();
         let around = outline.iter().skip(1).chain(outline.first());
         let tab: Vec<[f64; 2]> = around.map(|[x, z]| [foot + z, *x]).collect();
@@ -67,7 +67,7 @@ impl View<'_> {
     }
 
     /// A cut rectangle: its edge, and a hatch; filled where it is thin.
-    pub(crate) fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
+    pub fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
         let corners = [[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]];
         if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
             let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
@@ -78,7 +78,7 @@ impl View<'_> {
     }
 
     /// Lines at 45° in what lies inside of an odd number of loops.
-    pub(crate) fn hatch(&mut self, loops: &[Vec<[f64; 2]>], rising: bool) {
+    pub fn hatch(&mut self, loops: &[Vec<[f64; 2]>], rising: bool) {
         let edges: Vec<[[f64; 2]; 2]> = loops
             .iter()
             .flat_map(|l| (0..l.len()).map(move |i| [l[i], l[(i + 1) % l.len()]]))
@@ -111,12 +111,12 @@ impl View<'_> {
 
     /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from
     /// the axis. Extension lines begin at `from` of the body.
-    pub(crate) fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
+    pub fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
         self.extended([self.at(x.0, from.0), self.at(x.1, from.1)], 1, row, text);
     }
 
     /// A vertical dimension between y of the body at a place x of the body, inside of it.
-    pub(crate) fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
+    pub fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
         let a = self.at(x, y.0);
         let b = self.at(x, y.1);
         dimension(self.sheet, a, b, text);
@@ -124,7 +124,7 @@ impl View<'_> {
 
     /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the
     /// origin.
-    pub(crate) fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
+    pub fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
         self.extended([self.at(from, y.0), self.at(from, y.1)], 0, column, text);
     }
 
@@ -150,7 +150,7 @@ impl View<'_> {
     }
 
     /// A number in a circle with a line to a point of the body.
-    pub(crate) fn balloon(&mut self, to: [f64; 2], at: [f64; 2], number: u32) {
+    pub fn balloon(&mut self, to: [f64; 2], at: [f64; 2], number: u32) {
         let to = self.at(to[0], to[1]);
         let radius = 3.0;
         let length = (to[0] - at[0]).hypot(to[1] - at[1]).max(1e-9);
@@ -211,11 +211,11 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
 }
 
 /// The approximate width of a text, in mm.
-pub(crate) fn width_of(text: &str) -> f64 {
+pub fn width_of(text: &str) -> f64 {
     0.75 * SMALL_MM * text.chars().count() as f64
 }
 
 /// A diameter as it is written.
-pub(crate) fn diameter(value: f64) -> String {
+pub fn diameter(value: f64) -> String {
     format!("⌀{}", mm(value))
 }

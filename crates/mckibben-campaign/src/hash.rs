@@ -11,7 +11,7 @@ pub fn hex(bytes: &[u8]) -> String {
 }
 
 /// The hash of the bits of numbers, in their order: `sha256:` and its hexadecimal digits.
-pub(crate) fn numbers(numbers: impl Iterator<Item = f64>) -> String {
+pub fn numbers(numbers: impl Iterator<Item = f64>) -> String {
     let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
     format!("sha256:{}", hex(&bytes))
 }

@@ -94,7 +94,7 @@ impl Candidate {
 }
 
 /// Everything about a muscle that fits, as its probe says.
-pub(super) fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
+pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
     let Trial { spec, muscle, .. } = trial;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let wanted = spec.points(muscle);

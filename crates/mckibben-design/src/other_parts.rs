@@ -26,7 +26,7 @@ const HALVINGS: usize = 6;
 
 /// A sleeve of another size, a tube of another rubber, stiffer strands. Not of a joint, whose
 /// search takes longer.
-pub(crate) fn other_parts(
+pub fn other_parts(
     spec: &Spec,
     open: Open,
     models: Models<'_>,

@@ -215,7 +215,7 @@ pub fn design_with(
 }
 
 /// What is searched: outside of the range of a model as well, where another one decides.
-pub(super) fn searched(spec: &Spec, models: Models<'_>) -> Spec {
+pub fn searched(spec: &Spec, models: Models<'_>) -> Spec {
     Spec {
         extrapolate: spec.extrapolate || models.settle.is_some(),
         ..spec.clone()

@@ -5,7 +5,7 @@ use mckibben::{
 };
 use thiserror::Error;
 
-pub(crate) type Result<T, E = ExportError> = std::result::Result<T, E>;
+pub type Result<T, E = ExportError> = std::result::Result<T, E>;
 
 /// Why a muscle cannot be exported.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -56,7 +56,7 @@ pub struct FormErrors {
 /// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is
 /// negative, or that the model cannot find behind the free contraction, is slack.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sample {
+pub struct Sample {
     pub q: f64,
     pub contraction: f64,
     pub pull: Option<f64>,
@@ -64,7 +64,7 @@ pub(crate) struct Sample {
 }
 
 /// The form, its errors, the blocked force and the samples that the errors are from.
-pub(crate) struct Fitted {
+pub struct Fitted {
     pub form: Form,
     pub errors: FormErrors,
     pub blocked_n: f64,
@@ -99,7 +99,7 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-pub(crate) fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitted> {
+pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitted> {
     let supply = wanted.supply_mpa;
     let w = &mut Workspace::new();
     let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
@@ -385,7 +385,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
 }
 
 /// The solution with the least squares by Householder's QR; `None` where it is not finite.
-pub(crate) fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+pub fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
     let solved = qr
         .r()

@@ -96,7 +96,7 @@ struct Coefficients {
 }
 
 /// The functions of the pressure at q, and their slopes.
-pub(crate) fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
+pub fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
     let mut value = [0.0; FUNCTIONS];
     let mut slope = [0.0; FUNCTIONS];
     (value[0], value[1], slope[1]) = (1.0, q, 1.0);

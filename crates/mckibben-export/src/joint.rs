@@ -16,7 +16,7 @@ use serde::Serialize;
 /// Angles and pressures at which the stiffness is compared.
 const STATES: [i32; 2] = [24, 8];
 /// How many numbers a joint has beside its muscles.
-pub(crate) const JOINT_NUMBERS: usize = 23;
+pub const JOINT_NUMBERS: usize = 23;
 
 /// A joint whose muscles are fitted for export.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]

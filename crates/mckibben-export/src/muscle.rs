@@ -60,7 +60,7 @@ pub struct ExportedMuscle {
 
 /// The largest error of a form, or of the form of a host, against its model, share of the blocked
 /// force.
-pub(crate) const LIMIT: f64 = 0.05;
+pub const LIMIT: f64 = 0.05;
 /// The goal: 95 % of points within the first, the stated largest error within the second (1 % at
 /// the points), shares of the blocked force.
 const GOAL: [f64; 2] = [0.003, 0.0152];
@@ -225,7 +225,7 @@ impl ExportedMuscle {
 }
 
 /// The first 16 digits of the SHA-256 of a text.
-pub(crate) fn hash(text: &str) -> String {
+pub fn hash(text: &str) -> String {
     Sha256::digest(text)
         .iter()
         .take(8)
@@ -234,7 +234,7 @@ pub(crate) fn hash(text: &str) -> String {
 }
 
 /// A name in small letters, digits and underscores.
-pub(crate) fn word(name: &str) -> String {
+pub fn word(name: &str) -> String {
     let one = |c: char| {
         if c.is_ascii_alphanumeric() {
             c.to_ascii_lowercase()
@@ -246,7 +246,7 @@ pub(crate) fn word(name: &str) -> String {
 }
 
 /// A text as a comment or a string of any language may have it.
-pub(crate) fn plain(text: &str) -> String {
+pub fn plain(text: &str) -> String {
     let one = |c: char| {
         if c.is_alphanumeric() || " _.-".contains(c) {
             c

@@ -9,7 +9,7 @@ pub use mckibben::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
 pub const REFERENCE_DENSITY_G_PER_L: f64 = 1.185;
 
 /// cp in J/(kg K).
-pub(crate) const CP: f64 = HEAT_RATIO * GAS_CONSTANT_J_PER_KG_K / (HEAT_RATIO - 1.0);
+pub const CP: f64 = HEAT_RATIO * GAS_CONSTANT_J_PER_KG_K / (HEAT_RATIO - 1.0);
 
 /// How the air exchanges heat.
 ///
@@ -72,7 +72,7 @@ impl Default for Air {
 
 /// The state of what fills a muscle, and how its volume changes, dead volume included.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Cavity {
+pub struct Cavity {
     pub absolute_mpa: f64,
     pub temperature_k: f64,
     /// V in mm³.
@@ -103,7 +103,7 @@ impl Flow {
 }
 
 /// Area in mm² of a cylinder of this volume and length, with its ends: 2 √(π V L) + 2 V/L.
-pub(crate) fn cavity_area_mm2(volume_mm3: f64, length_mm: f64) -> f64 {
+pub fn cavity_area_mm2(volume_mm3: f64, length_mm: f64) -> f64 {
     2.0 * (std::f64::consts::PI * volume_mm3 * length_mm).sqrt() + 2.0 * volume_mm3 / length_mm
 }
 
@@ -204,14 +204,14 @@ impl Medium for Air {
 }
 
 /// Normal litres (DIN 1343: 0 °C, 101.325 kPa, dry) of a mass of air in g.
-pub(crate) fn normal_litres(mass_g: f64) -> f64 {
+pub fn normal_litres(mass_g: f64) -> f64 {
     // mm³ at 20 °C and atmospheric pressure; J/(kg K) is mJ/(g K), and 1 MPa mm³ is 1 mJ
     mckibben::analysis::normal_litres(mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA)
 }
 
 /// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at
 /// `ambient_k`, cp (T − T0) − T0 (cp ln T/T0 − R ln p/p0).
-pub(crate) fn exergy_mj_per_g(absolute_mpa: f64, temperature_k: f64, ambient_k: f64) -> f64 {
+pub fn exergy_mj_per_g(absolute_mpa: f64, temperature_k: f64, ambient_k: f64) -> f64 {
     let ratio = temperature_k / ambient_k;
     CP * (temperature_k - ambient_k)
         - ambient_k

@@ -26,7 +26,7 @@ pub struct NamedValve {
 }
 
 /// Critical ratio of a valve that states none.
-pub(crate) const CRITICAL_RATIO: f64 = 0.3;
+pub const CRITICAL_RATIO: f64 = 0.3;
 
 static VALVES: LazyLock<Vec<NamedValve>> =
     LazyLock::new(|| read(include_str!("../data/valves.toml")).unwrap_or_default());
@@ -54,7 +54,7 @@ pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
 }
 
 /// What valves there are, beginning with the one that a wrong name may mean.
-pub(crate) fn known(name: &str) -> String {
+pub fn known(name: &str) -> String {
     let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
     let near = nearest(name, all.iter().copied());
     let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));

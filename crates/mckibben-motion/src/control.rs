@@ -103,7 +103,7 @@ impl Pid {
 
 /// The answer of the controller.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Control {
+pub struct Control {
     /// u.
     pub output: f64,
     pub rates: ControllerState,

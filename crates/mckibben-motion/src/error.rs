@@ -136,7 +136,7 @@ impl MotionError {
     }
 }
 
-pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<()> {
+pub fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<()> {
     if value >= low && value <= high {
         return Ok(());
     }

@@ -53,7 +53,7 @@ pub struct Event {
 
 /// The side of a kink that holds as long as its function is not below zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Guard {
+pub enum Guard {
     Stop(f64),
     Release,
     Slack(usize),

@@ -34,7 +34,7 @@ impl Fluid {
 
 /// What flows at a time.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct FluidRates {
+pub struct FluidRates {
     pub supply: Flow,
     pub exhaust: Flow,
     pub pressure_rate: f64,
@@ -46,7 +46,7 @@ pub(crate) struct FluidRates {
 }
 
 /// The laws of a fluid in a muscle; pressures are absolute.
-pub(crate) trait Medium {
+pub trait Medium {
     /// Volume outside of the cavity in mm³, without the hose.
     fn dead_volume_mm3(&self) -> f64;
 

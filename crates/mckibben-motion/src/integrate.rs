@@ -29,7 +29,7 @@ const NO_STEP: &str = "the equations of a step cannot be solved";
 const NO_STAGE: &str = "a step has no rates at its stages";
 
 /// ẏ = f(t, y).
-pub(crate) trait Equations {
+pub trait Equations {
     /// How many there are.
     fn len(&self) -> usize;
     /// How many of the first ones appear on the right-hand side.
@@ -50,7 +50,7 @@ pub(crate) trait Equations {
 }
 
 /// One integration from a point on.
-pub(crate) trait Stepper {
+pub trait Stepper {
     /// Tries a step that does not go beyond `end`. False where it was rejected.
     fn step(&mut self, equations: &dyn Equations, end: f64) -> Result<bool, String>;
     fn time(&self) -> f64;
@@ -62,7 +62,7 @@ pub(crate) trait Stepper {
 }
 
 /// A stepper at (t, y), towards `end`; the first step is chosen where `first` is none.
-pub(crate) fn stepper(
+pub fn stepper(
     equations: &dyn Equations,
     (t, end): (f64, f64),
     y: &[f64],

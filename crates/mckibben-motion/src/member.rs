@@ -10,7 +10,7 @@ use std::cell::{Cell, OnceCell, RefCell};
 
 /// A quantity of a muscle with its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Quantity {
+pub struct Quantity {
     pub value: f64,
     /// ∂/∂P in 1/MPa
     pub by_pressure: f64,
@@ -27,7 +27,7 @@ impl Quantity {
 
 /// What a muscle answers at a gauge pressure and contraction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Answer {
+pub struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
     /// G of the strands' contact in N/mm; 0 without friction of the contact.
@@ -68,11 +68,11 @@ impl Answer {
 }
 
 /// The quantities of an answer, each with its derivative in time.
-pub(crate) type Moment = [(Quantity, f64); 4];
+pub type Moment = [(Quantity, f64); 4];
 
 /// What replaces the model between two answers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Substitute {
+pub enum Substitute {
     /// At one moment within a step.
     Moment(Answer),
     /// About a pressure and contraction: first order.
@@ -116,7 +116,7 @@ const SLACK: f64 = 1e-3;
 /// of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
-pub(crate) struct Member<'a> {
+pub struct Member<'a> {
     pub muscle: &'a Actuated<'a>,
     pub length_mm: f64,
     /// So far from an answer that is kept, as a contraction (ten times as far as a share of the
@@ -130,7 +130,7 @@ pub(crate) struct Member<'a> {
 
 /// What a member has learnt: it begins the next piece of the same motion with it.
 #[derive(Default)]
-pub(crate) struct Memory {
+pub struct Memory {
     workspace: RefCell<Workspace>,
     kept: RefCell<Kept>,
     next: Cell<usize>,

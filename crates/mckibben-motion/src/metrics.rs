@@ -5,7 +5,7 @@ use mckibben::analysis::bisect;
 
 /// A point that was integrated.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Passed {
+pub struct Passed {
     pub time_s: f64,
     pub coordinate: f64,
     pub velocity: f64,
@@ -78,7 +78,7 @@ impl Track {
 }
 
 /// The time from 10 % to 90 % of the way between two positions within a piece.
-pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
+pub fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
     let series = &motion.series;
     let points = series
         .time_s
@@ -93,7 +93,7 @@ pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) 
 }
 
 /// Where a command changes, with what it is before and after.
-pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
+pub fn changes(drive: &Drive<'_>) -> Vec<f64> {
     let mut times: Vec<f64> = drive
         .target
         .commands()
@@ -116,7 +116,7 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
 /// its series lie far apart.
-pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
+pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
     let position = |p: &Passed| Spot {
         time: p.time_s,
         value: p.coordinate,
@@ -206,7 +206,7 @@ fn constant_from(command: &Command) -> Option<f64> {
 /// How the load moves at the end, where the command is constant there and the load can move; with
 /// the coordinate of the static equilibrium under the commanded pressures, without friction, where
 /// that is sought and found.
-pub(crate) fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
+pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
     let drive = system.drive;
     let until = drive.until_s;
     if drive.mechanism.is_held() {

@@ -43,13 +43,13 @@ pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> 
 }
 
 /// The last whole period of a periodic command.
-pub(crate) struct Cycle {
+pub struct Cycle {
     pub from_s: f64,
     /// What was supplied before it, in g.
     pub supplied_g: f64,
 }
 
-pub(crate) struct Integration<'s, 'd> {
+pub struct Integration<'s, 'd> {
     pub system: &'s System<'d>,
     progress: &'s dyn Progress,
     pub t: f64,

@@ -5,7 +5,7 @@ use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveK
 
 /// The state of one muscle, or its rates.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct MuscleState {
+pub struct MuscleState {
     /// Absolute pressure in MPa.
     pub absolute_mpa: f64,
     pub mass_g: f64,
@@ -25,14 +25,14 @@ impl MuscleState {
 
 /// The state of a controller, or its rates.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct ControllerState {
+pub struct ControllerState {
     pub integral: f64,
     pub filtered: f64,
 }
 
 /// Quadratures of the whole drive, in mJ.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Totals {
+pub struct Totals {
     pub enthalpy_in: f64,
     pub enthalpy_out: f64,
     pub heat: f64,
@@ -51,7 +51,7 @@ pub(crate) struct Totals {
 
 /// The state of a drive, its rates, or the size of each of its numbers.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct State {
+pub struct State {
     /// In mm or rad.
     pub coordinate: f64,
     pub velocity: f64,
@@ -148,7 +148,7 @@ impl State {
 }
 
 /// Which numbers the state of a drive has.
-pub(crate) struct Layout {
+pub struct Layout {
     zero: State,
     /// How many of the first ones the rates depend on.
     pub core: usize,

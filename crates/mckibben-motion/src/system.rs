@@ -14,7 +14,7 @@ use std::cell::{Cell, RefCell};
 /// What an on–off valve does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
-pub(crate) enum Switch {
+pub enum Switch {
     Fill,
     Hold,
     Vent,
@@ -22,14 +22,14 @@ pub(crate) enum Switch {
 
 /// Which side of each kink holds.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Modes {
+pub struct Modes {
     /// On the lower (−1) or upper (1) stop.
     pub stop: Option<f64>,
     pub muscles: Vec<Mode>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Mode {
+pub struct Mode {
     pub slack: bool,
     /// The sign of the shortening speed, where there is friction.
     pub sign: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Mode {
 
 /// One muscle at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct MusclePoint {
+pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
     /// L0 ε̇ in mm/s
@@ -62,7 +62,7 @@ pub(crate) struct MusclePoint {
 
 /// Everything at one time.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Point {
+pub struct Point {
     pub muscles: Vec<MusclePoint>,
     /// Net generalised force with damping.
     pub net: f64,
@@ -70,7 +70,7 @@ pub(crate) struct Point {
     pub rates: State,
 }
 
-pub(crate) struct System<'a> {
+pub struct System<'a> {
     pub drive: &'a Drive<'a>,
     pub members: Vec<Member<'a>>,
     pub layout: Layout,

@@ -13,13 +13,13 @@ use crate::{
 };
 
 /// Font sizes of tick texts and axis labels.
-pub(crate) const TICK: f64 = 9.8;
-pub(crate) const LABEL: f64 = 11.0;
-pub(crate) const TICK_LENGTH: f64 = 4.0;
+pub const TICK: f64 = 9.8;
+pub const LABEL: f64 = 11.0;
+pub const TICK_LENGTH: f64 = 4.0;
 const LABEL_ROW: f64 = 13.5;
 
 /// Plot, scales and axis texts of a panel.
-pub(crate) struct Axes {
+pub struct Axes {
     pub frame: Frame,
     /// Axis label in lines.
     pub x_label: Vec<String>,
@@ -29,7 +29,7 @@ pub(crate) struct Axes {
 }
 
 /// A panel in its place.
-pub(crate) struct Placed<'a> {
+pub struct Placed<'a> {
     pub panel: &'a Panel,
     pub axes: Axes,
     /// Middle of the title.
@@ -39,7 +39,7 @@ pub(crate) struct Placed<'a> {
 }
 
 /// The panels of a figure and their cells.
-pub(crate) struct Grid<'a, 'b> {
+pub struct Grid<'a, 'b> {
     pub title: &'b str,
     pub panels: &'a [Panel],
     pub columns: usize,
@@ -50,10 +50,10 @@ pub(crate) struct Grid<'a, 'b> {
 }
 
 /// Lowest and highest values on both axes, within the fixed ranges.
-pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
+pub type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 
 /// Extents of the data of a panel.
-pub(crate) fn extents(panel: &Panel) -> Extents {
+pub fn extents(panel: &Panel) -> Extents {
     let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
     let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
     let points: Vec<(bool, (f64, f64))> = panel

@@ -9,7 +9,7 @@ use crate::{
 use std::collections::HashSet;
 
 /// Maps values of two axes onto a rectangle.
-pub(crate) struct Frame {
+pub struct Frame {
     pub plot: Rect,
     pub x: Scale,
     pub y: Scale,

@@ -52,7 +52,7 @@ const STYLE: &str = include_str!("document.css");
 
 /// What every page begins with; it loads nothing. `more` is in the head, and the policy allows
 /// `also`.
-pub(crate) fn head(title: &str, style: &str, more: &str, also: &str) -> String {
+pub fn head(title: &str, style: &str, more: &str, also: &str) -> String {
     let policy = format!("default-src 'none'; style-src 'unsafe-inline'{also}");
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n{more}\

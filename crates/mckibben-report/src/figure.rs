@@ -326,7 +326,7 @@ mod gaps {
     }
 }
 
-pub(crate) type Result<T, E = FigureError> = std::result::Result<T, E>;
+pub type Result<T, E = FigureError> = std::result::Result<T, E>;
 
 /// Why a figure could not be drawn or saved.
 #[derive(Debug, thiserror::Error)]

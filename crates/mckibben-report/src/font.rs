@@ -5,16 +5,16 @@ use ttf_parser::Face;
 
 /// Families named in the drawing: the embedded one first, then what readers have at hand
 /// (all of them narrower, so nothing overlaps when one of them is taken).
-pub(crate) const FAMILY: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
+pub const FAMILY: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
 
 /// Font sizes of title, panel title and caption.
-pub(crate) const TITLE: f64 = 14.0;
-pub(crate) const PANEL_TITLE: f64 = 11.5;
-pub(crate) const CAPTION: f64 = 8.8;
+pub const TITLE: f64 = 14.0;
+pub const PANEL_TITLE: f64 = 11.5;
+pub const CAPTION: f64 = 8.8;
 
 /// Measures texts in the embedded font.
-pub(crate) struct Metrics {
-    pub(crate) font: Face<'static>,
+pub struct Metrics {
+    pub font: Face<'static>,
 }
 
 impl Metrics {
@@ -41,7 +41,7 @@ impl Metrics {
     }
 
     /// How far a character moves the pen; one that the font lacks takes 0.7 of the size.
-    pub(crate) fn advance(&self, c: char, size: f64) -> f64 {
+    pub fn advance(&self, c: char, size: f64) -> f64 {
         let advance = self
             .font
             .glyph_index(c)
@@ -49,7 +49,7 @@ impl Metrics {
         advance.map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
     }
 
-    pub(crate) fn scale(&self, size: f64) -> f64 {
+    pub fn scale(&self, size: f64) -> f64 {
         size / f64::from(self.font.units_per_em())
     }
 

@@ -9,11 +9,11 @@ use crate::{
 };
 
 /// Font size of these texts.
-pub(crate) const SIZE: f64 = 10.0;
+pub const SIZE: f64 = 10.0;
 /// Radius of the ring of a mark.
-pub(crate) const RING: f64 = 5.2;
+pub const RING: f64 = 5.2;
 /// Height kept for them.
-pub(crate) const HEIGHT: f64 = 11.0;
+pub const HEIGHT: f64 = 11.0;
 
 /// Directions tried for the text of a mark, degrees, the best liked first.
 const DIRECTIONS: [f64; 14] = [
@@ -24,7 +24,7 @@ const DIRECTIONS: [f64; 14] = [
 const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Label {
+pub struct Label {
     /// Left end of the text at half its height.
     pub at: Spot,
     pub text: String,
@@ -34,7 +34,7 @@ pub(crate) struct Label {
     pub leader: Option<(Spot, Spot)>,
 }
 
-pub(crate) fn around(at: Spot, w: f64) -> Rect {
+pub fn around(at: Spot, w: f64) -> Rect {
     Rect {
         x: at.0,
         y: at.1 - HEIGHT / 2.0,
@@ -44,7 +44,7 @@ pub(crate) fn around(at: Spot, w: f64) -> Rect {
 }
 
 /// The cost of a box: drawn lines and points under it, texts under it, parts outside of the plot.
-pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
+pub fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
     let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0)) as f64;
     if room.meets_box(&rect.grown(1.0)) {
         cost += 1000.0;
@@ -56,7 +56,7 @@ pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
 }
 
 /// Notes the rings of the marks, so that texts keep away from all of them.
-pub(crate) fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
+pub fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
     for spot in marks
         .iter()
         .filter_map(|m| frame.spot((m.x, m.y)))
@@ -67,12 +67,7 @@ pub(crate) fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
 }
 
 /// Places the texts of the marks.
-pub(crate) fn for_marks(
-    marks: &[Mark],
-    frame: &Frame,
-    metrics: &Metrics,
-    room: &mut Room,
-) -> Vec<Label> {
+pub fn for_marks(marks: &[Mark], frame: &Frame, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
     let within = frame.plot.grown(-2.0);
     let mut labels = Vec::new();
     for mark in marks {
@@ -132,7 +127,7 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
 }
 
 /// Moves a text into the allowed rectangle.
-pub(crate) fn inside(at: Spot, w: f64, within: &Rect) -> Spot {
+pub fn inside(at: Spot, w: f64, within: &Rect) -> Spot {
     let x = at.0.min(within.right() - w).max(within.x);
     let y =
         at.1.min(within.bottom() - HEIGHT / 2.0)

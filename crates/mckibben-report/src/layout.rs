@@ -17,7 +17,7 @@ const PANEL_SHARE: f64 = 0.62;
 const CAPTION_ROW: f64 = 12.0;
 
 /// A figure with everything in its place.
-pub(crate) struct Page<'a> {
+pub struct Page<'a> {
     pub width: f64,
     pub height: f64,
     /// Left end of title and caption.
@@ -32,7 +32,7 @@ pub(crate) struct Page<'a> {
 }
 
 /// The colours of a figure.
-pub(crate) fn colours(figure: &Figure) -> Colours {
+pub fn colours(figure: &Figure) -> Colours {
     let series = figure.panels.iter().flat_map(Panel::numbered);
     let last = series.map(|(number, _)| number).max();
     Colours {
@@ -42,7 +42,7 @@ pub(crate) fn colours(figure: &Figure) -> Colours {
 }
 
 /// Columns and rows of the grid of panels.
-pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
+pub fn grid(figure: &Figure) -> (usize, usize) {
     let count = figure.panels.len().max(1);
     let columns = match (figure.columns, count) {
         (0, 1..=3) => count,
@@ -59,7 +59,7 @@ pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
 }
 
 /// Each side of the paper is 20 to 2000 mm.
-pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
+pub fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
     if [width_mm, height_mm]
         .iter()
         .all(|side| (20.0..=2000.0).contains(side))
@@ -72,7 +72,7 @@ pub(crate) fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
 }
 
 /// Lays a figure out.
-pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
+pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     if figure.panels.is_empty() {
         let message = format!("the figure \"{}\" has no panel to draw", figure.title);
         return Err(FigureError::Drawing(message));

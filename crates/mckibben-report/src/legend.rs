@@ -7,23 +7,23 @@ use crate::{
 };
 
 /// Font size of the entries.
-pub(crate) const SIZE: f64 = 10.0;
+pub const SIZE: f64 = 10.0;
 /// Length of the line sample before a text.
-pub(crate) const SAMPLE: f64 = 26.0;
+pub const SAMPLE: f64 = 26.0;
 /// Height of a row of entries.
-pub(crate) const ROW: f64 = 14.5;
+pub const ROW: f64 = 14.5;
 const GAP: f64 = 6.0;
 
 /// One entry: a sample of the line and its text.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Entry {
+pub struct Entry {
     pub label: String,
     pub style: Style,
     pub colour: usize,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Legend {
+pub struct Legend {
     pub frame: Rect,
     /// Entries with the left end of their sample and the middle of their row.
     pub entries: Vec<(f64, f64, Entry)>,
@@ -41,7 +41,7 @@ impl Legend {
 }
 
 /// The entries of a panel, each once.
-pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
+pub fn entries(panel: &Panel) -> Vec<Entry> {
     let mut all = Vec::new();
     for (colour, series) in panel.numbered() {
         let entry = Entry {
@@ -58,7 +58,7 @@ pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
 
 /// The entries of all panels if one legend can serve them all: most of them are common,
 /// and no sample stands for two different texts.
-pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
+pub fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
     let each: Vec<_> = panels.iter().map(entries).collect();
     let most = each.iter().map(Vec::len).max().unwrap_or(0);
     let with_entries = each.iter().filter(|e| !e.is_empty()).count();
@@ -77,7 +77,7 @@ pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
 }
 
 /// The entries with texts shortened to what fits beside a sample in a width.
-pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
+pub fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
     let room = width - SAMPLE - 3.0 * GAP;
     let short = |e: Entry| Entry {
         label: metrics.fit(&e.label, SIZE, room),
@@ -87,7 +87,7 @@ pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<
 }
 
 /// Rows of entries set one after the other within a width; the height is that of the frame.
-pub(crate) fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: f64) -> Legend {
+pub fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: f64) -> Legend {
     let long = |e: &Entry| SAMPLE + GAP + metrics.width(&e.label, SIZE);
     // equal columns read better than ragged rows when there is more than one row
     let total: f64 = entries.iter().map(|e| long(e) + 18.0).sum();

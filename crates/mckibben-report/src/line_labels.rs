@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// A line with its text.
-pub(crate) struct Ended {
+pub struct Ended {
     pub text: String,
     /// Colour number; that of the text where it has none.
     pub colour: Option<usize>,
@@ -20,13 +20,13 @@ pub(crate) struct Ended {
 const STATIONS: usize = 40;
 
 /// Whether the text of a line belongs to the right of the plot: the line reaches the edge.
-pub(crate) fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
+pub fn reaches_edge(line: &[Spot], plot: &Rect) -> bool {
     line.last()
         .is_some_and(|end| end.0 > plot.right() - 0.02 * plot.w)
 }
 
 /// Places the texts of the lines.
-pub(crate) fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+pub fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
     let plot = room.plot;
     let (edge, inner): (Vec<_>, Vec<_>) = lines
         .into_iter()

@@ -33,7 +33,7 @@ pub fn texts_as_outlines(svg: &str) -> Result<String> {
 }
 
 /// The paths of a drawing.
-pub(crate) fn tree(svg: &str) -> Result<Tree> {
+pub fn tree(svg: &str) -> Result<Tree> {
     Tree::from_str(&texts_as_outlines(svg)?, &Options::default()).map_err(FigureError::image)
 }
 

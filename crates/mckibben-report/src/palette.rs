@@ -34,7 +34,7 @@ const DASHES: [&[f64]; 6] = [
 ];
 
 /// The colours of the series of a figure.
-pub(crate) struct Colours {
+pub struct Colours {
     pub palette: Palette,
     /// How many there are.
     pub count: usize,
@@ -81,7 +81,7 @@ fn ramp(part: f64) -> [u8; 3] {
 
 /// The shape of a marker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub enum Shape {
     Circle,
     Square,
     Triangle,
@@ -91,7 +91,7 @@ pub(crate) enum Shape {
 }
 
 /// The marker shape of a colour number.
-pub(crate) fn shape(number: usize) -> Shape {
+pub fn shape(number: usize) -> Shape {
     use Shape::{Circle, Cross, Diamond, Square, Triangle, TriangleDown};
     [Circle, Square, Triangle, Diamond, TriangleDown, Cross][number % 6]
 }

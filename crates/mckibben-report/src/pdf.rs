@@ -28,7 +28,7 @@ impl Figure {
 }
 
 /// A drawing as a PDF page of its size.
-pub(crate) fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
+pub fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     let tree = tree(svg)?;
     let width = tree.size().width() * POINTS;
     let height = tree.size().height() * POINTS;

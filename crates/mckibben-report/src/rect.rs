@@ -1,13 +1,13 @@
 //! Places and rectangles of the drawing.
 
 /// Units of the drawing for a millimetre.
-pub(crate) const PER_MM: f64 = 4.0;
+pub const PER_MM: f64 = 4.0;
 
 /// A point of the drawing, in its units, y downward.
-pub(crate) type Spot = (f64, f64);
+pub type Spot = (f64, f64);
 
 /// The spot a part of the way from one to another.
-pub(crate) fn between(from: Spot, to: Spot, part: f64) -> Spot {
+pub fn between(from: Spot, to: Spot, part: f64) -> Spot {
     (
         from.0 + part * (to.0 - from.0),
         from.1 + part * (to.1 - from.1),
@@ -16,7 +16,7 @@ pub(crate) fn between(from: Spot, to: Spot, part: f64) -> Spot {
 
 /// A rectangle of the drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Rect {
+pub struct Rect {
     pub x: f64,
     pub y: f64,
     pub w: f64,

@@ -6,7 +6,7 @@ use crate::rect::{Rect, Spot, between};
 const CELL: f64 = 3.0;
 
 /// A coarse picture of the drawn lines and points, and the boxes of placed texts.
-pub(crate) struct Room {
+pub struct Room {
     /// The plot this is about.
     pub plot: Rect,
     columns: usize,

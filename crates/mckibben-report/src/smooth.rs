@@ -15,7 +15,7 @@ const MOST: f64 = 4.0;
 const ALIKE: f64 = 3.0;
 
 /// The spots of a run, with more between them where the line is curved.
-pub(crate) fn smooth(run: &[Spot]) -> Vec<Spot> {
+pub fn smooth(run: &[Spot]) -> Vec<Spot> {
     let rises = run.windows(2).all(|p| p[1].0 > p[0].0);
     let falls = run.windows(2).all(|p| p[1].0 < p[0].0);
     if run.len() < 4 || !(rises || falls) {

@@ -14,7 +14,7 @@ const MARKER: f64 = 3.1;
 const PALE: f64 = 0.14;
 
 /// Draws the runs of a series: lines, or markers.
-pub(crate) fn series(
+pub fn series(
     out: &mut String,
     runs: &[Vec<Spot>],
     (style, number): (Style, usize),
@@ -66,7 +66,7 @@ pub(crate) fn series(
 }
 
 /// Draws a pale area.
-pub(crate) fn area(out: &mut String, outline: &[Spot], hex: &str) {
+pub fn area(out: &mut String, outline: &[Spot], hex: &str) {
     let mut path = String::new();
     through(&mut path, outline);
     if outline.len() > 2 {
@@ -86,7 +86,7 @@ fn dashes(pattern: &[f64]) -> String {
 }
 
 /// A thin line along a path.
-pub(crate) fn thin(out: &mut String, path: &str, colour: &str, width: f64) {
+pub fn thin(out: &mut String, path: &str, colour: &str, width: f64) {
     let _ = writeln!(
         out,
         "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"{width}\" fill=\"none\"/>"
@@ -94,16 +94,16 @@ pub(crate) fn thin(out: &mut String, path: &str, colour: &str, width: f64) {
 }
 
 /// Attributes of a text that does not start at its place.
-pub(crate) const MIDDLE: &str = " text-anchor=\"middle\"";
-pub(crate) const END: &str = " text-anchor=\"end\"";
+pub const MIDDLE: &str = " text-anchor=\"middle\"";
+pub const END: &str = " text-anchor=\"end\"";
 
 /// Attribute of a text that reads upwards.
-pub(crate) fn upwards((x, y): Spot) -> String {
+pub fn upwards((x, y): Spot) -> String {
     format!(" transform=\"rotate(-90 {} {})\"", n(x), n(y))
 }
 
 /// A text with its base line at a place.
-pub(crate) fn text(
+pub fn text(
     out: &mut String,
     (x, y): Spot,
     size: f64,
@@ -122,7 +122,7 @@ pub(crate) fn text(
 }
 
 /// Adds a line through spots to a path.
-pub(crate) fn through(path: &mut String, spots: &[Spot]) {
+pub fn through(path: &mut String, spots: &[Spot]) {
     for (i, (x, y)) in spots.iter().enumerate() {
         let _ = write!(
             path,

@@ -16,8 +16,8 @@ use crate::{
 };
 use std::fmt::Write as _;
 
-pub(crate) const INK: &str = "#222222";
-pub(crate) const SOFT: &str = "#595959";
+pub const INK: &str = "#222222";
+pub const SOFT: &str = "#595959";
 const GRID: &str = "#e4e4e4";
 
 impl Figure {
@@ -34,7 +34,7 @@ impl Figure {
 }
 
 /// The beginning of a drawing on white paper, in units of a quarter of a millimetre.
-pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
+pub fn head(title: &str, width: f64, height: f64) -> String {
     let w = n(width);
     let h = n(height);
     format!(
@@ -49,7 +49,7 @@ pub(crate) fn head(title: &str, width: f64, height: f64) -> String {
 }
 
 /// Writes a laid-out page.
-pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
+pub fn draw(figure: &Figure, page: &Page<'_>) -> String {
     let colours = &layout::colours(figure);
     let mut out = head(&figure.title, page.width, page.height);
     for (i, line) in page.title.iter().enumerate() {

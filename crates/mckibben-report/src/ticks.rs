@@ -4,7 +4,7 @@ use crate::figure::{Axis, FigureError, Result};
 
 /// The drawn range of an axis with its ticks.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Scale {
+pub struct Scale {
     pub low: f64,
     pub high: f64,
     /// Places of the ticks, rising, all within the range.
@@ -23,7 +23,7 @@ impl Scale {
 }
 
 /// Lowest and highest finite value, if there is any.
-pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+pub fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values
         .filter(|v| v.is_finite())
         .fold(None, |seen, v| match seen {
@@ -33,7 +33,7 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 /// Chooses range and ticks of an axis with about `wanted` intervals.
-pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale> {
+pub fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale> {
     let wrong = |low: f64, high: f64| {
         let name = &axis.label;
         FigureError::Drawing(format!(
@@ -190,7 +190,7 @@ fn tick_text(tick: f64, step: f64, exponent: i32) -> String {
 }
 
 /// Writes `-` as a minus sign and drops the sign of a zero.
-pub(crate) fn typographic(text: &str) -> String {
+pub fn typographic(text: &str) -> String {
     match text.strip_prefix('-') {
         Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.to_owned(),
         Some(rest) => format!("\u{2212}{rest}"),
@@ -199,7 +199,7 @@ pub(crate) fn typographic(text: &str) -> String {
 }
 
 /// `×10³` and the like; empty for the exponent 0.
-pub(crate) fn power_text(exponent: i32) -> String {
+pub fn power_text(exponent: i32) -> String {
     if exponent == 0 {
         return String::new();
     }
@@ -212,7 +212,7 @@ pub(crate) fn power_text(exponent: i32) -> String {
 }
 
 /// A value with six significant digits, in the plain form machines read too.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     let size = rounded.abs();
     if size == 0.0 {

@@ -3,7 +3,7 @@
 pub(crate) use mckibben_io::clean::markup as escape;
 
 /// A length of the drawing with at most two decimals.
-pub(crate) fn length(value: f64) -> String {
+pub fn length(value: f64) -> String {
     if value.is_finite() {
         mckibben_io::units::trimmed(value, 2)
     } else {

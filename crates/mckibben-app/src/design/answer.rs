@@ -208,7 +208,7 @@ pub struct ClosestAnswer {
     pub hint: Option<String>,
 }
 
-pub(super) fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
+pub fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
     let name = if place == 0 {
         "winner.toml".to_owned()
     } else {
@@ -340,7 +340,7 @@ impl From<&Rejected> for RejectedAnswer {
 
 /// What is said of a burst where nothing fits: that it was not checked, of strands whose strength
 /// is not stated.
-pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
+pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
     let missing = outcome
         .closest
         .as_ref()
@@ -352,7 +352,7 @@ pub(super) fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warni
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its
 /// operating points.
-pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
+pub fn warnings(c: &Candidate) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     put_first(&mut all, said_of(&c.burst, c.highest_pressure_mpa, 0.0));
@@ -360,7 +360,7 @@ pub(super) fn warnings(c: &Candidate) -> Vec<Warning> {
 }
 
 /// That neighbours of a bundle touch before the largest contraction that is wanted.
-pub(super) fn touches(bundle: &Bundle) -> Option<Warning> {
+pub fn touches(bundle: &Bundle) -> Option<Warning> {
     let (touch, largest) = bundle.touches_before()?;
     let touch = percent(touch);
     let largest = percent(largest);
@@ -371,7 +371,7 @@ pub(super) fn touches(bundle: &Bundle) -> Option<Warning> {
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.
-pub(super) fn out_of_reach(spec: &Spec) -> Option<String> {
+pub fn out_of_reach(spec: &Spec) -> Option<String> {
     let smallest = match &spec.braid {
         BraidChoice::Angle(angles) => angles.bounds().0,
         BraidChoice::Sleeves(list) => {

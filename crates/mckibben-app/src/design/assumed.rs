@@ -12,23 +12,23 @@ use mckibben_design::{
 };
 
 /// Pressure of a supply in MPa where none is given: that of a usual workshop.
-pub(super) const SUPPLY_MPA: f64 = 0.6;
+pub const SUPPLY_MPA: f64 = 0.6;
 
 /// What of a specification the request states.
-pub(super) struct Stated {
+pub struct Stated {
     supply: bool,
     rubber: bool,
     braid: bool,
     /// What would state the length, where it is an assumption.
-    pub(super) length_by: Option<&'static str>,
+    pub length_by: Option<&'static str>,
     /// Whether the length is stated, to which a muscle as sold is cut.
-    pub(super) is_cut: bool,
+    pub is_cut: bool,
     /// Whether a stroke sets the contraction.
-    pub(super) stroke_sets_contraction: bool,
+    pub stroke_sets_contraction: bool,
 }
 
 impl Stated {
-    pub(super) fn new(request: &DesignRequest) -> Self {
+    pub fn new(request: &DesignRequest) -> Self {
         let stroke = request.stroke_mm.is_some();
         let contraction = request.contraction.is_some();
         let has_file = request.file().is_some();
@@ -49,7 +49,7 @@ impl Stated {
     }
 
     /// What was assumed, in sentences.
-    pub(super) fn assumptions(&self, found: &Design) -> Vec<String> {
+    pub fn assumptions(&self, found: &Design) -> Vec<String> {
         let spec = &found.spec;
         let mut out = vec![];
         if found.is_shared {
@@ -112,7 +112,7 @@ impl Stated {
 }
 
 /// A wall that nobody makes.
-pub(super) fn thin_wall(muscle: &Muscle) -> Option<String> {
+pub fn thin_wall(muscle: &Muscle) -> Option<String> {
     /// Tubes and hoses of rubber have walls of at least half a millimetre, and of a fiftieth of
     /// their diameter.
     const LEAST: (f64, f64) = (0.5, 0.02);

@@ -8,18 +8,18 @@ use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
-pub(super) struct Decision<'a> {
-    pub(super) spec: &'a Spec,
+pub struct Decision<'a> {
+    pub spec: &'a Spec,
     /// What states their length, where it was assumed.
-    pub(super) length_by: Option<&'static str>,
-    pub(super) candidates: &'a [Candidate],
+    pub length_by: Option<&'static str>,
+    pub candidates: &'a [Candidate],
     /// Where none of them is sure: the best that is.
-    pub(super) to_be_sure: Option<&'a CandidateAnswer>,
+    pub to_be_sure: Option<&'a CandidateAnswer>,
 }
 
 impl Decision<'_> {
     /// The lines; none where nothing fits. Each begins with its verb.
-    pub(super) fn lines(&self) -> Vec<String> {
+    pub fn lines(&self) -> Vec<String> {
         let Some(first) = self.candidates.first() else {
             return vec![];
         };

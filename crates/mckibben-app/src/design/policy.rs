@@ -8,16 +8,16 @@ use mckibben::{
 use mckibben_design::{Build, Models, SearchedMuscles, near_the_box};
 
 #[derive(Debug, Clone)]
-pub(super) struct ModelPolicy {
+pub struct ModelPolicy {
     /// Where none was named: what searches the muscles that it is good for.
     quick: Option<(Model, SearchedMuscles)>,
     /// What searches all others, and decides.
-    pub(super) model: Model,
+    pub model: Model,
 }
 
 impl ModelPolicy {
     /// The policy of a request for pulls, or for pushes.
-    pub(super) fn choose(fields: &ModelFields, extends: bool) -> Result<Self> {
+    pub fn choose(fields: &ModelFields, extends: bool) -> Result<Self> {
         let model = Model::choose(fields)?;
         if fields.name.is_some() {
             return Ok(Self { quick: None, model });
@@ -36,7 +36,7 @@ impl ModelPolicy {
     }
 
     /// Does something with the models of a search.
-    pub(super) fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
+    pub fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
         let look = |m: &Muscle| self.look(m);
         let decide = |m: &Muscle| self.model.bound(m);
         let settle = self
@@ -50,7 +50,7 @@ impl ModelPolicy {
     }
 
     /// Name of the model that searches.
-    pub(super) fn searches(&self) -> &str {
+    pub fn searches(&self) -> &str {
         self.quick
             .as_ref()
             .map_or(&self.model, |quick| &quick.0)

@@ -30,10 +30,10 @@ use mckibben_design::{
 use std::borrow::Cow;
 
 /// What is searched, by which models, and what of it was assumed.
-pub(super) struct Search {
-    pub(super) task: Task,
-    pub(super) policy: ModelPolicy,
-    pub(super) stated: Stated,
+pub struct Search {
+    pub task: Task,
+    pub policy: ModelPolicy,
+    pub stated: Stated,
 }
 
 /// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It

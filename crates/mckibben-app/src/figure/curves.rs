@@ -45,7 +45,7 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
     )))
 }
 
-pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
+pub fn axes(test: Test, u: &Units) -> (Axis, Axis) {
     let pressure = Axis::new(u.pressure.heading("pressure P")).from_zero();
     let pull = pull(u);
     let contraction = Axis::new("contraction ratio ε [–]").from_zero();
@@ -56,12 +56,12 @@ pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
     }
 }
 
-pub(super) fn pull(u: &Units) -> Axis {
+pub fn pull(u: &Units) -> Axis {
     Axis::new(u.force.heading("pull F")).from_zero()
 }
 
 /// The points of a curve in the figure's units.
-pub(super) fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
+pub fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
     let points = curve.line(test).into_iter();
     let shown = |(x, y)| match test {
         Test::Isobaric => (x, u.force.value(y)),
@@ -72,7 +72,7 @@ pub(super) fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
 }
 
 /// The ± along a curve, where it has one; the user of a muscle that pulls need not see pushes.
-pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
+pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
     let edge = |q: &CurvePoint| {
         let a = q.answer.as_ref().ok().filter(|a| !a.slack)?;
         let edges = |v: f64, half: f64| ((v - half).max(v.min(0.0)), v + half);
@@ -102,7 +102,7 @@ pub(super) fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
 }
 
 /// What is fixed along a curve, as its label.
-pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
+pub fn label(test: Test, fixed: f64, u: &Units) -> String {
     match test {
         Test::Isometric => format!("ε {}", percent(fixed)),
         Test::Isotonic => u.force.show(fixed),
@@ -111,7 +111,7 @@ pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
 }
 
 /// Curves whose bands can be told apart.
-pub(super) const MOST_BANDS: usize = 6;
+pub const MOST_BANDS: usize = 6;
 /// Points of a load's line.
 const LINE: usize = 101;
 

@@ -75,7 +75,7 @@ fn curve_panel<'a>(
 }
 
 /// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
-pub(crate) fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
+pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
     let last = (
         "figure_12_formula_and_points",
         against_points(&f.formula, &f.compared),

@@ -99,7 +99,7 @@ impl Levels {
 
 /// The model over the points of the first muscle, and the residuals of all over contraction and
 /// pressure.
-pub(crate) fn identified(
+pub fn identified(
     identified: &Identification,
     build: &Build<'_>,
     origin: &str,
@@ -281,7 +281,7 @@ const MEASURED_CURVES: usize = 5;
 const LINE: u32 = 30;
 
 /// Measured points and lines of a model, muscle by muscle.
-pub(crate) fn measured(
+pub fn measured(
     cases: &[&MuscleCase],
     results: &[MeasuredFit],
     model: (&str, &Build<'_>),

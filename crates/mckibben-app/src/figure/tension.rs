@@ -11,7 +11,7 @@ const WITHOUT_POINTS: f64 = 2.0;
 
 /// One panel a test, also for tests without points: there the laws part. Laws that are unstable in
 /// a muscle are dashed, those held stable dotted.
-pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
+pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let some = if laws.len() < fit.laws.len() {
         some_of(laws.len(), fit.laws.len(), "laws")

@@ -5,15 +5,15 @@ use mckibben::{joint::Joint, model::ForceModel, muscle::Friction};
 use mckibben_motion::{Actuated, Drive, DriveFile, Mechanism, SingleMuscle, Target};
 
 /// What a drive moves, with its models.
-pub(super) struct Moved {
-    pub(super) choice: Model,
-    pub(super) joint: Option<Joint>,
-    pub(super) models: Vec<Box<dyn ForceModel>>,
+pub struct Moved {
+    pub choice: Model,
+    pub joint: Option<Joint>,
+    pub models: Vec<Box<dyn ForceModel>>,
 }
 
 impl Moved {
     /// L0 of the first muscle in mm.
-    pub(super) fn length_mm(&self) -> f64 {
+    pub fn length_mm(&self) -> f64 {
         self.models.first().map_or(0.0, |m| m.muscle().length_mm())
     }
 
@@ -44,7 +44,7 @@ impl Moved {
     }
 
     /// Does something with the drive of a file.
-    pub(super) fn with<T>(
+    pub fn with<T>(
         &self,
         file: &DriveFile,
         work: impl FnOnce(Drive<'_>) -> Result<T>,
@@ -78,7 +78,7 @@ impl Moved {
     }
 
     /// The commands of a file. A joint with one muscle takes one.
-    pub(super) fn target(&self, file: &DriveFile) -> Target {
+    pub fn target(&self, file: &DriveFile) -> Target {
         let mut target = file.target.clone();
         if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
             (&mut target, self.models.len())

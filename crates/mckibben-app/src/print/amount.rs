@@ -120,6 +120,6 @@ impl Scale {
 }
 
 /// What has no unit.
-pub(crate) fn plain(amount: impl Into<Amount>) -> Option<String> {
+pub fn plain(amount: impl Into<Amount>) -> Option<String> {
     NUMBER.of(amount)
 }

@@ -6,14 +6,14 @@ use mckibben_fem::output::{Shape, VtuFile, VtuSeries};
 use mckibben_io::files::File;
 
 /// The files of the points so far.
-pub(super) struct ShapeFiles {
+pub struct ShapeFiles {
     series: VtuSeries,
     files: Vec<BuiltFile>,
     bytes: usize,
 }
 
 impl ShapeFiles {
-    pub(super) fn new(muscle: &MuscleSummary) -> Self {
+    pub fn new(muscle: &MuscleSummary) -> Self {
         Self {
             series: VtuSeries::new(&muscle.line(&Units::default())),
             files: vec![],
@@ -21,7 +21,7 @@ impl ShapeFiles {
         }
     }
 
-    pub(super) fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
+    pub fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
         let files = self.series.add(shape, response);
         let mut files = files.map_err(|e| Problem::new(ProblemKind::Output, e.to_string(), ""))?;
         // The list comes once, when all points are known.
@@ -33,7 +33,7 @@ impl ShapeFiles {
     }
 
     /// All of them, first the list of the others.
-    pub(super) fn all(self) -> Vec<BuiltFile> {
+    pub fn all(self) -> Vec<BuiltFile> {
         std::iter::once(built(self.series.list()))
             .chain(self.files)
             .collect()

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::path::PathBuf;
 use thiserror::Error;
 
-pub(crate) type Result<T, E = CampaignError> = std::result::Result<T, E>;
+pub type Result<T, E = CampaignError> = std::result::Result<T, E>;
 
 /// Why a campaign does not run, or a store cannot be read.
 #[derive(Debug, Error)]

@@ -29,7 +29,7 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
 }
 
 /// All rows of muscle `number`, contraction by contraction.
-pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
+pub fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let inputs = plan.inputs(number);
     let testing = &plan.testing;
     let model = inputs

@@ -3,7 +3,7 @@
 use mckibben::cancel::Cancelled;
 use thiserror::Error;
 
-pub(super) type Result<T, E = FitError> = std::result::Result<T, E>;
+pub type Result<T, E = FitError> = std::result::Result<T, E>;
 
 /// Why a table gives no formula.
 #[derive(Debug, Clone, PartialEq, Error)]

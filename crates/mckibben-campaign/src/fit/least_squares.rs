@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Least squares by QR; `None` where they have no finite answer.
-pub(super) fn least_squares(matrix: DMatrix<f64>, values: DVector<f64>) -> Option<DVector<f64>> {
+pub fn least_squares(matrix: DMatrix<f64>, values: DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
     let solved = qr
         .r()

@@ -7,7 +7,7 @@ use crate::{
     template::{list, lists, number, render},
 };
 
-pub(super) const TARGET: Target = Target {
+pub const TARGET: Target = Target {
     name: "c",
     about: "C99 header and source, double or float, for controllers and simulators",
     needs: "a C99 compiler; of its library only sqrt, of a joint sin and cos too",
@@ -66,7 +66,7 @@ const EXAMPLES: [Source; 4] = [
 ];
 
 /// The functions of joints.
-pub(super) const MCKIBBEN_JOINT: Source = (
+pub const MCKIBBEN_JOINT: Source = (
     "mckibben_joint.h",
     "the functions of joints",
     include_str!("../../templates/mckibben_joint.h"),
@@ -124,7 +124,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
 }
 
 /// The functions with the muscle's numbers.
-pub(super) fn sources(muscle: &ExportedMuscle) -> Vec<File> {
+pub fn sources(muscle: &ExportedMuscle) -> Vec<File> {
     files(muscle, &SOURCES)
 }
 
@@ -141,7 +141,7 @@ fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
         .collect()
 }
 
-pub(super) fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
+pub fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
     let f = &muscle.form;
     let id = muscle.identifier();
     let braces = ["{", "}"];

@@ -27,7 +27,7 @@ use crate::{
 };
 use mckibben::joint::{JointSpring, Path};
 
-pub(super) const TARGET: Target = Target {
+pub const TARGET: Target = Target {
     name: "mjcf",
     about: "MuJoCo: native actuators on a tendon, without plugin or callback; beside them the form \
         itself as a plugin in C; each as a part of any model, and a scene",

@@ -61,7 +61,7 @@ impl ExportedMuscle {
 }
 
 /// The values that templates of all languages have places for.
-pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+pub fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
     let form = &muscle.form;
     vec![
         ("name", crate::muscle::plain(&muscle.name)),
@@ -75,7 +75,7 @@ pub(super) fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
 /// Coefficients over the blocked force of the functions `row` of q and x = L/L0, and the error of
 /// their sum: of all points where the host makes it slack below zero, otherwise of those at which
 /// the muscle pulls. Nothing where the points are too few.
-pub(super) fn fit<const N: usize>(
+pub fn fit<const N: usize>(
     muscle: &ExportedMuscle,
     row: impl Fn(f64, f64) -> [f64; N],
     slack: bool,

@@ -16,7 +16,7 @@ use crate::{
 };
 use std::f64::consts::PI;
 
-pub(super) const TARGET: Target = Target {
+pub const TARGET: Target = Target {
     name: "opensim",
     about: "an OpenSim model: a McKibbenActuator beside a force by an expression, without plugin",
     needs: "OpenSim 4.6 or later",

@@ -6,7 +6,7 @@ use crate::{
     template::{list, lists, number, render},
 };
 
-pub(super) const TARGET: Target = Target {
+pub const TARGET: Target = Target {
     name: "python",
     about: "one Python file, the same for NumPy, JAX (jit, vmap, grad) and PyTorch",
     needs: "NumPy, or the library of the arrays that it is given",

@@ -5,7 +5,7 @@ use std::io::{Cursor, Write as _};
 use zip::{CompressionMethod, DateTime, ZipWriter, write::SimpleFileOptions};
 
 /// The bytes of an archive with these files, whose date is the first of 1980.
-pub(super) fn zip(files: impl Iterator<Item = (String, Vec<u8>)>) -> Result<Vec<u8>> {
+pub fn zip(files: impl Iterator<Item = (String, Vec<u8>)>) -> Result<Vec<u8>> {
     let fails = |error: &dyn std::fmt::Display| {
         ExportError::Host(format!("the archive cannot be made: {error}"))
     };

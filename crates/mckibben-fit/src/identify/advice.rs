@@ -23,7 +23,7 @@ use mckibben::{
 use std::cmp::Ordering;
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
-pub(super) fn lines(list: &[u64]) -> String {
+pub fn lines(list: &[u64]) -> String {
     const SHOWN: usize = 6;
     let shown: Vec<String> = list.iter().take(SHOWN).map(u64::to_string).collect();
     let more = list.len().saturating_sub(SHOWN);
@@ -78,7 +78,7 @@ fn no_branch(points: &[DataPoint]) -> Option<String> {
 }
 
 /// Sentences about the points before anything is computed.
-pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
+pub fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
     let mut notes = vec![];
     let muscle = request.muscle;
     let history = request.history;
@@ -131,7 +131,7 @@ pub(super) fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<
 }
 
 /// Pull in N of the ideal muscle at a point, where it is well above zero.
-pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
+pub fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
     cancel::check().ok()?;
     let muscle = p.section.apply(muscle).ok()?;
     let ideal = Ideal::new(&muscle);
@@ -143,7 +143,7 @@ pub(super) fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
 }
 
 /// The order of the curves of points: of one muscle, pressure and branch.
-pub(super) fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
+pub fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     let key = |p: &DataPoint| {
         let measures = p.section.values().map(|(_, value)| value.unwrap_or(0.0));
         let at = [
@@ -294,7 +294,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
 const FAR: f64 = 5.0;
 
 /// Which residuals lie far off the others.
-pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
+pub fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
     let (scaled, deviation) = robust_deviation(residuals, weights);
     let limit = FAR * deviation;
     let judged = residuals.len() >= 6;
@@ -306,7 +306,7 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 }
 
 /// Sentences about the result.
-pub(super) fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
+pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
     let mut notes = vec![];
     notes.extend(unidentifiable(result));
     notes.extend(no_rubber(result));
@@ -494,7 +494,7 @@ fn misfit(result: &Identification) -> Option<String> {
 
 /// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the
 /// correlation ρ of their residuals, −1 to 1.
-pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
+pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
     let mut order: Vec<&PointFit> = points.iter().collect();
     order.sort_by(|a, b| {
         compare_curves(&a.point, &b.point)

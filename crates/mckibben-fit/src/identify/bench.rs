@@ -25,7 +25,7 @@ use mckibben::{
 const GRID: (usize, usize) = (3, 5);
 
 /// A minimum of the residuals, with the unknowns that are at their bounds set to these.
-pub(super) struct Minimum<'a> {
+pub struct Minimum<'a> {
     pub unknowns: &'a [Unknown],
     pub estimate: &'a Estimate,
     pub x: &'a [f64],
@@ -33,7 +33,7 @@ pub(super) struct Minimum<'a> {
 
 /// The bench of the muscle itself; `None` where no point is of it, or the half-width of the fit is
 /// not known.
-pub(super) fn bench(
+pub fn bench(
     request: &Request<'_>,
     result: &Identification,
     minimum: &Minimum<'_>,

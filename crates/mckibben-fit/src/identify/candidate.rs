@@ -9,7 +9,7 @@ use mckibben::muscle::{
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Family {
+pub struct Family {
     /// k₀ in N/mm.
     pub stiffness: f64,
     /// D0₀ in mm.

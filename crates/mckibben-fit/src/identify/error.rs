@@ -4,7 +4,7 @@ use crate::least_squares::EstimateError;
 use mckibben::{cancel::Cancelled, model::ModelError, muscle::MuscleError};
 use thiserror::Error;
 
-pub(crate) type Result<T, E = IdentifyError> = std::result::Result<T, E>;
+pub type Result<T, E = IdentifyError> = std::result::Result<T, E>;
 
 /// Why nothing was identified. Lines are those of the data file.
 #[derive(Debug, Clone, PartialEq, Error)]

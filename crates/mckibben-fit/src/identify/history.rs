@@ -18,7 +18,7 @@ fn continues(row: &DataPoint, before: &DataPoint) -> bool {
 
 /// The rows with the direction in which the muscle came to them, for spreads and for the ± of the
 /// bench.
-pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
+pub fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
     let mut out: Vec<DataPoint> = vec![];
     for row in points {
         if row.measured != Quantity::Force {
@@ -43,11 +43,7 @@ pub(super) fn directed(points: &[DataPoint]) -> Result<Vec<DataPoint>> {
 }
 
 /// z at `points`, some of the rows in their order; `None` of a muscle without friction.
-pub(super) fn shares(
-    rows: &[DataPoint],
-    points: &[DataPoint],
-    muscle: &Muscle,
-) -> Option<Vec<f64>> {
+pub fn shares(rows: &[DataPoint], points: &[DataPoint], muscle: &Muscle) -> Option<Vec<f64>> {
     let friction = muscle.friction()?;
     let mut last: Option<(&DataPoint, Presliding)> = None;
     let mut remaining = points.iter().peekable();

@@ -193,10 +193,10 @@ impl Target {
 
 /// A limit (I1 − 3, or a stretch) of so much is never felt: Gent's law and that of Arruda and Boyce
 /// are then neo-Hookean.
-pub(super) const NO_LOCK: f64 = 1000.0;
+pub const NO_LOCK: f64 = 1000.0;
 
 /// Whether constant number `i` says where the chains lock.
-pub(super) fn sets_limit(law: &RubberOf, i: usize) -> bool {
+pub fn sets_limit(law: &RubberOf, i: usize) -> bool {
     law.locks_at().is_some()
         && law
             .constants()

@@ -133,7 +133,7 @@ impl Identification {
 }
 
 /// rms, largest and mean of a list of residuals.
-pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
+pub fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
     let errors = Errors::new(residuals.iter().copied());
     Spread {
         label: label.into(),
@@ -145,7 +145,7 @@ pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
 }
 
 /// By branch, by quantity and by set, where there is more than one.
-pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
+pub fn spreads(points: &[PointFit]) -> Vec<Spread> {
     let group = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
         let list: Vec<f64> = points
             .iter()

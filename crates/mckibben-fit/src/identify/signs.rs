@@ -23,7 +23,7 @@ fn lines(list: &[u64]) -> String {
 }
 
 /// Sentences on single points with the wrong sign; `two_sided`: forces below zero are measurements.
-pub(super) fn check(muscle: &Muscle, points: &[DataPoint], two_sided: bool) -> Result<Vec<String>> {
+pub fn check(muscle: &Muscle, points: &[DataPoint], two_sided: bool) -> Result<Vec<String>> {
     let points: Vec<&DataPoint> = points.iter().filter(|p| p.weight > 0.0).collect();
     let mut notes = pushing(muscle, &points, two_sided)?;
     cancel::check()?;

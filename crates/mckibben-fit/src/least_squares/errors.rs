@@ -1,7 +1,7 @@
 //! What differences of some points amount to.
 
 /// Figures of error, in the unit of the differences; all 0 of no points.
-pub(crate) struct Errors {
+pub struct Errors {
     /// How many differences.
     pub points: usize,
     /// Sum of their squares.

@@ -395,7 +395,7 @@ pub fn estimate(
 }
 
 /// Weighted sizes of residuals, and 1.4826 times the median of those that count.
-pub(crate) fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
+pub fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
     let scaled: Vec<f64> = r
         .iter()
         .zip(weights)

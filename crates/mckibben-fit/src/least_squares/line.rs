@@ -3,7 +3,7 @@
 use super::Errors;
 
 /// y = mean_y + slope (x − mean_x).
-pub(crate) struct Line {
+pub struct Line {
     pub mean_x: f64,
     pub mean_y: f64,
     /// Not a number where all x are the same.

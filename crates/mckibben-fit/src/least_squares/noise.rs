@@ -1,8 +1,8 @@
 /// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
-pub(crate) struct Noise(pub(crate) u64);
+pub struct Noise(pub(crate) u64);
 
 impl Noise {
-    pub(crate) fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         let mut one = || {
             self.0 = self
                 .0

@@ -198,7 +198,7 @@ pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
 }
 
 /// The same, each with the index of the point at whose contraction it is. It takes n log n steps.
-pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
+pub fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     let mut sorted: Vec<(usize, MeasuredPoint)> = points.iter().copied().enumerate().collect();
     sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
     let mut out = Vec::new();
@@ -232,7 +232,7 @@ pub(super) fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
 }
 
 /// Linear interpolation in a rising table; `None` beyond its ends.
-pub(super) fn interpolate(sorted: &[(f64, f64)], x: f64) -> Option<f64> {
+pub fn interpolate(sorted: &[(f64, f64)], x: f64) -> Option<f64> {
     let i = sorted.partition_point(|p| p.0 < x);
     let right = sorted.get(i)?;
     if right.0 == x {

@@ -99,7 +99,7 @@ const HELD: f64 = 1e-3;
 
 /// The branch of each row in time order, by the sign of the velocity of the contraction; where the
 /// length is held, of the pressure. None where nothing moves.
-pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Direction>> {
+pub fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Direction>> {
     let (low, high) = ends(contractions.iter().copied());
     let values = if high - low < HELD {
         pressures
@@ -115,7 +115,7 @@ pub(super) fn branches(contractions: &[f64], pressures: &[f64]) -> Option<Vec<Di
 
 /// The runs of a series between its turns: their ends (exclusive), and whether they rise, which is
 /// not known where it does not turn at all. A way back of less than a share of the range is no turn.
-pub(crate) fn runs(values: &[f64], share: f64) -> Vec<(usize, Option<bool>)> {
+pub fn runs(values: &[f64], share: f64) -> Vec<(usize, Option<bool>)> {
     let (low, high) = ends(values.iter().copied());
     let step = share * (high - low);
     // Place and value of the extreme since the last turn.

@@ -14,13 +14,13 @@ use nalgebra::{DMatrix, DVector};
 
 /// g·x ≥ h.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Inequality {
+pub struct Inequality {
     pub g: Vec<f64>,
     pub h: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Solution {
+pub struct Solution {
     pub x: Vec<f64>,
     /// Diagonal of the covariance, without s².
     pub variances: Vec<f64>,
@@ -37,7 +37,7 @@ impl Inequality {
 }
 
 /// The normal equations of weighted columns: N and d.
-pub(super) fn normal(
+pub fn normal(
     columns: &[Vec<f64>],
     target: &[f64],
     weights: &[f64],
@@ -56,14 +56,14 @@ pub(super) fn normal(
 
 /// The minimum, or `None` where the columns are not independent or the inequalities contradict each
 /// other.
-pub(super) fn solve(n: &DMatrix<f64>, d: &DVector<f64>, cuts: &[Inequality]) -> Option<Solution> {
+pub fn solve(n: &DMatrix<f64>, d: &DVector<f64>, cuts: &[Inequality]) -> Option<Solution> {
     subsets(cuts.len(), n.nrows())
         .into_iter()
         .find_map(|active| with_active(n, d, cuts, active))
 }
 
 /// All sets of at most `size` of `count` places, small ones first.
-pub(super) fn subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
+pub fn subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
     let mut out: Vec<Vec<usize>> = vec![vec![]];
     let mut from = 0;
     for _ in 0..size {

@@ -174,11 +174,7 @@ impl FittedLaw {
 }
 
 /// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
-pub(super) fn laws(
-    form: Form,
-    problem: &Problem,
-    settings: &FitSettings,
-) -> Result<Vec<FittedLaw>> {
+pub fn laws(form: Form, problem: &Problem, settings: &FitSettings) -> Result<Vec<FittedLaw>> {
     let hoop = settings.hoop_stretch;
     let fit = |held: bool| {
         let raw = match form.basis() {
@@ -334,7 +330,7 @@ fn held_out_error(mode: Option<Mode>, law: &Law, points: &[&TensionPoint]) -> Op
 }
 
 /// By mode, and over the states of a muscle up to a hoop stretch.
-pub(super) fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
+pub fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError> {
     let of = |mode: Option<Mode>| {
         let is_of = |p: &&TensionPoint| match mode {
             Some(mode) => p.mode == mode,

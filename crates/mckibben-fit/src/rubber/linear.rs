@@ -64,7 +64,7 @@ fn scale(basis: &Law, problem: &Problem) -> f64 {
     problem.modulus_mpa * (stretch - stretch.powi(-3)) / basis.planar_stress_mpa(stretch)
 }
 
-pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
+pub fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let unknowns: Vec<Unknown> = basis
         .iter()
@@ -89,12 +89,7 @@ pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> 
 const CUTS: usize = 40;
 
 /// The fit among the laws that are stable in a muscle.
-pub(super) fn stable(
-    form: Form,
-    basis: &[Law],
-    problem: &Problem,
-    hoop_stretch: f64,
-) -> Result<Raw> {
+pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -> Result<Raw> {
     let columns = columns(basis, problem).ok_or_else(|| no_fit(form, "a stress is not finite"))?;
     let (n, d) = normal(&columns, &problem.measured(), &problem.weights);
     let margin = 1e-3 * problem.modulus_mpa;

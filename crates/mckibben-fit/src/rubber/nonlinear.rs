@@ -90,7 +90,7 @@ fn muscle_i1_minus_3(hoop: f64) -> f64 {
 
 /// The fit; with the hoop stretch of a muscle the limit is kept a little beyond what its wall
 /// reaches.
-pub(super) fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
+pub fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
     let mu = problem.modulus_mpa;
     let example = form
         .example()

@@ -136,7 +136,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     out
 }
 
-pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw> {
+pub fn fit(form: Form, problem: &Problem) -> Result<Raw> {
     let count = form.terms().unwrap_or(1);
     let mut best: Option<(Vec<f64>, Estimate)> = None;
     let mut why = None;

@@ -22,7 +22,7 @@ pub enum Measure {
 
 /// Points that are fitted, and their weights.
 #[derive(Debug, Clone)]
-pub(super) struct Problem {
+pub struct Problem {
     pub points: Vec<TensionPoint>,
     /// Divisors of the residuals: 1 MPa, or the reference of a relative error.
     pub divisors: Vec<f64>,
@@ -153,7 +153,7 @@ impl Problem {
 }
 
 /// Constants as a solver gives them.
-pub(super) struct Raw {
+pub struct Raw {
     pub constants: Vec<f64>,
     pub standard_errors: Vec<f64>,
     pub at_bound: Vec<bool>,

@@ -10,7 +10,7 @@ const FAILED: f64 = 0.8;
 
 /// Points as one test after another gave them.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Sorted {
+pub struct Sorted {
     /// Those that can be fitted.
     pub kept: Vec<TensionPoint>,
     /// How many lie behind a rupture, by mode.
@@ -20,7 +20,7 @@ pub(super) struct Sorted {
 }
 
 /// Leaves out the points behind a rupture, and counts the loops.
-pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
+pub fn sort(points: &[TensionPoint]) -> Sorted {
     let mut out = Sorted::default();
     // Sheets are held at one state after another: there is no run to be followed.
     out.kept

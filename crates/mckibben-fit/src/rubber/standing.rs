@@ -48,7 +48,7 @@ fn candidates(laws: &[FittedLaw], points: &[TensionPoint]) -> Vec<usize> {
 }
 
 /// Of the candidates the one with the lowest AICc.
-pub(super) fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
+pub fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
     candidates(laws, points)
         .into_iter()
         .min_by(|&a, &b| laws[a].quality.aicc.total_cmp(&laws[b].quality.aicc))

@@ -6,12 +6,12 @@ use mckibben::rubber::RubberLaw;
 /// Stretch that the wall of a strongly contracted muscle reaches (a 20° braid: 2.4).
 const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
-pub(crate) const MODULI: (f64, f64) = (0.005, 20.0);
+pub const MODULI: (f64, f64) = (0.005, 20.0);
 /// Tests of rubber stretch it by more, and by less: else the strains are in another unit than that
 /// of the heading.
 const STRETCHES: (f64, f64) = (1.01, 12.0);
 
-pub(super) fn for_runs(sorted: &Sorted) -> Vec<String> {
+pub fn for_runs(sorted: &Sorted) -> Vec<String> {
     let rupture = |(mode, points): &(Mode, usize)| {
         format!(
             "{mode}: the specimen failed; {points} points after the largest stress are left out"
@@ -48,7 +48,7 @@ fn units(modulus_mpa: f64, fitted_to_stretch: f64) -> String {
     }
 }
 
-pub(super) fn for_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
+pub fn for_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let modulus_mpa = problem.modulus_mpa;
     if !(MODULI.0..=MODULI.1).contains(&modulus_mpa) {
@@ -85,7 +85,7 @@ pub(super) fn for_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) -
     out
 }
 
-pub(super) fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
+pub fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
     let mut out = vec![];
     let name = fitted.form.name();
     let law = if fitted.constrained {

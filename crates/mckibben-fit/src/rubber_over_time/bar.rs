@@ -128,7 +128,7 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
 }
 
 /// Times do not go back, and numbers are numbers.
-pub(super) fn check(history: &[TimePoint]) -> Result<()> {
+pub fn check(history: &[TimePoint]) -> Result<()> {
     let mut before = f64::NEG_INFINITY;
     for (index, p) in history.iter().enumerate() {
         let wrong = |why| {

@@ -58,7 +58,7 @@ enum Branches {
 /// Which points are fitted, as it is written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct SplitText {
+pub struct SplitText {
     by: By,
     fit_on: Option<String>,
     from: Option<f64>,

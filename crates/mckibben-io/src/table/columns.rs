@@ -131,9 +131,9 @@ fn in_name(file: &str, before: &str, after: &str) -> Option<String> {
 
 /// A column that was chosen.
 #[derive(Debug, Clone)]
-pub(crate) struct Choice {
+pub struct Choice {
     vocabulary: &'static Vocabulary,
-    pub(crate) meaning: Meaning,
+    pub meaning: Meaning,
     text: String,
 }
 
@@ -180,7 +180,7 @@ impl Vocabulary {
 
 impl Choice {
     /// Whether the column is selected by its number.
-    pub(crate) fn by_number(&self) -> Option<usize> {
+    pub fn by_number(&self) -> Option<usize> {
         let (heading, _) = self.split();
         heading
             .trim_start_matches(MINUS)
@@ -192,7 +192,7 @@ impl Choice {
     }
 
     /// What it is in all rows, where it is no column of the file.
-    pub(crate) fn constant(&self) -> Option<&str> {
+    pub fn constant(&self) -> Option<&str> {
         self.text.strip_prefix('=')
     }
 
@@ -205,11 +205,7 @@ impl Choice {
     }
 
     /// Its place among headings, or among the constants behind them; `None` where it is not there.
-    pub(crate) fn find(
-        &self,
-        headings: &[&str],
-        place: usize,
-    ) -> Result<Option<Column>, TableError> {
+    pub fn find(&self, headings: &[&str], place: usize) -> Result<Option<Column>, TableError> {
         let chosen = |index, heading: &str, known| Column {
             index,
             chosen: true,
@@ -310,7 +306,7 @@ impl Choice {
     }
 
     /// That it is not there.
-    pub(crate) fn missing(&self, headings: &[&str]) -> TableError {
+    pub fn missing(&self, headings: &[&str]) -> TableError {
         TableError::Refused(format!(
             "`columns`: there is no column \"{heading}\" (the columns are: {columns})",
             heading = short(&self.text),

@@ -10,7 +10,7 @@ pub const MAX_BYTES: usize = 32 << 20;
 
 /// What is between two fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Separator {
+pub enum Separator {
     Mark(char),
     /// Spaces, as many as there are.
     Spaces,
@@ -18,7 +18,7 @@ pub(crate) enum Separator {
 
 impl Separator {
     /// In a word, for people.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Separator::Mark(';') => "semicolon",
             Separator::Mark('\t') => "tab",
@@ -31,12 +31,12 @@ impl Separator {
 
 /// A line with its fields, without the spaces around them.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct TableRow {
+pub struct TableRow {
     /// Its number from 1.
-    pub(crate) line: u64,
+    pub line: u64,
     fields: StringRecord,
     /// What no field of the line holds, counted from the largest number down.
-    pub(crate) added: Vec<String>,
+    pub added: Vec<String>,
 }
 
 impl TableRow {
@@ -49,7 +49,7 @@ impl TableRow {
     }
 
     /// A field; empty where the line is too short.
-    pub(crate) fn field(&self, i: usize) -> &str {
+    pub fn field(&self, i: usize) -> &str {
         self.fields
             .get(i)
             .or_else(|| Some(self.added.get(usize::MAX - i)?))
@@ -57,31 +57,31 @@ impl TableRow {
     }
 
     /// The fields, without empty ones at the end.
-    pub(crate) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         (0..self.fields.len())
             .rfind(|&i| !self.field(i).is_empty())
             .map_or(0, |i| i + 1)
     }
 
     /// The fields, empty ones at the end as well.
-    pub(crate) fn width(&self) -> usize {
+    pub fn width(&self) -> usize {
         self.fields.len()
     }
 
-    pub(crate) fn fields(&self) -> impl Iterator<Item = &str> {
+    pub fn fields(&self) -> impl Iterator<Item = &str> {
         self.fields.iter().take(self.len())
     }
 }
 
 /// A table as rows of text.
 #[derive(Debug)]
-pub(crate) struct Sheet {
+pub struct Sheet {
     /// Lines that are neither blank nor comments.
-    pub(crate) rows: Vec<TableRow>,
+    pub rows: Vec<TableRow>,
     /// The comments before the first of them, without their mark: some programs write the heading
     /// as one.
-    pub(crate) comments: Vec<TableRow>,
-    pub(crate) separator: Separator,
+    pub comments: Vec<TableRow>,
+    pub separator: Separator,
 }
 
 /// A row does not run over more lines: a quote was left open.
@@ -90,7 +90,7 @@ const MOST_LINES: usize = 10;
 impl Sheet {
     /// Splits a text into rows. The first line may be Excel's `sep=;`. Lines that start with `#`
     /// are comments.
-    pub(crate) fn split(text: &str) -> Result<Self, TableError> {
+    pub fn split(text: &str) -> Result<Self, TableError> {
         let text = text
             .trim_start_matches('\u{feff}')
             .replace("\r\n", "\n")

@@ -69,7 +69,7 @@ impl TableError {
 }
 
 /// Some headings.
-pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
+pub fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
     const MOST: usize = 25;
     let mut all: Vec<String> = headings.map(short).collect();
     if all.len() > MOST {
@@ -80,7 +80,7 @@ pub(crate) fn listed<'a>(headings: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// Somebody else's text, cut where it gets long.
-pub(crate) fn short(text: &str) -> String {
+pub fn short(text: &str) -> String {
     text.chars()
         .take(60)
         .map(|c| if c.is_control() { ' ' } else { c })

@@ -89,7 +89,7 @@ const PLAIN: [&str; 16] = [
 
 /// A heading in plain form: lower case, no accents, everything that is no letter or digit as an
 /// underscore, `%` as `percent`.
-pub(crate) fn plain(heading: &str) -> String {
+pub fn plain(heading: &str) -> String {
     let mut out = String::new();
     for c in heading
         .trim()
@@ -114,7 +114,7 @@ pub(crate) fn plain(heading: &str) -> String {
 }
 
 /// A unit as it is in a heading: in brackets, with underscores for strokes, or bare.
-pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
+pub fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
     let inner = unbracketed(text).unwrap_or(text);
     let tidy = inner.trim();
@@ -128,10 +128,10 @@ pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
 }
 
 /// What a minus may look like.
-pub(crate) const MINUS: [char; 2] = ['-', '−'];
+pub const MINUS: [char; 2] = ['-', '−'];
 
 /// Whether a heading says that its values have the opposite sign: `-F [N]`.
-pub(crate) fn is_negated(heading: &str) -> bool {
+pub fn is_negated(heading: &str) -> bool {
     heading
         .trim()
         .strip_prefix(MINUS)
@@ -142,7 +142,7 @@ pub(crate) fn is_negated(heading: &str) -> bool {
 const ELECTRICAL: [&str; 8] = ["V", "mV", "A", "mA", "volt", "volts", "counts", "digits"];
 
 /// A unit in the last brackets of a heading, of whatever quantity.
-pub(crate) fn other_unit(heading: &str) -> Option<&str> {
+pub fn other_unit(heading: &str) -> Option<&str> {
     let (_, behind) = cuts(heading.trim())
         .filter(|cut| unbracketed(cut.1).is_some())
         .last()?;

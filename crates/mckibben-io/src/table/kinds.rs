@@ -14,13 +14,13 @@ pub struct Vocabulary {
 
 /// A group of quantities of which one must be there.
 #[derive(Debug)]
-pub(crate) struct Need {
+pub struct Need {
     /// In the plural, for messages.
-    pub(crate) wanted: &'static str,
+    pub wanted: &'static str,
     /// The first that is there is taken.
-    pub(crate) any_of: &'static [Meaning],
+    pub any_of: &'static [Meaning],
     /// Headings that would do.
-    pub(crate) names: &'static str,
+    pub names: &'static str,
 }
 
 const TIMES: Need = Need {
@@ -194,7 +194,7 @@ pub static TESTS: Vocabulary = Vocabulary {
     needed: &[STRETCHES_OF_TEST, STRESSES_OF_TEST],
 };
 /// A load over the shortening of the muscle that meets it.
-pub(crate) static LOADS: Vocabulary = Vocabulary {
+pub static LOADS: Vocabulary = Vocabulary {
     what: "a load",
     quantities: &[
         Pressure,
@@ -219,7 +219,7 @@ pub(crate) static LOADS: Vocabulary = Vocabulary {
     needed: &[SHORTENINGS, FORCES_OF_LOAD],
 };
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
-pub(crate) static OVER_TIME: [Vocabulary; 5] = [
+pub static OVER_TIME: [Vocabulary; 5] = [
     Vocabulary {
         what: "a command",
         quantities: COMMANDS,

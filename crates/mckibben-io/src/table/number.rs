@@ -4,7 +4,7 @@ use super::delimited::Separator;
 
 /// Which mark is before the decimals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Decimal {
+pub enum Decimal {
     Point,
     Comma,
     /// Both, and nothing tells which.
@@ -13,7 +13,7 @@ pub(crate) enum Decimal {
 
 /// Why a field is no number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum NoNumber {
+pub enum NoNumber {
     Text,
     /// `1.234` could be a thousand or one and a bit.
     Ambiguous,
@@ -52,7 +52,7 @@ fn is_lead(text: &str) -> bool {
 }
 
 /// The decimal mark of a table, from all of its numbers.
-pub(crate) fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Separator) -> Decimal {
+pub fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Separator) -> Decimal {
     let mut point = false;
     let mut comma = false;
     let mut points = false;
@@ -121,7 +121,7 @@ fn groups_follow(text: &str) -> bool {
 }
 
 /// A finite number and the unit behind it, which may be empty.
-pub(crate) fn number(text: &str, decimal: Decimal) -> Result<(f64, &str), NoNumber> {
+pub fn number(text: &str, decimal: Decimal) -> Result<(f64, &str), NoNumber> {
     let (number, unit) = cut(text).ok_or(NoNumber::Text)?;
     let plain: String = number
         .chars()

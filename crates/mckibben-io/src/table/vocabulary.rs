@@ -112,16 +112,16 @@ impl Meaning {
 /// The words of a quantity, and what they mean.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(crate) struct Words {
+pub struct Words {
     /// Its name in `columns` and in answers.
-    pub(crate) name: String,
+    pub name: String,
     /// `None` for words and plain numbers.
-    pub(crate) dimension: Option<Dimension>,
+    pub dimension: Option<Dimension>,
     /// What the same words mean with a unit of another dimension: contraction in mm is a
     /// shortening.
-    pub(crate) otherwise: Option<Meaning>,
+    pub otherwise: Option<Meaning>,
     /// Headings that this program writes, the best first; they go before all others.
-    pub(crate) preferred: Vec<String>,
+    pub preferred: Vec<String>,
     last: Vec<String>,
     /// Words of people for it, by their language; two columns of the same quantity are ambiguous.
     #[serde(flatten)]
@@ -162,19 +162,19 @@ pub fn spoken(value: &str) -> impl Iterator<Item = &'static str> + use<> {
 }
 
 /// Whether a plain word is one of those for a value.
-pub(crate) fn is_spoken(value: &str, word: &str) -> bool {
+pub fn is_spoken(value: &str, word: &str) -> bool {
     spoken(value).any(|known| known == word)
 }
 
 /// Whether a plain text is a word for any quantity or value.
 #[cfg(feature = "import")]
-pub(super) fn is_known(plain: &str) -> bool {
+pub fn is_known(plain: &str) -> bool {
     WORDS.values().any(|words| words.knows(plain))
 }
 
 impl Words {
     /// The preferred headings and the words of people.
-    pub(crate) fn all(&self) -> impl Iterator<Item = &str> {
+    pub fn all(&self) -> impl Iterator<Item = &str> {
         self.preferred
             .iter()
             .chain(self.people.values().flatten())
@@ -183,12 +183,12 @@ impl Words {
 
     /// Whether a plain label is a word for it where no other column is it: a weight hangs on a
     /// muscle beside a load cell.
-    pub(crate) fn knows_last(&self, label: &str) -> bool {
+    pub fn knows_last(&self, label: &str) -> bool {
         self.last.iter().any(|word| word == label)
     }
 
     /// Whether a plain label is one of its words.
-    pub(crate) fn knows(&self, label: &str) -> bool {
+    pub fn knows(&self, label: &str) -> bool {
         self.joined.contains(&joined(label))
     }
 }

@@ -55,7 +55,7 @@ fn wrong(error: impl std::fmt::Display) -> TableError {
 }
 
 /// The sheet of this name, else the first with numbers, and its name.
-pub(super) fn read(bytes: &[u8], wanted: Option<&str>) -> Result<(String, String), TableError> {
+pub fn read(bytes: &[u8], wanted: Option<&str>) -> Result<(String, String), TableError> {
     let mut book = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(wrong)?;
     let names = book.sheet_names();
     for name in names

@@ -2,7 +2,7 @@
 
 /// `value` in the unit used inside. Decimal prefixes shift the decimal point and nothing else: 0.7
 /// bar is the double nearest to 0.07 MPa, not the one below it.
-pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
+pub fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
     if num == den {
         value
     } else {

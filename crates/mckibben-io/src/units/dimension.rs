@@ -57,7 +57,7 @@ pub enum Dimension {
 /// A unit: its spellings in plain form, the usual one first, and the exact fraction `num / den` that turns it
 /// into the unit used inside. Keeping the fraction makes `1.5bar` the same number as `0.15MPa`, to
 /// the last bit.
-pub(super) type Spelled = (&'static [&'static str], f64, f64);
+pub type Spelled = (&'static [&'static str], f64, f64);
 
 /// A dimension with its units, and how people speak of it.
 struct Kind {

@@ -14,7 +14,7 @@ pub struct QuantityError {
 }
 
 /// The beginning of a long text.
-pub(super) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     if text.chars().count() <= 60 {
         text.into()
     } else {
@@ -61,7 +61,7 @@ pub fn plausible(value: f64) -> bool {
 
 /// Where the number at the start of a text ends: a sign, digits, a point that `behind` it may
 /// stand, digits, and an exponent.
-pub(super) fn number_end(text: &str, behind: impl Fn(Option<u8>) -> bool) -> usize {
+pub fn number_end(text: &str, behind: impl Fn(Option<u8>) -> bool) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
         let digits = bytes.iter().skip(from).take_while(|b| b.is_ascii_digit());
@@ -82,7 +82,7 @@ pub(super) fn number_end(text: &str, behind: impl Fn(Option<u8>) -> bool) -> usi
 }
 
 /// Splits `text` into its number and the unit behind it; the unit may be empty.
-pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityError> {
+pub fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityError> {
     let t = text.trim();
     if t.is_empty() {
         let problem = format!("the value is empty; expected {}", expected.expectation());
@@ -131,11 +131,7 @@ fn fraction(first: f64, behind: &str) -> Option<(f64, &str)> {
 }
 
 /// The factor of a unit as a fraction, or which error it is.
-pub(super) fn factor(
-    unit: &str,
-    text: &str,
-    expected: Dimension,
-) -> Result<(f64, f64), QuantityError> {
+pub fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64), QuantityError> {
     match (unit, expected.unit(unit)) {
         ("", _) => Ok((1.0, 1.0)),
         (_, Some(unit)) => Ok(unit.fraction),

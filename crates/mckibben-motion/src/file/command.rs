@@ -32,7 +32,7 @@ const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"]
 /// A value over time, as it is written.
 #[derive(JsonSchema)]
 #[schemars(untagged)]
-pub(super) enum Course<Q> {
+pub enum Course<Q> {
     /// A value, "ramp 0..3 bar in 2 s", "sine 1..3 bar at 2 Hz",
     /// "chirp 1..3 bar from 0.1..5 Hz in 10 s" or "table:command.csv"
     Said(String),
@@ -65,19 +65,19 @@ impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
 }
 
 /// The table that a text names.
-pub(super) fn table_named(text: &str) -> Option<&str> {
+pub fn table_named(text: &str) -> Option<&str> {
     text.trim().strip_prefix("table:").map(str::trim)
 }
 
 /// The file and its tables, for the commands in it.
-pub(super) struct Commands<'s> {
+pub struct Commands<'s> {
     pub source: &'s Source<'s>,
     pub tables: &'s Tables,
     pub about_joint: bool,
 }
 
 impl Commands<'_> {
-    pub(super) fn target<P: Quantity>(
+    pub fn target<P: Quantity>(
         &self,
         keys: OfCommand<P>,
         controller: Option<OfController>,

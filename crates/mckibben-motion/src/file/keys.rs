@@ -62,7 +62,7 @@ pub struct DriveKeys<Position = Ratio> {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfSupply {
+pub struct OfSupply {
     /// Gauge pressure of the supply, or of a pump's relief valve
     pub pressure: Option<Positive<Pressure>>,
     /// Temperature of the air and of the walls
@@ -72,7 +72,7 @@ pub(super) struct OfSupply {
 /// How a valve or a pump opens.
 #[derive(Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Opens {
+pub enum Opens {
     Proportional,
     OnOff,
 }
@@ -155,14 +155,14 @@ with_opening! {
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfRegulator {
+pub struct OfRegulator {
     /// Time constant with which it follows its command
     pub time_constant: Positive<Time>,
 }
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfSyringe {
+pub struct OfSyringe {
     /// What it holds; it is full at the start
     pub volume: Positive<Volume>,
     /// Time constant with which its piston follows
@@ -171,7 +171,7 @@ pub(super) struct OfSyringe {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfAir {
+pub struct OfAir {
     /// Volume beside the muscle
     pub dead_volume: Volume,
     /// Exchange of heat: a word, or a coefficient such as "25 W/(m2 K)"
@@ -184,7 +184,7 @@ pub(super) struct OfAir {
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfLiquid {
+pub struct OfLiquid {
     /// The liquid
     #[schemars(schema_with = "liquids")]
     pub name: String,
@@ -200,7 +200,7 @@ pub(super) struct OfLiquid {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfLoad {
+pub struct OfLoad {
     /// Mass that hangs from the muscle
     pub mass: Option<Positive<Mass>>,
     /// Whether the mass slides on a level track
@@ -219,7 +219,7 @@ pub(super) struct OfLoad {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfFriction {
+pub struct OfFriction {
     /// C of the friction C P^β in N/MPa^β, in place of the muscle's
     pub coefficient: Option<NotNegative<f64>>,
     /// Over which length the friction builds up after a reversal
@@ -228,14 +228,14 @@ pub(super) struct OfFriction {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfRubber {
+pub struct OfRubber {
     /// Shares of the wall's pull, each with a time constant: [[0.1, "50 ms"]]
     pub prony: Prony,
 }
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfController {
+pub struct OfController {
     /// Gain in MPa (or opening) per unit of position
     pub proportional: f64,
     /// Integral gain, 1/s
@@ -257,14 +257,14 @@ pub(super) struct OfController {
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Output {
+pub enum Output {
     Pressure,
     Opening,
 }
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfCommand<Position> {
+pub struct OfCommand<Position> {
     /// Pressure, or pairs of times and pressures
     pub pressure: Option<Course<Pressure>>,
     /// Pressure of the first muscle

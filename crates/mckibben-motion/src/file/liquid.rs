@@ -14,7 +14,7 @@ use mckibben::{
 };
 
 /// What [liquid] says.
-pub(super) fn liquid(
+pub fn liquid(
     keys: &OfLiquid,
     source: &Source<'_>,
     temperature_k: f64,
@@ -35,7 +35,7 @@ pub(super) fn liquid(
 }
 
 /// The valve of a liquid.
-pub(super) fn valve(
+pub fn valve(
     keys: &OfValve,
     source: &Source<'_>,
     kind: ValveKind,

@@ -25,7 +25,7 @@ use mckibben::{
 const TIME_CONSTANT_S: f64 = 0.05;
 
 /// What gives the fluid.
-pub(super) fn actuator<P>(
+pub fn actuator<P>(
     keys: &DriveKeys<P>,
     source: &Source<'_>,
     is_liquid: bool,
@@ -171,11 +171,7 @@ fn hose(
     }
 }
 
-pub(super) fn air(
-    keys: &OfAir,
-    source: &Source<'_>,
-    wall_temperature_k: f64,
-) -> Result<Air, FileError> {
+pub fn air(keys: &OfAir, source: &Source<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {
     let heat = match (keys.heat.as_deref(), keys.polytropic_index) {
         (Some(_), Some(_)) => {
             let said = "conflicts with heat; keep one";

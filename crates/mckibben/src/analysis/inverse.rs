@@ -17,7 +17,7 @@ use crate::{
 use std::cmp::Ordering::Equal;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
-pub(crate) const HIGHEST_PRESSURE_MPA: f64 = 20.0;
+pub const HIGHEST_PRESSURE_MPA: f64 = 20.0;
 /// Where the search for a contraction ends if the model sets no limit: of a muscle that extends,
 /// and of one that shortens.
 const WIDEST: (f64, f64) = (-1.5, 0.999);
@@ -319,6 +319,6 @@ impl Evaluation<'_> {
 
 /// A contraction below that at which the strands are straight and hold any pull; strands that
 /// stretch reach a little further.
-pub(crate) fn straight_strands(muscle: &Muscle) -> f64 {
+pub fn straight_strands(muscle: &Muscle) -> f64 {
     1.3 * (1.0 - 1.0 / muscle.braid().angle_rad().cos()) - 0.05
 }

@@ -29,7 +29,7 @@ const REMAINDER: f64 = 1e-6;
 type Sample = (f64, Option<f64>);
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Zero {
+pub struct Zero {
     /// Where.
     pub at: f64,
     /// Whether the function falls there.
@@ -37,7 +37,7 @@ pub(crate) struct Zero {
 }
 
 /// Samples of a function, by rising place. A search that is cancelled ends with an error.
-pub(crate) struct Sweep<F, E> {
+pub struct Sweep<F, E> {
     at: F,
     samples: Vec<Sample>,
     costly: bool,
@@ -253,7 +253,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 }
 
 /// Rising places that cut an interval into so many parts, with its ends.
-pub(super) fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
+pub fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |i| {
         if i == parts {
             to

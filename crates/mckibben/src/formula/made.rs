@@ -115,7 +115,7 @@ impl Made {
 }
 
 /// Whether two values are alike, relative to the larger: both none, or near to each other.
-pub(crate) fn alike(a: Option<f64>, b: Option<f64>, tolerance: f64) -> bool {
+pub fn alike(a: Option<f64>, b: Option<f64>, tolerance: f64) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() <= tolerance * a.abs().max(b.abs()),
         (a, b) => a.is_none() && b.is_none(),

@@ -71,7 +71,7 @@ impl Term {
 }
 
 /// A product of powers in letters.
-pub(super) fn name<const N: usize>(
+pub fn name<const N: usize>(
     powers: [u8; N],
     letters: &[&str; N],
     power: impl Fn(u8) -> String,

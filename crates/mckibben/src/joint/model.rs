@@ -87,11 +87,11 @@ pub struct JointModel<'m> {
 }
 
 /// Workspaces, one a muscle, and what is known of them at fixed pressures.
-pub(super) struct Fixed<'w> {
-    pub(super) workspaces: &'w mut [Workspace],
-    pub(super) pressures_mpa: Vec<f64>,
+pub struct Fixed<'w> {
+    pub workspaces: &'w mut [Workspace],
+    pub pressures_mpa: Vec<f64>,
     /// Free contractions; beyond them a muscle is slack.
-    pub(super) free: Vec<Option<f64>>,
+    pub free: Vec<Option<f64>>,
 }
 
 impl<'m> JointModel<'m> {

@@ -13,7 +13,7 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "belforte",
     description: "ideal muscle with strand length and turns as measured",
     source: "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its \
@@ -28,7 +28,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 /// # Errors
 /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused
 /// with the muscle.
-pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let measured = muscle.braid().measured.ok_or(ModelError::Missing {
         model: ENTRY.name,
         missing: "a strand measured on the muscle: `braid.strand_length` and `braid.turns` in the \

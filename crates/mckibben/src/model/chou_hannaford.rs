@@ -14,7 +14,7 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "chou-hannaford",
     description: "ideal muscle inside of a wall of constant thickness",
     source: "Chou & Hannaford 1996 [chou1996], as given by Tondu 2012 [tondu2012]",
@@ -25,7 +25,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 /// The rubber carries nothing, though it would: at ε = 0 and strands that do not stretch a real
 /// muscle pulls as if the pressure acted on the outer diameter. So this formula pulls too little at
 /// small contractions.
-pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.75);
     let braid = Pantograph::from_muscle(muscle);
     let wall_mm = muscle.wall_mm();

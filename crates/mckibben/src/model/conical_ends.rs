@@ -21,7 +21,7 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "conical-ends",
     description: "cylinder between two cones (Tondu 2012)",
     source: "Tondu 2012 [tondu2012] eq. (25)",
@@ -32,7 +32,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 /// # Errors
 /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest
 /// contraction, kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
-pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
         model: ENTRY.name,
         missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",

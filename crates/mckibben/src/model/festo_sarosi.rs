@@ -17,7 +17,7 @@ const BAR_PER_MPA: f64 = 10.0;
 const SOURCE: &str = "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle";
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Fit {
+pub struct Fit {
     pub entry: ModelEntry,
     make: &'static str,
     /// a, b, c, d, e, f
@@ -27,7 +27,7 @@ pub(super) struct Fit {
     accuracy: Accuracy,
 }
 
-pub(super) const DMSP_10: Fit = Fit {
+pub const DMSP_10: Fit = Fit {
     entry: ModelEntry {
         name: "festo-dmsp-10",
         description: "Festo DMSP-10 by Sarosi's fit; ignores the given muscle",
@@ -53,7 +53,7 @@ pub(super) const DMSP_10: Fit = Fit {
     },
 };
 
-pub(super) const DMSP_20_200: Fit = Fit {
+pub const DMSP_20_200: Fit = Fit {
     entry: ModelEntry {
         name: "festo-dmsp-20-200",
         description: "Festo DMSP-20-200N by Sarosi's fit; ignores the given muscle",

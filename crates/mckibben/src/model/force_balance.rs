@@ -14,14 +14,14 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "force-balance",
     description: "incompressible wall without the rubber's own stress",
     source: "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu \
         2012 [tondu2012] eq. (18)",
 };
 
-pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
+pub fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
     let g = braid.at(contraction)?;
     let bore = braid.bore(&g, contraction)?;
     let sin2 = 1.0 - g.cos * g.cos;
@@ -43,7 +43,7 @@ pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressur
 /// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force
 /// at small contractions (a rubber wall hands the pressure on to the braid). Being no energy model
 /// it breaks ∂F/∂P = −∂V/∂L; the volume given is that of the bore.
-pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.77);
     let braid = Pantograph::from_muscle(muscle);
     let per_pressure = move |contraction| balance(&braid, contraction);

@@ -14,7 +14,7 @@ use std::sync::Arc;
 const TOLERANCE: f64 = 1e-6;
 
 #[derive(Debug, Clone)]
-pub(super) enum Bound {
+pub enum Bound {
     Paper(Section),
     Global(GlobalSection),
 }
@@ -130,7 +130,7 @@ fn range(formula: &Formula, m: &Muscle) -> ModelRange {
 }
 
 /// The range of a formula for muscles of one length and braid angle.
-pub(super) fn of_sections(
+pub fn of_sections(
     r: &FormulaRange,
     (length_mm, angle_deg): (f64, f64),
     make: Vec<String>,

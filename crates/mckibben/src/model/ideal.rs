@@ -15,7 +15,7 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "ideal",
     description: "cylinder without wall, rubber and ends",
     source: "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)",

@@ -17,7 +17,7 @@ use super::{
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "klute-hannaford",
     description: "ideal muscle and a thin Mooney-Rivlin tube",
     source: "Klute & Hannaford 2000 [klute2000], derived from the energy",

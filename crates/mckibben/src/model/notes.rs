@@ -4,7 +4,7 @@ use crate::muscle::{Bulk, Muscle};
 
 /// Of a model that takes the strands as straight ones on the surface of a tube that fills its
 /// sleeve, the tube as mounted without a stretch, and its rubber as on its first inflation.
-pub(super) fn of_a_simple_tube(model: &str, muscle: &Muscle) -> Vec<String> {
+pub fn of_a_simple_tube(model: &str, muscle: &Muscle) -> Vec<String> {
     strands_on_the_tube(model, muscle)
         .into_iter()
         .chain(first_inflation(model, muscle))
@@ -42,7 +42,7 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
 }
 
 /// Of a model whose plugs have the diameter of the bore.
-pub(super) fn plugs(model: &str, muscle: &Muscle) -> Option<String> {
+pub fn plugs(model: &str, muscle: &Muscle) -> Option<String> {
     let stated = muscle.terminals().plug_diameter_mm;
     stated.map(|_| {
         format!(
@@ -52,14 +52,14 @@ pub(super) fn plugs(model: &str, muscle: &Muscle) -> Option<String> {
 }
 
 /// Of a model that takes the rubber as on its first inflation.
-pub(super) fn first_inflation(model: &str, muscle: &Muscle) -> Option<String> {
+pub fn first_inflation(model: &str, muscle: &Muscle) -> Option<String> {
     muscle.tube().rubber.is_conditioned().then(|| {
         format!("{model} assumes rubber on its first inflation: tube.material.conditioned not used")
     })
 }
 
 /// Of a model that takes the rubber as incompressible.
-pub(super) fn incompressible(model: &str, muscle: &Muscle) -> Option<String> {
+pub fn incompressible(model: &str, muscle: &Muscle) -> Option<String> {
     match muscle.tube().rubber.bulk {
         Bulk::Incompressible => None,
         Bulk::Modulus(_) => Some(format!(

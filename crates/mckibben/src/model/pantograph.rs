@@ -10,7 +10,7 @@ use crate::muscle::Muscle;
 
 /// The muscle's measures that the pantograph needs.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pantograph {
+pub struct Pantograph {
     /// Outer radius at rest
     pub r0: f64,
     /// Length at rest
@@ -23,7 +23,7 @@ pub(super) struct Pantograph {
 
 /// One state of it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shape {
+pub struct Shape {
     pub l: f64,
     /// cosθ now
     pub cos: f64,
@@ -36,7 +36,7 @@ pub(super) struct Shape {
 
 /// The bore of an incompressible wall under the pantograph.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bore {
+pub struct Bore {
     pub r: f64,
     /// d/dλ
     pub r1: f64,

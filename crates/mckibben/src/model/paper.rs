@@ -16,7 +16,7 @@ use crate::{
     muscle::Muscle,
 };
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "paper",
     description: "formula (11) of Antonelli et al. 2018 [antonelli2018]: D0 30-50, s 1-5, L0 285 \
         mm, 28 deg, up to 0.25 MPa",

@@ -4,7 +4,7 @@ use super::{ForceModel, ModelInfo, Response, Result, Workspace};
 
 /// What such a formula says at a contraction, per unit of pressure.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct PerPressure {
+pub struct PerPressure {
     /// F/P
     pub f: f64,
     /// ∂(F/P)/∂λ
@@ -18,17 +18,17 @@ pub(super) struct PerPressure {
 }
 
 /// As [`ForceModel::contraction_at_pull`].
-pub(super) type Inverse = Box<dyn Fn(f64, f64) -> Option<f64> + Send + Sync>;
+pub type Inverse = Box<dyn Fn(f64, f64) -> Option<f64> + Send + Sync>;
 
 /// A formula of this kind.
-pub(super) struct Proportional<F> {
+pub struct Proportional<F> {
     pub info: ModelInfo,
     pub per_pressure: F,
     pub contraction_at_pull: Option<Inverse>,
 }
 
 /// A model without an inverse for the contraction.
-pub(super) fn proportional(
+pub fn proportional(
     info: ModelInfo,
     per_pressure: impl Fn(f64) -> Result<PerPressure> + Send + Sync + 'static,
 ) -> Result<Box<dyn ForceModel>> {

@@ -3,13 +3,13 @@
 use std::sync::LazyLock;
 
 /// (point, weight) pairs.
-pub(crate) type Rule = Vec<(f64, f64)>;
+pub type Rule = Vec<(f64, f64)>;
 
 static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| ORDERS.iter().map(|&n| legendre(n)).collect());
 const ORDERS: [usize; 6] = [4, 6, 8, 12, 20, 40];
 
 /// The smallest stored rule with at least `points` points (40 at most).
-pub(crate) fn rule(points: usize) -> &'static Rule {
+pub fn rule(points: usize) -> &'static Rule {
     let i = ORDERS
         .iter()
         .position(|&n| n >= points)

@@ -21,7 +21,7 @@ use super::{
 };
 use crate::muscle::Muscle;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "rounded-ends",
     description: "force balance of the middle of a muscle with round ends",
     source: "effective length of Kothera & Wereley 2009 [kothera2009] in the force balance",
@@ -31,7 +31,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
 ///
 /// It needs 1 + (2/L0) dr/dλ > 0: below L0 = D0 cot²θ0 the ends of a muscle at rest would take up
 /// more than the middle gives, and the model refuses.
-pub(super) fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let braid = Pantograph::from_muscle(muscle);
     let cot2 = (braid.cos / braid.sin).powi(2);
     let least_mm = 2.0 * braid.r0 * cot2;

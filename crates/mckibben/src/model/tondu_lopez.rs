@@ -10,7 +10,7 @@ use super::{ForceModel, Ideal, ModelEntry, ModelError, ModelInfo, Response, Resu
 use crate::muscle::{EndFactor, Muscle};
 use std::f64::consts::PI;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "tondu-lopez",
     description: "ideal muscle with an empirical end factor on the contraction",
     source: "Tondu & Lopez 2000 [tondu2000], as given by Tondu 2012 [tondu2012]",

@@ -36,7 +36,7 @@ impl Add for WallEnergy {
 
 /// W and its derivatives in λ and x = ro² at one state.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SquareEnergy {
+pub struct SquareEnergy {
     pub w: f64,
     pub l: f64,
     pub x: f64,

@@ -12,7 +12,7 @@ use super::wall_energy::{SquareEnergy, WallEnergy};
 use std::f64::consts::PI;
 
 /// A wall of Mooney–Rivlin rubber.
-pub(super) struct Mooney {
+pub struct Mooney {
     pub c10_mpa: f64,
     pub c01_mpa: f64,
     /// Ro² in mm²
@@ -25,7 +25,7 @@ pub(super) struct Mooney {
 
 impl Mooney {
     /// W and its derivatives at λ and ro.
-    pub(super) fn energy(&self, l: f64, r: f64) -> WallEnergy {
+    pub fn energy(&self, l: f64, r: f64) -> WallEnergy {
         let x = r * r;
         let e = self.of_square(l, x);
         WallEnergy {
@@ -40,7 +40,7 @@ impl Mooney {
 
     /// The same at λ and x = ro².
     #[inline(always)]
-    pub(super) fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
+    pub fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
         let c10 = self.c10_mpa;
         let c01 = self.c01_mpa;
         let a = self.section;

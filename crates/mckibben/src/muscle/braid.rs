@@ -111,7 +111,7 @@ pub struct Braid {
 }
 
 /// What a braid described by its strands takes.
-pub(super) const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, \
+pub const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, \
     `strand_area` (or `strand_diameter`) and `strand_modulus`";
 
 fn strands_incomplete(missing: &str) -> MuscleError {

@@ -7,7 +7,7 @@ pub type MuscleError = Refused;
 
 /// That a value with its unit must be something else. A key may carry an explanation behind it:
 /// "terminals.end_factor at 0 MPa (a + b)".
-pub(super) fn must(key: &'static str, value: f64, unit: &str, must: &str) -> MuscleError {
+pub fn must(key: &'static str, value: f64, unit: &str, must: &str) -> MuscleError {
     let field = key.split(' ').next().unwrap_or(key);
     let of_model = match field {
         "terminals.end_factor" => Some("model.tondu-lopez.end_factor"),
@@ -19,7 +19,7 @@ pub(super) fn must(key: &'static str, value: f64, unit: &str, must: &str) -> Mus
     MuscleError::new([field].into_iter().chain(of_model), message)
 }
 
-pub(super) fn positive(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
+pub fn positive(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
     let fine = value.is_finite() && value > 0.0;
     if fine {
         Ok(())
@@ -28,7 +28,7 @@ pub(super) fn positive(key: &'static str, value: f64, unit: &str) -> Result<(), 
     }
 }
 
-pub(super) fn not_negative(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
+pub fn not_negative(key: &'static str, value: f64, unit: &str) -> Result<(), MuscleError> {
     let fine = value.is_finite() && value >= 0.0;
     if fine {
         Ok(())

@@ -95,7 +95,7 @@ type Size = (f64, f64, f64);
 ///
 /// # Errors
 /// The name of the row, and what is wrong with it.
-pub(super) fn entries(
+pub fn entries(
     rows: &[SleeveRow],
     sources: &Sources,
     materials: &'static [Material],

@@ -124,7 +124,7 @@ fn largest(list: &[Option<f64>]) -> Option<f64> {
 }
 
 /// The rubber with all moduli times a factor; it is no longer the one of its name.
-pub(super) fn stiffer(rubber: &Rubber, factor: f64) -> Rubber {
+pub fn stiffer(rubber: &Rubber, factor: f64) -> Rubber {
     Rubber {
         name: None,
         law: rubber.law.scaled(factor),

@@ -22,12 +22,12 @@ const WITH_COLUMN: [&str; 9] = [
     "braid.stiffness_per_diameter",
     SCALE,
 ];
-pub(super) const SCALE: &str = "tube.material.scale";
+pub const SCALE: &str = "tube.material.scale";
 /// The prefix of the name of a constant of the law.
-pub(super) const CONSTANT: &str = "tube.material.";
+pub const CONSTANT: &str = "tube.material.";
 
 /// What can vary.
-pub(super) struct Variable {
+pub struct Variable {
     /// Its key in `[vary]`.
     pub key: String,
     pub dimension: Dimension,
@@ -58,7 +58,7 @@ const NO_MEASURES: [(&str, Dimension, &str); 4] = [
 /// All that can vary, in the order in which a factorial plan runs through it: what has a column in
 /// every table, the constants of all laws (sums of terms have none that vary alone), and every
 /// other measure of the muscle.
-pub(super) fn variables() -> Vec<Variable> {
+pub fn variables() -> Vec<Variable> {
     let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
     let constants = laws.flat_map(|kind| kind.constants).map(|c| Variable {
         key: format!("{CONSTANT}{}", c.name),

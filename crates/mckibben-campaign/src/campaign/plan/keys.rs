@@ -75,7 +75,7 @@ impl PlanKeys {
 /// How muscles are taken from the ranges.
 #[derive(Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Method {
+pub enum Method {
     #[default]
     Factorial,
     LatinHypercube,
@@ -84,7 +84,7 @@ pub(super) enum Method {
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct OfSampling {
+pub struct OfSampling {
     /// How muscles are taken from the ranges
     pub method: Method,
     /// Number of muscles; not of a factorial plan
@@ -95,7 +95,7 @@ pub(super) struct OfSampling {
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct OfTest {
+pub struct OfTest {
     /// Contractions, such as "0..20:5%"
     pub contractions: Choice<Ratio>,
     /// Whether contractions are shares of the largest of the ideal muscle
@@ -119,7 +119,7 @@ fn elements(_: &mut SchemaGenerator) -> Schema {
 
 /// `[vary]`: what varies, in the order in which a factorial plan runs through it.
 #[derive(Default)]
-pub(super) struct Vary(pub Vec<Axis>);
+pub struct Vary(pub Vec<Axis>);
 
 impl<'de> Deserialize<'de> for Vary {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {

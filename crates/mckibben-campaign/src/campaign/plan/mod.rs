@@ -182,7 +182,7 @@ impl Plan {
 }
 
 /// Constants of a law with the names of their columns.
-pub(super) fn constants(law: &Law) -> Vec<(String, f64)> {
+pub fn constants(law: &Law) -> Vec<(String, f64)> {
     law.constants()
         .into_iter()
         .map(|c| (c.column(), c.value))

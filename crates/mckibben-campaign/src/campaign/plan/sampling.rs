@@ -7,11 +7,11 @@ use rand_chacha::{
 };
 
 /// The most muscles of a plan.
-pub(super) const MOST_MUSCLES: u64 = 20_000_000;
+pub const MOST_MUSCLES: u64 = 20_000_000;
 /// The most of a Latin hypercube, whose order is held in memory: 8 MB for each quantity.
-pub(super) const MOST_STRATA: u64 = 1_000_000;
+pub const MOST_STRATA: u64 = 1_000_000;
 /// The most of Sobol's sequence: the library has 16 direction numbers of each dimension.
-pub(super) const MOST_SOBOL: u64 = 1 << 16;
+pub const MOST_SOBOL: u64 = 1 << 16;
 
 /// A way of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,15 +50,15 @@ impl Sampling {
 
 /// Where the muscles of a plan lie in the unit cube of its axes.
 #[derive(Debug, Clone)]
-pub(super) struct Design {
-    pub(super) sampling: Sampling,
-    pub(super) muscles: u64,
+pub struct Design {
+    pub sampling: Sampling,
+    pub muscles: u64,
     /// Of a Latin hypercube the shares of all muscles, axis by axis.
     strata: Vec<Vec<f64>>,
 }
 
 impl Design {
-    pub(super) fn new(sampling: Sampling, axes: &[Axis]) -> Self {
+    pub fn new(sampling: Sampling, axes: &[Axis]) -> Self {
         let (muscles, strata) = match sampling {
             Sampling::Factorial => (
                 axes.iter()
@@ -81,7 +81,7 @@ impl Design {
     }
 
     /// The value of an axis for a muscle.
-    pub(super) fn value(&self, axes: &[Axis], axis: usize, number: u64) -> f64 {
+    pub fn value(&self, axes: &[Axis], axis: usize, number: u64) -> f64 {
         match self.sampling {
             Sampling::Factorial => {
                 // The first axis changes slowest.

@@ -20,7 +20,7 @@ const EITHER: [(&str, &str); 3] = [
     ("braid.stiffness", "braid.stiffness_per_diameter"),
 ];
 
-pub(super) fn check_all(
+pub fn check_all(
     axes: &[Axis],
     source: &Source<'_>,
     base: &Muscle,

@@ -15,14 +15,14 @@ const LONGEST: u64 = 1 << 16;
 
 /// What a folder is of.
 #[derive(PartialEq, Serialize, Deserialize)]
-pub(super) struct Manifest {
-    pub(super) version: String,
-    pub(super) plan_sha256: String,
-    pub(super) parts: u64,
+pub struct Manifest {
+    pub version: String,
+    pub plan_sha256: String,
+    pub parts: u64,
 }
 
 impl Manifest {
-    pub(super) fn new(provenance: &Provenance) -> Self {
+    pub fn new(provenance: &Provenance) -> Self {
         Self {
             version: provenance.version.clone(),
             plan_sha256: provenance.plan_sha256.clone(),
@@ -30,12 +30,12 @@ impl Manifest {
         }
     }
 
-    pub(super) fn read(folder: &Path) -> Option<Self> {
+    pub fn read(folder: &Path) -> Option<Self> {
         serde_json::from_slice(&read(&folder.join(MANIFEST), LONGEST).ok()?).ok()
     }
 
     /// Claims a folder for a plan; one of another plan or version is refused.
-    pub(super) fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
+    pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
         let path = folder.join(MANIFEST);
         let ours = Self::new(provenance);
         // Another process may write it between the two steps: it is read again.

@@ -30,15 +30,15 @@ pub struct Merged {
 }
 
 /// A campaign of which all parts are there, each in its file.
-pub(super) struct Parts {
-    pub(super) provenance: Provenance,
+pub struct Parts {
+    pub provenance: Provenance,
     /// In their order.
-    pub(super) files: Vec<PathBuf>,
+    pub files: Vec<PathBuf>,
 }
 
 impl Parts {
     /// All parts of some folders; none may be missing.
-    pub(super) fn gather(folders: &[PathBuf]) -> Result<Self> {
+    pub fn gather(folders: &[PathBuf]) -> Result<Self> {
         let mut parts: BTreeMap<u64, PathBuf> = BTreeMap::new();
         for folder in folders {
             for (number, path) in Folder::parts(folder)? {
@@ -75,7 +75,7 @@ impl Parts {
     }
 
     /// Each is opened when its turn comes, and checked against the plan it must belong to.
-    pub(super) fn opened(self) -> impl Iterator<Item = Result<Opened>> {
+    pub fn opened(self) -> impl Iterator<Item = Result<Opened>> {
         (0..).zip(self.files).map(move |(number, file)| {
             Opened::file(&file)?.expect(Which::Part(number), &self.provenance)
         })
@@ -83,7 +83,7 @@ impl Parts {
 
     /// Writes them as one file, which appears whole or not at all; with `clobber` instead of an
     /// existing file. One group of rows is held at a time.
-    pub(super) fn write(self, out: &Path, clobber: bool) -> Result<()> {
+    pub fn write(self, out: &Path, clobber: bool) -> Result<()> {
         Unfinished::sweep(out);
         let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
         let provenance = self.provenance.clone();

@@ -33,7 +33,7 @@ fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Op
 
 /// Checks that an existing file is the whole table of this plan, and removes the parts that a run
 /// left which was killed behind writing it.
-pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<()> {
+pub fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<()> {
     of_this_plan(provenance, out, Which::Whole)?;
     if !parts.is_dir() {
         return Ok(());
@@ -53,7 +53,7 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
 /// The existing parts that a process `holds`, and the damaged ones. Of the other shares one part is
 /// checked: a thousand shards that read one another's parts would read the table a thousand times.
 /// With `overwrite` those that are not of this plan are taken for damaged.
-pub(super) fn existing(
+pub fn existing(
     folder: &Folder,
     provenance: &Provenance,
     holds: impl Fn(u64) -> bool,

@@ -20,7 +20,7 @@ const TICK: Duration = Duration::from_millis(20);
 const SWEEPS: usize = 20;
 
 /// A browser that prints.
-pub(super) fn browser() -> Result<&'static str, Problem> {
+pub fn browser() -> Result<&'static str, Problem> {
     let names = [
         "chromium",
         "chromium-browser",
@@ -45,7 +45,7 @@ pub(super) fn browser() -> Result<&'static str, Problem> {
 }
 
 /// The page as PDF.
-pub(super) fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
+pub fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Problem> {
     let wrong = |why: io::Error| {
         let message = format!("{browser} could not print the page: {why}");
         Problem::new(ProblemKind::Output, message, "print the HTML page")

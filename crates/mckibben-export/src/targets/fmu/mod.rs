@@ -18,7 +18,7 @@ use crate::{
 };
 use variables::{Variable, description, settings};
 
-pub(super) const TARGET: Target = Target {
+pub const TARGET: Target = Target {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as \
         input, Model Exchange and Co-Simulation, with libraries and their sources",

@@ -65,7 +65,7 @@ const ROLES: [(&str, Role, &str); 8] = [
 
 /// One variable; its value reference is the place of its name in the list at the beginning of
 /// fmu2.c.
-pub(super) struct Variable {
+pub struct Variable {
     name: &'static str,
     role: Role,
     unit: &'static str,
@@ -81,7 +81,7 @@ pub(super) struct Variable {
 
 /// The variables of a unit, by a table; `-` is none, `held` stands for pressure and length, what
 /// gives them, or pressures and angle.
-pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
+pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
     let form = &muscle.form;
     let (rows, held) = match kind {
         Kind::Pressure => (["any", "muscle", "pressure"], "pressure length"),
@@ -142,7 +142,7 @@ pub(super) fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
 
 /// The names of fmu2.c: the place of each is its value reference, and those before `force` can be
 /// set or are states.
-pub(super) fn references() -> Vec<String> {
+pub fn references() -> Vec<String> {
     let source = include_str!("../../../templates/fmu2.c");
     let list = source
         .split_once("enum {\n    PRESSURE")
@@ -163,7 +163,7 @@ fn reference(name: &str) -> usize {
 
 /// Start, range and nominal value of each variable that can be set or is a state, as muscle.bin has
 /// them.
-pub(super) fn settings(variables: &[Variable]) -> Vec<f64> {
+pub fn settings(variables: &[Variable]) -> Vec<f64> {
     let names = references();
     let known = names.iter().take_while(|name| *name != "force");
     known
@@ -204,7 +204,7 @@ impl Variable {
         .concat()
     }
 
-    pub(super) fn is_state(&self) -> bool {
+    pub fn is_state(&self) -> bool {
         self.role == State
     }
 
@@ -241,7 +241,7 @@ const UNKNOWNS: [Unknowns; 4] = [
 
 /// `ModelVariables` and `ModelStructure`. FMI 2.0 names a variable by its place, from 1, and FMI
 /// 3.0 by its value reference.
-pub(super) fn description(variables: &[Variable], version: Version) -> (String, String) {
+pub fn description(variables: &[Variable], version: Version) -> (String, String) {
     let is_third = version == Version::Third;
     let place = |name: &str| {
         variables
@@ -326,6 +326,6 @@ pub(super) fn description(variables: &[Variable], version: Version) -> (String, 
 }
 
 /// How many of them indicate events.
-pub(super) fn events(variables: &[Variable]) -> usize {
+pub fn events(variables: &[Variable]) -> usize {
     variables.iter().filter(|v| v.role == Event).count()
 }

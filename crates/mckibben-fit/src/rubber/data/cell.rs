@@ -5,17 +5,17 @@ use crate::rubber::Mode;
 use mckibben_io::table::{Column, Meaning, Table, TableError};
 
 /// Groups of [`TESTS`](mckibben_io::table::TESTS).
-pub(super) const STRETCH: usize = 0;
-pub(super) const STRESS: usize = 1;
+pub const STRETCH: usize = 0;
+pub const STRESS: usize = 1;
 
 /// No rubber is stretched further: a larger number is in percent, or in another unit.
-pub(super) const LARGEST_STRETCH: f64 = 25.0;
+pub const LARGEST_STRETCH: f64 = 25.0;
 
 /// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
-pub(super) const LARGEST_STRESS_MPA: f64 = 100.0;
+pub const LARGEST_STRESS_MPA: f64 = 100.0;
 
 /// A table of tests, with what it does not state.
-pub(super) struct Tests<'a> {
+pub struct Tests<'a> {
     pub table: &'a Table,
     /// Cross-section of the specimen of each row at rest, where there are forces.
     pub areas_mm2: &'a [f64],

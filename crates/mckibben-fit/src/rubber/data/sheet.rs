@@ -12,7 +12,7 @@ use crate::rubber::{Mode, TensionPoint};
 use mckibben_io::table::{Meaning, TableError};
 
 /// Columns beside the first stretch.
-pub(super) const MEANINGS: [Meaning; 7] = [
+pub const MEANINGS: [Meaning; 7] = [
     Meaning::Stretch2,
     Meaning::NominalStress,
     Meaning::TrueStress,

@@ -1,7 +1,7 @@
 use super::*;
 use mckibben_io::table::{Columns, TableError};
 
-pub(super) fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
+pub fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
     read_tension(text)
 }
 

@@ -4,14 +4,14 @@
 use crate::muscle::{Muscle, StrandLay};
 
 /// Radii of a muscle's tube over the angle of its strands.
-pub(super) struct Radii {
+pub struct Radii {
     lay: StrandLay,
     /// Outer and inner radius at rest in mm.
     rest_mm: (f64, f64),
 }
 
 impl Radii {
-    pub(super) fn new(muscle: &Muscle) -> Self {
+    pub fn new(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         Self {
             lay: muscle.strand_lay(),
@@ -21,12 +21,12 @@ impl Radii {
 
     /// Radius of the braid in mm at an angle in radians, with strands whose length is `stretch`
     /// times that at rest.
-    pub(super) fn braid_mm(&self, angle_rad: f64, stretch: f64) -> f64 {
+    pub fn braid_mm(&self, angle_rad: f64, stretch: f64) -> f64 {
         stretch * self.lay.radius_mm * angle_rad.sin() / self.lay.angle_rad.sin()
     }
 
     /// Outer and inner radius of the tube in mm.
-    pub(super) fn tube_mm(&self, angle_rad: f64, stretch: f64) -> (f64, f64) {
+    pub fn tube_mm(&self, angle_rad: f64, stretch: f64) -> (f64, f64) {
         let (outer_mm, inner_mm) = self.rest_mm;
         let shortened = stretch * angle_rad.cos() / self.lay.angle_rad.cos();
         let outer = self.braid_mm(angle_rad, stretch) - self.lay.offset_mm;
@@ -35,7 +35,7 @@ impl Radii {
     }
 
     /// The largest stretch of the rubber, around the tube or along it.
-    pub(super) fn largest_stretch(&self, angle_rad: f64, stretch: f64) -> f64 {
+    pub fn largest_stretch(&self, angle_rad: f64, stretch: f64) -> f64 {
         let (outer, inner) = self.tube_mm(angle_rad, stretch);
         let axial = stretch * angle_rad.cos() / self.lay.angle_rad.cos();
         (inner / self.rest_mm.1)

@@ -7,14 +7,14 @@ use serde::{
 };
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize, schemars::JsonSchema)]
-pub(super) enum Format {
+pub enum Format {
     #[serde(rename = "mckibben formula 1")]
     One,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Kind {
+pub enum Kind {
     Paper,
     Global,
     Universal,
@@ -32,10 +32,10 @@ struct Head {
 }
 
 /// What is read, or why it is no formula.
-pub(super) type Read<T> = Result<T, FormulaError>;
+pub type Read<T> = Result<T, FormulaError>;
 
 /// Reads a text to its end.
-pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
+pub fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
     let mut source = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut source).map_err(|e| {
         let path = e.path().to_string();
@@ -45,7 +45,7 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Read<T> {
     Ok(value)
 }
 
-pub(super) fn kind(text: &str) -> Read<Kind> {
+pub fn kind(text: &str) -> Read<Kind> {
     let Head {
         format: Format::One,
         kind,

@@ -14,7 +14,7 @@ use universal::{UniversalFile, universal};
 /// A formula's file.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
-pub(super) enum File {
+pub enum File {
     Paper(SectionFile<PaperTerm>),
     Global(SectionFile<GlobalTerm>),
     Universal(UniversalFile),

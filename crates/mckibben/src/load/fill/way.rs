@@ -15,7 +15,7 @@ const POINTS: usize = 12;
 
 /// A part of the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Leg {
+pub enum Leg {
     /// At a contraction; the pressure rises.
     At(f64),
     /// In balance with the load; the contraction changes.
@@ -23,18 +23,18 @@ pub(super) enum Leg {
 }
 
 /// A part of a leg that was walked, from one place to another.
-pub(super) type Part = (Leg, f64, f64);
+pub type Part = (Leg, f64, f64);
 
 /// The muscle on its way.
-pub(super) struct Way<'a> {
-    pub(super) evaluation: Evaluation<'a>,
-    pub(super) filling: Filling<'a>,
-    pub(super) rest_mm3: f64,
-    pub(super) length_mm: f64,
+pub struct Way<'a> {
+    pub evaluation: Evaluation<'a>,
+    pub filling: Filling<'a>,
+    pub rest_mm3: f64,
+    pub length_mm: f64,
 }
 
 impl Way<'_> {
-    pub(super) fn load_n(&self, contraction: f64) -> f64 {
+    pub fn load_n(&self, contraction: f64) -> f64 {
         self.filling
             .load
             .map_or(0.0, |load| load.force_n(contraction * self.length_mm))
@@ -42,7 +42,7 @@ impl Way<'_> {
 
     /// The way until the volume is in, and whether it is: at rest, with the load up to the furthest
     /// contraction, then where it is held.
-    pub(super) fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<(Vec<Part>, bool)> {
+    pub fn walk(&mut self, highest_mpa: f64, furthest: f64) -> Result<(Vec<Part>, bool)> {
         let held_at = self.filling.held_at;
         let extends = self.evaluation.model.muscle().is_extensile();
         let sign = if extends { -1.0 } else { 1.0 };
@@ -76,7 +76,7 @@ impl Way<'_> {
     }
 
     /// (P, ε) at a place of a leg.
-    pub(super) fn place(&mut self, leg: Leg, at: f64) -> Result<(f64, f64)> {
+    pub fn place(&mut self, leg: Leg, at: f64) -> Result<(f64, f64)> {
         match leg {
             Leg::At(contraction) => Ok((at, contraction)),
             Leg::Load => Ok((self.evaluation.pressure_at(self.load_n(at), at)?, at)),
@@ -84,7 +84,7 @@ impl Way<'_> {
     }
 
     /// ΔV that brings the muscle to a place of a leg, in mm³.
-    pub(super) fn pushed_mm3(&mut self, leg: Leg, at: f64) -> Result<f64> {
+    pub fn pushed_mm3(&mut self, leg: Leg, at: f64) -> Result<f64> {
         let (p, e) = self.place(leg, at)?;
         let cavity_mm3 = self.evaluation.cavity_mm3(p, e)?;
         Ok(self.filling.liquid.pushed_mm3(
@@ -95,7 +95,7 @@ impl Way<'_> {
     }
 
     /// The place of a leg at which the volume is in; else the last one with an answer.
-    pub(super) fn seek(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<Result<f64, f64>> {
+    pub fn seek(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<Result<f64, f64>> {
         if from == to {
             return Ok(Err(to));
         }
@@ -118,7 +118,7 @@ impl Way<'_> {
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.
-    pub(super) fn works_j(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
+    pub fn works_j(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, f64)> {
         let mut cavity = 0.0;
         let mut friction = 0.0;
         for &(x, weight) in gauss(POINTS) {
@@ -147,15 +147,15 @@ impl Way<'_> {
 }
 
 /// V_P, V_ε, F_P and K = ∂F/∂L of a model, or by differences where it does not state them.
-pub(super) struct Slopes {
-    pub(super) volume_by_pressure: f64,
-    pub(super) volume_by_contraction: f64,
-    pub(super) force_by_pressure: f64,
-    pub(super) stiffness: f64,
+pub struct Slopes {
+    pub volume_by_pressure: f64,
+    pub volume_by_contraction: f64,
+    pub force_by_pressure: f64,
+    pub stiffness: f64,
 }
 
 impl Slopes {
-    pub(super) fn at(evaluation: &mut Evaluation<'_>, p: f64, e: f64) -> Result<Self> {
+    pub fn at(evaluation: &mut Evaluation<'_>, p: f64, e: f64) -> Result<Self> {
         const STEP: f64 = 1e-5;
         let r = evaluation.response(p, e)?;
         let volume_by_pressure = match r.volume_per_pressure_mm3_per_mpa {

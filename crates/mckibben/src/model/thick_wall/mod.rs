@@ -31,7 +31,7 @@ use crate::muscle::{Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::sync::Arc;
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "thick-wall",
     description: "energy of a long muscle: any rubber, any wall, strands that stretch",
     source: "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, \

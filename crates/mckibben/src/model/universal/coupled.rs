@@ -44,7 +44,7 @@ struct Start {
 }
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Root {
+pub struct Root {
     pub force: f64,
     /// λ and r
     pub l: f64,
@@ -231,4 +231,4 @@ impl Stepped {
 }
 
 /// Slope −∂ε/∂λ below which there is no answer.
-pub(super) const LEAST_SLOPE: f64 = 0.02;
+pub const LEAST_SLOPE: f64 = 0.02;

@@ -48,7 +48,7 @@ const ITERATIONS: usize = 40;
 
 /// What the end zone gives, per end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End<const N: usize = 2> {
+pub struct End<const N: usize = 2> {
     /// δ in mm
     pub deficit: Dual<N>,
     /// ∫ π r² z' − π b² λ dZ in mm³
@@ -63,7 +63,7 @@ pub(super) struct End<const N: usize = 2> {
 
 /// The muscle's constants that the end needs.
 #[derive(Debug, Clone)]
-pub(super) struct EndZone {
+pub struct EndZone {
     pub wall: ThickWall,
     /// Ro
     pub ro: f64,
@@ -75,7 +75,7 @@ pub(super) struct EndZone {
 
 /// The middle, as an end sees it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Uniform<const N: usize> {
+pub struct Uniform<const N: usize> {
     /// λ
     pub stretch: Dual<N>,
     /// P
@@ -88,7 +88,7 @@ pub(super) struct Uniform<const N: usize> {
 
 /// λs and T at a radius.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Section<const N: usize = 2> {
+pub struct Section<const N: usize = 2> {
     pub radius: Dual<N>,
     pub stretch: Dual<N>,
     pub tension: Dual<N>,

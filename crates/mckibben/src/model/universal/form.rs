@@ -22,7 +22,7 @@ use std::array::from_fn;
 
 /// A deficit with a muscle's S and A put in: a polynomial in the other three variables.
 #[derive(Debug, Clone)]
-pub(super) struct Bound {
+pub struct Bound {
     form: Form,
     terms: Vec<([usize; 3], f64)>,
     /// 1, x, y, z, x², xy, xz, y², yz, z² where there are no other terms.

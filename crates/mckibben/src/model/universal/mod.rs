@@ -41,13 +41,13 @@ use std::sync::Arc;
 
 const SOURCE: &str = "infinitely long muscle with computed ends";
 
-pub(super) const ENTRY: ModelEntry = ModelEntry {
+pub const ENTRY: ModelEntry = ModelEntry {
     name: "universal",
     description: "long muscle with computed ends: any size, rubber, wall, braid and length",
     source: SOURCE,
 };
 
-pub(super) const SMALL: ModelEntry = ModelEntry {
+pub const SMALL: ModelEntry = ModelEntry {
     name: "universal-small",
     description: "the same with ends of 16 terms, for hand calculation",
     source: SOURCE,

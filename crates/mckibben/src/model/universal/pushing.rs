@@ -25,7 +25,7 @@ const PRESSURE_STEP: f64 = 1e-4;
 
 /// Where the muscle ceases to pull at a pressure.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Zero {
+pub struct Zero {
     pub middle: Middle,
     pub contraction: f64,
     /// −∂ε/∂λ

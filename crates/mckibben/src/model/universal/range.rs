@@ -16,7 +16,7 @@ fn c01_share(law: &Law) -> f64 {
 }
 
 /// The box of a muscle.
-pub(super) fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
+pub fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
     let d0 = muscle.outer_diameter_mm();
     let mu = muscle.rubber().law.shear_modulus_mpa();
     let ideal = muscle.max_ideal_contraction();

@@ -6,7 +6,7 @@ use super::{Universal, coupled::LEAST_SLOPE, dual::Dual};
 use crate::model::{ModelError, Result, Workspace, thick_wall::State};
 
 /// Newton steps in λ; three are usual.
-pub(super) const ITERATIONS: usize = 60;
+pub const ITERATIONS: usize = 60;
 /// A step this small leaves an error of its square.
 const SMALL_STEP: f64 = 1e-7;
 const LARGEST_STEP: f64 = 0.15;
@@ -15,7 +15,7 @@ const NARROW: f64 = 1e-13;
 
 /// The middle at a pressure and stretch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Middle {
+pub struct Middle {
     pub l: f64,
     pub state: State,
     pub deficit: Dual,
@@ -24,7 +24,7 @@ pub(super) struct Middle {
 }
 
 /// The middle that answers a question.
-pub(super) struct SearchPoint {
+pub struct SearchPoint {
     pub l: f64,
     pub state: State,
     /// −∂ε/∂λ
@@ -37,7 +37,7 @@ pub(super) struct SearchPoint {
 
 impl SearchPoint {
     /// Of a muscle that pushes: dλ/dP of the middle whose ends it has, at which it ceases to pull.
-    pub(super) fn ends_by_pressure(&self) -> Option<f64> {
+    pub fn ends_by_pressure(&self) -> Option<f64> {
         let kept = &self.ends.state;
         (self.ends.l != self.l).then(|| -kept.force_p / kept.force_l)
     }

@@ -7,7 +7,7 @@ use crate::muscle::{Bench, Direction};
 const MOST: usize = 64;
 const LONGEST: usize = 200;
 
-pub(super) fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
+pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
     let is_name =
         |name: &str| !name.is_empty() && name.len() <= LONGEST && !name.contains(char::is_control);
     let is_range = |(low, high): (f64, f64)| low <= high;

@@ -30,7 +30,7 @@ pub struct FileError {
 
 /// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, is in
 /// front already.
-pub(super) fn without_key(error: &MuscleError, key: &str) -> String {
+pub fn without_key(error: &MuscleError, key: &str) -> String {
     let message = error.to_string();
     let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));
     let key = [format!("{key} "), format!("{key}: ")];

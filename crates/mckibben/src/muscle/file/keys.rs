@@ -212,7 +212,7 @@ fn about(schema: &Value) -> String {
 }
 
 /// The dotted name of a key in a table.
-pub(super) fn join(path: &str, key: &str) -> String {
+pub fn join(path: &str, key: &str) -> String {
     if path.is_empty() {
         key.to_owned()
     } else {

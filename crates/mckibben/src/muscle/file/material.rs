@@ -58,7 +58,7 @@ fn conditioned<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Conditioned>
 
 /// `[tube.material]`.
 #[derive(Debug)]
-pub(super) struct Material {
+pub struct Material {
     law: &'static LawKind,
     /// The values of each constant that is written: one, or one a term in a sum.
     constants: Vec<Option<Vec<f64>>>,
@@ -187,7 +187,7 @@ fn of_constant(law: &LawKind, constant: &Constant, generator: &mut SchemaGenerat
     schema.to_value()
 }
 
-pub(super) fn rubbers(_: &mut SchemaGenerator) -> Schema {
+pub fn rubbers(_: &mut SchemaGenerator) -> Schema {
     // A damaged table of names leaves the key without them.
     let all = library::entries().unwrap_or_default();
     named(all.iter().map(|entry| entry.name.as_str()))
@@ -200,7 +200,7 @@ pub fn named<'n>(names: impl Iterator<Item = &'n str>) -> Schema {
 }
 
 /// The rubber of a name, or that of the table.
-pub(super) fn rubber(
+pub fn rubber(
     source: &Source<'_>,
     name: Option<String>,
     material: Option<Material>,

@@ -16,16 +16,16 @@ use std::fmt;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
 /// What is expected, for messages.
-pub(super) const PLAIN: &str = "a number without unit, such as 0.8";
-pub(super) const TEXT: &str = "a text in quotes";
-pub(super) const LIST: &str = "a list";
+pub const PLAIN: &str = "a number without unit, such as 0.8";
+pub const TEXT: &str = "a text in quotes";
+pub const LIST: &str = "a list";
 /// The only tuples in files.
-pub(super) const PAIR: &str = "a pair";
-pub(super) const TABLE: &str = "a table of keys";
+pub const PAIR: &str = "a pair";
+pub const TABLE: &str = "a table of keys";
 
 /// Why a value is not what its struct needs.
 #[derive(Debug)]
-pub(super) struct Wrong {
+pub struct Wrong {
     /// The dotted key, once it is known.
     pub path: Option<String>,
     pub problem: Wrongness,
@@ -33,7 +33,7 @@ pub(super) struct Wrong {
 
 /// What is wrong there.
 #[derive(Debug)]
-pub(super) enum Wrongness {
+pub enum Wrongness {
     /// A sentence that the key is before.
     Said(String),
     /// What there is, once it is known, and what is expected.
@@ -118,13 +118,13 @@ impl<'s> From<&'s Item> for Node<'s> {
 
 /// What is at a dotted key; of an element of a list, that of the list; of a table in a list, with
 /// its number behind it.
-pub(super) struct At<'s> {
+pub struct At<'s> {
     path: String,
     node: Node<'s>,
 }
 
 impl<'s> At<'s> {
-    pub(super) fn root(item: &'s Item) -> Self {
+    pub fn root(item: &'s Item) -> Self {
         Self {
             path: String::new(),
             node: item.into(),

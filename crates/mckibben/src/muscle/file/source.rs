@@ -15,7 +15,7 @@ use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 pub const MAX_BYTES: usize = 1 << 20;
 
 /// Where a byte offset lies in a text.
-pub(super) fn place(text: &str, offset: usize) -> TextPosition {
+pub fn place(text: &str, offset: usize) -> TextPosition {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
     TextPosition {
@@ -162,7 +162,7 @@ impl<'t> Source<'t> {
 }
 
 /// A text on one line, and not longer than a message can bear.
-pub(super) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     let mut out: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
     if let Some((cut, _)) = out.char_indices().nth(60) {
         out.truncate(cut);

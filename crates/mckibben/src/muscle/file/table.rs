@@ -81,7 +81,7 @@ impl<'de> DeserializeSeed<'de> for Number {
 }
 
 /// The keys of a table that `take` does not take.
-pub(super) struct Rest<A, F> {
+pub struct Rest<A, F> {
     pub map: A,
     pub take: F,
 }

@@ -8,19 +8,19 @@ const COMMENT: usize = 33;
 
 /// A muscle file in the making.
 #[derive(Default)]
-pub(super) struct Text(String);
+pub struct Text(String);
 
 impl Text {
-    pub(super) fn line(&mut self, line: &str) {
+    pub fn line(&mut self, line: &str) {
         self.0.push_str(line);
         self.0.push('\n');
     }
 
-    pub(super) fn table(&mut self, name: &str) {
+    pub fn table(&mut self, name: &str) {
         self.line(&format!("\n[{name}]"));
     }
 
-    pub(super) fn key(&mut self, key: &str, value: &str, comment: &str) {
+    pub fn key(&mut self, key: &str, value: &str, comment: &str) {
         let mut line = format!("{key} = {value}");
         if !comment.is_empty() {
             let gap = COMMENT.saturating_sub(line.chars().count()).max(1);
@@ -31,25 +31,25 @@ impl Text {
     }
 
     /// A key, where it is stated.
-    pub(super) fn stated(&mut self, key: &str, value: Option<String>, comment: &str) {
+    pub fn stated(&mut self, key: &str, value: Option<String>, comment: &str) {
         if let Some(value) = value {
             self.key(key, &value, comment);
         }
     }
 
-    pub(super) fn into_string(self) -> String {
+    pub fn into_string(self) -> String {
         self.0
     }
 }
 
 /// A list of values.
-pub(super) fn list<T>(values: &[T], one: impl Fn(&T) -> String) -> String {
+pub fn list<T>(values: &[T], one: impl Fn(&T) -> String) -> String {
     let all: Vec<String> = values.iter().map(one).collect();
     format!("[{}]", all.join(", "))
 }
 
 /// A ratio in percent that reads back as the same number, where there is one.
-pub(super) fn percent(ratio: f64) -> String {
+pub fn percent(ratio: f64) -> String {
     let usual = 100.0 * ratio;
     let exact = [usual, usual.next_up(), usual.next_down()]
         .into_iter()
@@ -58,7 +58,7 @@ pub(super) fn percent(ratio: f64) -> String {
 }
 
 /// A text in quotes, on one line.
-pub(super) fn text(text: &str) -> String {
+pub fn text(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
@@ -74,7 +74,7 @@ pub(super) fn text(text: &str) -> String {
 }
 
 /// The shortest digits that read back as the same number, with a unit.
-pub(super) fn quantity(value: f64, unit: &str) -> String {
+pub fn quantity(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
     if plain {
         format!("\"{value} {unit}\"")
@@ -84,7 +84,7 @@ pub(super) fn quantity(value: f64, unit: &str) -> String {
 }
 
 /// The shortest digits that read back as the same number.
-pub(super) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     format!("{value:?}")
 }
 

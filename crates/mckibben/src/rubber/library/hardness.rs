@@ -30,7 +30,7 @@ const STRESS: f64 = 2.0;
 
 /// A rubber by its data sheet, and the factor within which its stiffness is known; `None` where the
 /// name is another one.
-pub(super) fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
+pub fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     let lower = name.trim().to_lowercase();
     let given: String = name.chars().take(60).collect();
     let wrong = |problem| {

@@ -61,7 +61,7 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
 /// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these
 /// stretches, any other as it is. A rubber is of the library if name and constants are; with a
 /// constant changed it no longer is.
-pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
+pub fn following(rubber: Rubber, reach: f64) -> Rubber {
     // The rubber of most muscles has one law: for it the library need not be read.
     if rubber.name.is_none() || rubber == Rubber::paper() {
         return rubber;
@@ -145,7 +145,7 @@ pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
 
 /// A fit of a rubber.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct LibraryFit<'a> {
+pub struct LibraryFit<'a> {
     pub law: Law,
     /// Largest stretch of the data.
     pub fitted_to_stretch: Option<f64>,

@@ -19,7 +19,7 @@ struct Origin {
     one_axis: bool,
 }
 
-pub(super) fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
+pub fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
     let Table {
         sources,
         mut rubber,

@@ -66,7 +66,7 @@ impl Window {
 }
 
 /// The windows of all rubbers with a curve, by their names.
-pub(super) fn windows() -> Result<BTreeMap<String, Vec<Window>>, LibraryError> {
+pub fn windows() -> Result<BTreeMap<String, Vec<Window>>, LibraryError> {
     serde_json::from_str(include_str!("../../../data/rubber-laws.json"))
         .map_err(|e| LibraryError::damaged(format!("rubber-laws.json: {e}")))
 }
