@@ -31,7 +31,6 @@ use serde::{Deserialize, Serialize};
 /// A muscle to be built.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
     #[arg(short, long)]

@@ -18,7 +18,6 @@ use std::path::{Path, PathBuf};
 /// A plan, and where its table goes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CampaignRequest {
     /// Plan file (TOML)
     #[arg(value_name = "PLAN.toml", value_parser = flags::file, required = true)]
@@ -70,7 +69,6 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 /// A campaign to be summarised.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CampaignShowRequest {
     /// A campaign: one file, or a folder of parts
     #[arg(value_name = "FILE.parquet or DIR")]
@@ -85,7 +83,6 @@ pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary> {
 /// Folders of parts to be joined.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CampaignMergeRequest {
     /// Folders of parts
     #[arg(value_name = "DIR", required = true)]
@@ -110,7 +107,6 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 /// A campaign whose shards are looked at.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CampaignStatusRequest {
     /// The folder of parts
     #[arg(id = "folder", value_name = "DIR")]

@@ -27,7 +27,6 @@ use std::collections::BTreeMap;
 /// A muscle to be checked.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CheckRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
     #[arg(short, long)]

@@ -30,7 +30,6 @@ use serde::{Deserialize, Serialize};
 /// Models compared with measured points, or with the first model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct CompareRequest {
     /// Models, by name or the file of a formula [fe,paper,thick-wall,ideal]
     #[arg(long, alias = "model", value_name = "LIST", value_delimiter = ',', value_parser = flags::model(), hide_possible_values = true)]

@@ -36,7 +36,6 @@ use serde::{Deserialize, Serialize, Serializer};
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
 /// isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
-#[command(next_help_heading = "Question")]
 pub struct CurveRequest {
     /// Which test
     #[arg(
@@ -458,7 +457,6 @@ impl From<&CurvePoint> for PointRow {
 /// The thickness study with a rubber, a braid and a model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct StudyRequest {
     /// The muscle, the model, and how it is evaluated.
     #[serde(flatten)]

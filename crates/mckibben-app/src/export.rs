@@ -23,7 +23,6 @@ use std::path::Path;
 /// files for a target.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct ExportRequest {
     /// Target; `--list` describes them
     #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
@@ -241,7 +240,6 @@ fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> 
 /// of its muscles, as files for a target.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct ExportJointRequest {
     /// The joint.
     #[serde(flatten)]

@@ -21,7 +21,6 @@ use serde::{Deserialize, Serialize};
 /// length at rest without pressure, filled without air.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct FillRequest {
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe)
     #[arg(long, value_parser = flags::volume)]

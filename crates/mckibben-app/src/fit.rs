@@ -33,7 +33,6 @@ use std::path::{Path, PathBuf};
 /// A table of points, and how the formula is made.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct FitRequest {
     /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa,
     /// contraction, force_n, status).
@@ -176,7 +175,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
-    if request.hold_out_mm.is_some() && fitted.formula.errors.held_out.is_none() {
+    if !request.hold_out().is_empty() && fitted.formula.errors.held_out.is_none() {
         let message = format!("{} has no such diameter", origin.name);
         return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
     }

@@ -42,7 +42,6 @@ use serde::{Deserialize, Serialize, Serializer};
 /// Points, and the parameters of a muscle to identify from them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct IdentifyRequest {
     /// The points.
     #[serde(flatten)]

@@ -73,7 +73,6 @@ impl JointFields {
 /// alone give the pressures for a torque and a stiffness.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct JointRequest {
     /// The joint.
     #[serde(flatten)]

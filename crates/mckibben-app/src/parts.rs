@@ -41,7 +41,6 @@ pub enum PartKind {
 /// Everything with a name.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct PartsListRequest {
     /// Only one kind
     #[arg(value_parser = flags::word::<PartKind>())]
@@ -72,7 +71,6 @@ pub struct PartsListAnswer {
 /// What has a name.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct PartShowRequest {
     /// Name; of a rubber also NAME:LAW
     #[arg(value_parser = flags::parts(), hide_possible_values = true)]

@@ -25,7 +25,6 @@ use serde::{Deserialize, Serialize};
 /// F(P, ε): the pull at a pressure and contraction.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct ForceRequest {
     /// Gauge pressure
     #[arg(short, long)]
@@ -45,7 +44,6 @@ pub struct ForceRequest {
 /// P(F, ε): the pressure that gives a pull at a contraction.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct PressureRequest {
     /// Pull
     #[arg(short = 'F', long)]
@@ -65,7 +63,6 @@ pub struct PressureRequest {
 /// ε(F, P): the contraction at which a pressure gives a pull.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct ContractionRequest {
     /// Gauge pressure
     #[arg(short, long)]

@@ -30,7 +30,6 @@ use std::{collections::BTreeMap, path::Path};
 /// Tension tests, and the laws to fit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct RubberFitRequest {
     /// The tests: one table or several, each with its mode and dimensions in `set`, where its
     /// columns do not state them.

@@ -13,7 +13,6 @@ use serde::{Deserialize, Serialize};
 /// The cases.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct ValidateRequest {
     /// Also compute the finest meshes (some seconds more)
     #[arg(long)]

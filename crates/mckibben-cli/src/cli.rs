@@ -170,13 +170,17 @@ fn root() -> clap::Command {
 }
 
 /// A quantity's flag is its field without the unit, and of a list in the singular: `pressures_mpa` is
-/// `--pressure`. What is advanced is in the long help alone.
+/// `--pressure`. What is advanced is in the long help alone; what has no heading is the question.
 fn with_usual_name(arg: Arg) -> Arg {
     let is_advanced = arg.get_help_heading() == Some("Advanced") && arg.get_id() != "model";
     let arg = if is_advanced {
         arg.hide_short_help(true)
     } else {
         arg
+    };
+    let arg = match arg.get_help_heading() {
+        None => arg.help_heading("Question"),
+        Some(_) => arg,
     };
     let id = arg.get_id().to_string();
     // Its values are a list behind one flag.

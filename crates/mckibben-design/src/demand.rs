@@ -7,7 +7,6 @@ use std::borrow::Cow;
 
 /// An operating point that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-#[schemars(rename = "OperatingPoint")]
 pub struct OperatingPoint {
     /// Pull, N.
     pub force_n: f64,

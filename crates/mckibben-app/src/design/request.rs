@@ -18,7 +18,6 @@ use serde::{Deserialize, Serialize};
 /// default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct DesignRequest {
     /// Required pull; below zero: the push of a muscle that extends
     #[arg(short = 'F', long)]

@@ -19,7 +19,6 @@ use std::str::FromStr;
 /// A drive: its file, and the files that it names.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct MotionRequest {
     /// Drive file (TOML).
     #[arg(skip)]

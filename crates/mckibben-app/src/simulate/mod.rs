@@ -53,7 +53,6 @@ pub struct Simulated {
 /// A finite-element test.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-#[command(next_help_heading = "Question")]
 pub struct SimulateRequest {
     /// Which test
     #[arg(long, value_parser = flags::word::<Test>(), default_value = "isometric")]

@@ -19,7 +19,7 @@ pub struct Check {
     request: CheckRequest,
     /// Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as
     /// LaTeX
-    #[arg(long, help_heading = "Question")]
+    #[arg(long)]
     latex: bool,
     #[command(flatten)]
     output: Output,

@@ -27,8 +27,7 @@ pub struct Curve {
     #[arg(
         long,
         value_parser = ["thickness"],
-        conflicts_with_all = ["test", "pressures_mpa", "contractions", "forces_n", "load", "both"],
-        help_heading = "Question"
+        conflicts_with_all = ["test", "pressures_mpa", "contractions", "forces_n", "load", "both"]
     )]
     study: Option<String>,
     #[command(flatten)]

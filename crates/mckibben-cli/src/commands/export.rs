@@ -23,7 +23,7 @@ pub struct Export {
     #[command(flatten)]
     request: ExportRequest,
     /// List the targets: what each is, needs and loses
-    #[arg(long, conflicts_with = "target", help_heading = "Question")]
+    #[arg(long, conflicts_with = "target")]
     list: bool,
     #[command(flatten)]
     units: ShownUnits,

@@ -25,11 +25,7 @@ use std::{
 pub struct Fit {
     /// Table of points (CSV with columns outer_diameter_mm, wall_mm, length_mm, angle_deg,
     /// pressure_mpa, contraction, force_n, status)
-    #[arg(
-        required_unless_present = "report",
-        conflicts_with = "report",
-        help_heading = "Question"
-    )]
+    #[arg(required_unless_present = "report", conflicts_with = "report")]
     file: Option<PathBuf>,
     /// Compute the paper's campaign again and print all comparisons, without a table
     #[arg(
@@ -37,8 +33,7 @@ pub struct Fit {
         conflicts_with_all = [
             "method", "hold_out_mm", "thin_rule", "slack_rule", "name", "rubber", "stiffness",
             "muscle", "tables", "plots"
-        ],
-        help_heading = "Question"
+        ]
     )]
     report: bool,
     #[command(flatten)]

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// Prints the help of a command.
 #[derive(Debug, Args)]
-#[command(after_long_help = examples(&[
+#[command(next_help_heading = "Options", after_long_help = examples(&[
     "help force",
     "help parts show"
 ]))]
@@ -39,12 +39,15 @@ impl Help {
 
 /// Prints one manual page, or writes all.
 #[derive(Debug, Args)]
-#[command(after_long_help = "Examples:
+#[command(
+    next_help_heading = "Options",
+    after_long_help = "Examples:
   mckibben man -o man/man1
   mckibben man force
 
 Read the pages of a folder with: man -M man mckibben-force
-Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1")]
+Where `man` finds them by itself: mckibben man -o ~/.local/share/man/man1"
+)]
 pub struct ManPages {
     /// Command whose page is printed [mckibben]
     #[arg(conflicts_with = "output")]
@@ -77,7 +80,7 @@ impl ManPages {
 
 /// Prints the completions of a shell.
 #[derive(Debug, Args)]
-#[command(after_long_help = examples(&[
+#[command(next_help_heading = "Options", after_long_help = examples(&[
     "completions bash"
 ]))]
 pub struct Completions {

@@ -28,8 +28,7 @@ pub struct Identify {
         long,
         value_name = "LOG.csv",
         requires = "file",
-        conflicts_with_all = ["data", "fix", "laws"],
-        help_heading = "Question"
+        conflicts_with_all = ["data", "fix", "laws"]
     )]
     motion: Option<PathBuf>,
     #[command(flatten)]

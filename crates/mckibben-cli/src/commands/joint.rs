@@ -14,7 +14,7 @@ use std::path::PathBuf;
 ]))]
 pub struct Joint {
     /// Joint file
-    #[arg(value_name = "JOINT.toml", help_heading = "Question")]
+    #[arg(value_name = "JOINT.toml")]
     file: PathBuf,
     #[command(flatten)]
     request: JointRequest,

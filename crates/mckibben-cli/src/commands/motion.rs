@@ -19,8 +19,7 @@ pub struct Motion {
     #[arg(
         value_name = "DRIVE.toml",
         required_unless_present = "muscle",
-        conflicts_with = "muscle",
-        help_heading = "Question"
+        conflicts_with = "muscle"
     )]
     file: Option<PathBuf>,
     /// Part to size
@@ -28,8 +27,7 @@ pub struct Motion {
         long,
         value_name = "WHAT",
         value_parser = ["valve"],
-        requires = "rise_time_s",
-        help_heading = "Question"
+        requires = "rise_time_s"
     )]
     size: Option<String>,
     #[command(flatten)]

@@ -18,8 +18,7 @@ pub struct Rubber {
     #[arg(
         value_name = "FILE",
         value_parser = table,
-        required_unless_present = "data",
-        help_heading = "Question"
+        required_unless_present = "data"
     )]
     tests: Vec<TextFile>,
     #[command(flatten)]

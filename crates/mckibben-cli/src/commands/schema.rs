@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// The JSON Schema of a command, or of a file.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = examples(&[
+#[command(next_help_heading = "Options", after_long_help = examples(&[
     "schema force",
     "schema --file muscle -o muscle.schema.json"
 ]))]

@@ -10,10 +10,13 @@ use std::{
 
 /// Serves until a signal ends it.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = "Example:
+#[command(
+    next_help_heading = "Options",
+    after_long_help = "Example:
   mckibben serve --port 0
 
-Open the address that it prints in a browser; Ctrl-C ends it.")]
+Open the address that it prints in a browser; Ctrl-C ends it."
+)]
 pub struct Serve {
     /// Port; 0 selects a free port
     #[arg(long, default_value_t = 8080)]

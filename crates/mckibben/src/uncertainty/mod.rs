@@ -119,25 +119,9 @@ const IDENTIFIED: f64 = 0.06;
 /// The model that all others are held against.
 const ELEMENTS: &str = "fe";
 
-/// What is known of every ± besides the model's own part, in a sentence.
-const BASIS: &str = concat!(
-    "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.42 times shear modulus times wall section, ",
-    "which cover 95 % of the points of each of five sets of measured muscles whose rubber was identified from their own pull; ",
-    "rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; ",
-    "braid: what the factor makes within which the stiffness of the strands is known, by thick-wall; ",
-    "data sheets: 20 % of the pressure's share of the pull, P ∂F/∂P, of a muscle in a named sleeve, by which pulls that were predicted from stated dimensions were off; ",
-    "friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; ",
-    "where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; ",
-    "on a selected branch of a muscle that does not, the estimated half-width, 0.085 of the pull of its strands along the axis, which covers 95 % of single branches of each of two braided muscles by the constant of the other one, of one laboratory; ",
-    "fit: in the place of all of these on the bench that the muscle was identified from, and nowhere below the scatter of its points, with friction beside it where they do not state both branches or their means; ",
-    "another length: 13 |Δ(D0/L0)| of the blocked force, 38 % at most, beside them where the muscle was identified at other lengths, which covers 92 % of the points or more of each length of two hoses, of three and of five lengths, ",
-    "by the constants of each other one; ",
-    "another specimen: 24 % of the blocked force beside them where somebody else identified the muscle (`laboratory`), or it differs by more than its length, which covers 95 % of the points that two laboratories measured of one product, and, ",
-    "with what the limit of its rubber makes, of two hand-made muscles of 20° and 30° by the constants of each other; ",
-    "below the lowest pressure of the bench the shares are of the blocked force there; ",
-    "all parts add as squares; ",
-    "no muscle is known whose tube and sleeve are stated as sold and whose pull was published, so that no set tests a prediction from data sheets alone"
-);
+/// Where the basis of every ± besides the model's own part is written.
+const BASIS: &str = "model against tests, rubber, braid, data sheet, friction, fit, another length, \
+    another specimen: docs/models.md, \"What is known of the errors\"; all parts add as squares";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {
