@@ -1,15 +1,19 @@
 //! What is wanted, and what may be varied.
 
-#[cfg(feature = "clap")]
-use crate::ProblemKind;
 use crate::{
-    LiquidFields, LoadFields, ModelFields, Problem, Result, Stiffness, TextFile, Units,
+    LiquidFields, LoadFields, ModelFields, Problem, ProblemKind, Result, Stiffness, TextFile,
+    Units,
     fields::name_or_file,
     flags::{self, Args},
 };
-use mckibben::units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume};
 #[cfg(feature = "clap")]
 use mckibben::units::{QuantityError, typed};
+use mckibben::{
+    muscle::Muscle,
+    units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume},
+    warning::strand_strength_n,
+};
+use mckibben_design::{BraidChoice, Limits, SAFETY, VALIDATED_STRAND_STRAIN};
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -274,6 +278,34 @@ impl DesignRequest {
             ("angle_deg", self.angle_deg.is_some()),
         ];
         Problem::refuse_several(&angles, "set the angle")
+    }
+
+    /// The limits, as far as the strands' strength is known.
+    pub(super) fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
+        let strength = match braid {
+            BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
+            _ => strand_strength_n(base),
+        };
+        if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
+            let message =
+                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
+            let hint = "give braid.strands and braid.strand_strength in the muscle file";
+            return Err(Problem::new(ProblemKind::Specification, message, hint));
+        }
+        Ok(Limits {
+            bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
+            envelope_mm: self.max_envelope_mm.map(f64::from),
+            burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
+            tube_margin: self.min_tube_margin,
+            stretch: self.max_stretch,
+            fitted_stretch: true,
+            buckling: !self.guided,
+            strand_strain: Some(
+                self.max_strand_strain
+                    .map_or(VALIDATED_STRAND_STRAIN, f64::from),
+            ),
+            liquid_volume_mm3: self.max_liquid_volume_mm3.map(f64::from),
+        })
     }
 }
 

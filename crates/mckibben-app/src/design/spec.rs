@@ -20,11 +20,9 @@ use mckibben::{
         Values,
         typed::{Angle, Choice, Length, Quantity, Ratio},
     },
-    warning::strand_strength_n,
 };
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Limits, Open, OperatingPoint, SAFETY, Spec, Task,
-    VALIDATED_STRAND_STRAIN, bundle,
+    BraidChoice, Demand, JointDemand, Lift, Open, OperatingPoint, Spec, Task, bundle,
     tubes::{self, TubePart},
 };
 use std::borrow::Cow;
@@ -163,32 +161,6 @@ impl DesignRequest {
                 .transpose()?;
         }
         Ok(count)
-    }
-
-    /// The limits, as far as the strands' strength is known.
-    fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
-        let strength = match braid {
-            BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
-            _ => strand_strength_n(base),
-        };
-        if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
-            let message =
-                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
-            let hint = "give braid.strands and braid.strand_strength in the muscle file";
-            return Err(Problem::new(ProblemKind::Specification, message, hint));
-        }
-        let strain = self.max_strand_strain;
-        Ok(Limits {
-            bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
-            envelope_mm: self.max_envelope_mm.map(f64::from),
-            burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
-            tube_margin: self.min_tube_margin,
-            stretch: self.max_stretch,
-            fitted_stretch: true,
-            buckling: !self.guided,
-            strand_strain: Some(strain.map_or(VALIDATED_STRAND_STRAIN, f64::from)),
-            liquid_volume_mm3: self.max_liquid_volume_mm3.map(f64::from),
-        })
     }
 
     /// The sleeves, or the angles.
