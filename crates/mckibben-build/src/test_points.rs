@@ -65,22 +65,24 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
 pub fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
     let mut out = format!(
-        concat!(
-            "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N) in each row; leave rows out that you do not measure.\n",
-            "# Set the distance between the clamps, then the pressure, row by row, without going back: contraction is while the pressure rises,\n",
-            "# elongation while it falls. The pressure stays at or below {}.\n",
-            "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n",
-            "pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n"
-        ),
+        "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N); leave out rows that \
+         you do not measure.\n",
         crate::MARK,
-        mm(length_mm),
+        mm(length_mm)
+    );
+    out += &format!(
+        "# Set the distance between the clamps, then the pressure, row by row, without going back: \
+         contraction is while the pressure rises,\n# elongation while it falls. The pressure stays \
+         at or below {}.\n",
         plan.operating.pressure(plan.operating.pressure_mpa)
     );
+    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
+        pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n";
     for point in &plan.test {
         let p = trimmed(point.pressure_mpa, 5);
         let e = trimmed(point.contraction, 4);
         let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
-        out.push_str(&format!("{p},{e},,{},{distance}\n", point.branch));
+        out += &format!("{p},{e},,{},{distance}\n", point.branch);
     }
     out
 }

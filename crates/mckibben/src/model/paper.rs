@@ -67,10 +67,12 @@ impl FormulaModel {
         let accuracy = Accuracy {
             share_of_blocked: Some(0.05),
             blocked_at: BlockedAt::Pressure(RANGE.pressure_mpa.1),
-            reference: Reference::Elements(concat!(
-                "its authors state about 2 % and at most 50 N against their own finite elements; ",
-                "against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm"
-            )),
+            reference: Reference::Elements(
+                "its authors state about 2 % and at most 50 N against their own finite elements; \
+                 95 % of 1889 points over its box lie within 3.9 % of this program's axisymmetric \
+                 ones (rubber and braid `paper`), the worst at 5.9 % near D0 37.5 mm: the \
+                 published C block, linear in D0, is weakest near D0 35–40 mm",
+            ),
         };
         let info = ModelInfo {
             range: range(muscle),
