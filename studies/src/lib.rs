@@ -1,6 +1,11 @@
 //! What several studies have in common.
 
-use mckibben_fem::solver::{body::{Body, Control}, continuation::Continuation, newton::Interrupted, trail::{Along, Trail}};
+use mckibben_fem::solver::{
+    body::{Body, Control},
+    continuation::Continuation,
+    newton::Interrupted,
+    trail::{Along, Trail},
+};
 
 /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment,
 /// predicted from those before it (the trail); in smaller ones where that does not lead to an

@@ -6,7 +6,12 @@
 //! L0/D0 5–20, θ0 20–35°, neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the
 //! finite elements pull.
 
-use mckibben::{model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace}, muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube}, random::Random, rubber::{Law, NeoHookean}};
+use mckibben::{
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::Random,
+    rubber::{Law, NeoHookean},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// A random muscle, a pressure and the strain of its strands at rest.

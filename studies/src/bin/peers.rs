@@ -6,7 +6,12 @@
 //! prints pulls, time and work as JSON. A mesh that ends in `:quadratic` has no deck.
 
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::{output::{deck, increments}, simulation::Divided, solver::{continuation::Continuation, trail::Trail}, three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional}};
+use mckibben_fem::{
+    output::{deck, increments},
+    simulation::Divided,
+    solver::{continuation::Continuation, trail::Trail},
+    three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional},
+};
 use mckibben_studies::increment;
 use std::{error::Error, time::Instant};
 

@@ -2,8 +2,14 @@
 //! elements, by the ideal formula, and by other programs (`data/peers`).
 //! `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 
-use mckibben::{model::{ForceModel, Ideal, Workspace}, muscle::file::read_muscle};
-use mckibben_fem::{axisymmetric::Axisymmetric, three_dimensional::{BrickSpec, Match, ThreeDimensional}};
+use mckibben::{
+    model::{ForceModel, Ideal, Workspace},
+    muscle::file::read_muscle,
+};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{BrickSpec, Match, ThreeDimensional},
+};
 use mckibben_fit::compare::read_measured;
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 use std::error::Error;

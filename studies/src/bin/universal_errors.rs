@@ -3,8 +3,13 @@
 //!
 //! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
 
-use mckibben::{model::{ForceModel, ModelKind, Workspace}, rubber::RubberLaw};
-use mckibben_campaign::fit::universal::{HeldOutRow, Sample, held_out, held_out_samples, rubber_laws, summary};
+use mckibben::{
+    model::{ForceModel, ModelKind, Workspace},
+    rubber::RubberLaw,
+};
+use mckibben_campaign::fit::universal::{
+    HeldOutRow, Sample, held_out, held_out_samples, rubber_laws, summary,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn main() {
