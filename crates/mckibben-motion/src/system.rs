@@ -170,7 +170,12 @@ impl<'a> System<'a> {
                 )));
             }
             let speed = member.length_mm * lever.per_coordinate * v;
-            let cavity = cavity(member, now, mode, &at, lever.per_coordinate * v);
+            let swept_mm3_per_s = if mode.slack {
+                0.0
+            } else {
+                at.volume_mm3.by_contraction * lever.per_coordinate * v
+            };
+            let cavity = cavity(member, now, &at, swept_mm3_per_s);
             let (wall_n, pulls) = pulls(member, now, mode, &at, lever.contraction);
             net += pulls.pull_n * member.length_mm * lever.per_coordinate;
 
@@ -244,13 +249,7 @@ impl<'a> System<'a> {
 }
 
 /// What is in a muscle: a slack one follows the pressure alone.
-fn cavity(
-    member: &Member<'_>,
-    now: &MuscleState,
-    mode: &Mode,
-    at: &Answer,
-    contraction_rate: f64,
-) -> Cavity {
+fn cavity(member: &Member<'_>, now: &MuscleState, at: &Answer, swept_mm3_per_s: f64) -> Cavity {
     let medium = member.muscle.fluid.medium();
     let absolute_mpa = now.absolute_mpa;
     let inside = at.volume_mm3;
@@ -263,11 +262,7 @@ fn cavity(
         volume_mm3,
         volume_per_pressure_mm3_per_mpa: inside.by_pressure
             + inside.by_contraction * contraction.by_pressure,
-        swept_mm3_per_s: if mode.slack {
-            0.0
-        } else {
-            inside.by_contraction * contraction_rate
-        },
+        swept_mm3_per_s,
         area_mm2: if medium.needs_area() {
             cavity_area_mm2(inside.value, length_mm)
         } else {
