@@ -142,19 +142,15 @@ impl Vocabulary {
     pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
         let named = |name: &str| {
             let word = plain(name);
-            let all = &self.quantities;
-            let by_word = || {
-                all.iter()
+            let by_name = self.quantities().find(|m| m.words().name == word);
+            by_name.or_else(|| {
+                self.quantities()
                     .find(|m| m.words().all().any(|known| known == word))
-            };
-            all.iter()
-                .find(|m| m.words().name == word)
-                .or_else(by_word)
-                .copied()
+            })
         };
         let choice = |(name, text): (&String, &String)| {
             let meaning = named(name).ok_or_else(|| {
-                let names = self.quantities.iter().map(|m| m.words().name.as_str());
+                let names = self.quantities().map(|m| m.words().name.as_str());
                 let meant = meant(nearest(name, names.clone()));
                 TableError::Refused(format!(
                     "`{field}`: {what} have no quantity \"{name}\"{meant}; they have {known}",

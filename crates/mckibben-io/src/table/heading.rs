@@ -232,16 +232,16 @@ impl Vocabulary {
         self.cut(heading, known)
             .or_else(|| {
                 let label = plain(heading);
-                let meanings = self.quantities.iter();
-                let column = |meaning: &Meaning| {
+                let column = |meaning: Meaning| {
                     Some(Column {
                         rank: rank(heading, &label, meaning.words())?,
                         label: label.clone(),
-                        ..Column::new(heading, (*meaning, None))
+                        ..Column::new(heading, (meaning, None))
                     })
                 };
-                let columns = meanings.filter_map(column);
-                columns.min_by_key(|column| column.rank)
+                self.quantities()
+                    .filter_map(column)
+                    .min_by_key(|column| column.rank)
             })
             .or_else(|| {
                 Some(Column {
@@ -259,12 +259,12 @@ impl Vocabulary {
     ) -> Option<Column> {
         cuts(heading).find_map(|(words, behind)| {
             let label = label(words);
-            self.quantities.iter().find_map(|meaning| {
+            self.quantities().find_map(|meaning| {
                 let rank = rank(heading, &label, meaning.words())?;
                 Some(Column {
                     label: label.clone(),
                     rank,
-                    ..Column::new(heading, meant(*meaning, behind)?)
+                    ..Column::new(heading, meant(meaning, behind)?)
                 })
             })
         })
@@ -272,8 +272,8 @@ impl Vocabulary {
 
     /// The quantity, and what the same words mean with a unit of another dimension.
     fn readings(&self, meaning: Meaning) -> impl Iterator<Item = (Meaning, Dimension)> {
-        let other = meaning.words().otherwise;
-        let other = other.filter(|other| self.quantities.contains(other));
+        let may_be = |other: &Meaning| self.quantities().any(|meaning| meaning == *other);
+        let other = meaning.words().otherwise.filter(may_be);
         let reading = |meaning: Meaning| Some((meaning, meaning.words().dimension?));
         [Some(meaning), other]
             .into_iter()

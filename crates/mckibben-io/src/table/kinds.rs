@@ -5,11 +5,18 @@ use super::vocabulary::Meaning::{self, *};
 /// The quantities of one kind of table.
 #[derive(Debug)]
 pub struct Vocabulary {
-    pub(crate) quantities: &'static [Meaning],
+    quantities: &'static [&'static [Meaning]],
     /// What a table of this kind is called, for messages.
     pub(crate) what: &'static str,
     /// What there must be: any one of each group. Messages name the group by the first.
     pub(crate) needed: &'static [Need],
+}
+
+impl Vocabulary {
+    /// What a table of this kind may hold.
+    pub(crate) fn quantities(&self) -> impl Iterator<Item = Meaning> + Clone {
+        self.quantities.iter().copied().flatten().copied()
+    }
 }
 
 /// A group of quantities of which one must be there.
@@ -99,39 +106,39 @@ const STRESSES_OF_TEST: Need = Need {
     names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
 };
 
-const COMMANDS: &[Meaning] = &[Time, Pressure, Contraction, Opening, Volume, JointAngle];
+/// What a muscle was commanded over time.
+const COMMANDS: &[&[Meaning]] = &[&[Time, Pressure, Contraction, Opening, Volume, JointAngle]];
+/// Pressure and length of a muscle.
+const STATE: &[Meaning] = &[Pressure, Contraction, Shortening, RestLength, Length];
+/// The length against that without load.
+const EXTENSION: &[Meaning] = &[Extension, FreeLength];
+/// What was measured in a state, and of which muscle.
+const MEASURED: &[Meaning] = &[
+    Force,
+    Volume,
+    VolumeError,
+    Branch,
+    Measured,
+    Status,
+    ForceError,
+    ContractionError,
+    PressureError,
+    Weight,
+    OuterDiameter,
+    Wall,
+    Angle,
+];
 
 /// A rubber strip over time.
 pub static HISTORIES: Vocabulary = Vocabulary {
     what: "a test over time",
-    quantities: &[Time, Stretch, NominalStress],
+    quantities: &[&[Time, Stretch, NominalStress]],
     needed: &[TIMES, STRETCHES_OVER_TIME, STRESSES_OVER_TIME],
 };
 /// Measured points of a muscle.
 pub static POINTS: Vocabulary = Vocabulary {
     what: "measured points",
-    quantities: &[
-        Pressure,
-        Contraction,
-        Shortening,
-        RestLength,
-        Length,
-        Extension,
-        FreeLength,
-        Force,
-        Volume,
-        VolumeError,
-        Branch,
-        Measured,
-        Status,
-        ForceError,
-        ContractionError,
-        PressureError,
-        Weight,
-        OuterDiameter,
-        Wall,
-        Angle,
-    ],
+    quantities: &[STATE, EXTENSION, MEASURED],
     needed: &[
         PRESSURES_OF_MUSCLE,
         CONTRACTIONS_OF_MUSCLE,
@@ -141,29 +148,7 @@ pub static POINTS: Vocabulary = Vocabulary {
 /// Points of a muscle over time, whose pressures another instrument may have recorded.
 pub static RECORDED: Vocabulary = Vocabulary {
     what: "points over time",
-    quantities: &[
-        Time,
-        Pressure,
-        Contraction,
-        Shortening,
-        RestLength,
-        Length,
-        Extension,
-        FreeLength,
-        Force,
-        Volume,
-        VolumeError,
-        Branch,
-        Measured,
-        Status,
-        ForceError,
-        ContractionError,
-        PressureError,
-        Weight,
-        OuterDiameter,
-        Wall,
-        Angle,
-    ],
+    quantities: &[&[Time], STATE, EXTENSION, MEASURED],
     needed: &[
         PRESSURES_OF_MUSCLE,
         CONTRACTIONS_OF_MUSCLE,
@@ -174,7 +159,7 @@ pub static RECORDED: Vocabulary = Vocabulary {
 /// Tension tests of a rubber.
 pub static TESTS: Vocabulary = Vocabulary {
     what: "tension tests",
-    quantities: &[
+    quantities: &[&[
         Stretch,
         Stretch2,
         Strain,
@@ -190,54 +175,22 @@ pub static TESTS: Vocabulary = Vocabulary {
         Force,
         Mode,
         Area,
-    ],
+    ]],
     needed: &[STRETCHES_OF_TEST, STRESSES_OF_TEST],
 };
 /// A load over the shortening of the muscle that meets it.
 pub static LOADS: Vocabulary = Vocabulary {
     what: "a load",
-    quantities: &[
-        Pressure,
-        Contraction,
-        Shortening,
-        RestLength,
-        Length,
-        Force,
-        Volume,
-        VolumeError,
-        Branch,
-        Measured,
-        Status,
-        ForceError,
-        ContractionError,
-        PressureError,
-        Weight,
-        OuterDiameter,
-        Wall,
-        Angle,
-    ],
+    quantities: &[STATE, MEASURED],
     needed: &[SHORTENINGS, FORCES_OF_LOAD],
 };
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
 pub static OVER_TIME: [Vocabulary; 5] = [
-    Vocabulary {
-        what: "a command",
-        quantities: COMMANDS,
-        needed: &[TIMES, PRESSURES],
-    },
-    Vocabulary {
-        what: "a command",
-        quantities: COMMANDS,
-        needed: &[TIMES, OPENINGS],
-    },
-    Vocabulary {
-        what: "a command",
-        quantities: COMMANDS,
-        needed: &[TIMES, VOLUMES],
-    },
-    Vocabulary {
-        what: "a command",
-        quantities: &[
+    over_time(COMMANDS, &[TIMES, PRESSURES]),
+    over_time(COMMANDS, &[TIMES, OPENINGS]),
+    over_time(COMMANDS, &[TIMES, VOLUMES]),
+    over_time(
+        &[&[
             Time,
             Pressure,
             Contraction,
@@ -245,12 +198,19 @@ pub static OVER_TIME: [Vocabulary; 5] = [
             Opening,
             Volume,
             JointAngle,
-        ],
-        needed: &[TIMES, CONTRACTIONS],
-    },
+        ]],
+        &[TIMES, CONTRACTIONS],
+    ),
+    over_time(COMMANDS, &[TIMES, ANGLES]),
+];
+
+const fn over_time(
+    quantities: &'static [&'static [Meaning]],
+    needed: &'static [Need],
+) -> Vocabulary {
     Vocabulary {
         what: "a command",
-        quantities: COMMANDS,
-        needed: &[TIMES, ANGLES],
-    },
-];
+        quantities,
+        needed,
+    }
+}

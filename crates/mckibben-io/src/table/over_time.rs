@@ -4,8 +4,6 @@ use super::{
     columns::Columns, error::TableError, find::Table, kinds::OVER_TIME, vocabulary::Meaning,
 };
 
-type Result<T> = std::result::Result<T, TableError>;
-
 /// Times in s and values.
 pub type Series = Vec<(f64, f64)>;
 /// Several quantities over time.
@@ -36,7 +34,11 @@ pub enum OverTime {
 /// assert!((points[1].0 - 0.1).abs() < 1e-15 && (points[1].1 - 0.3).abs() < 1e-15);
 /// # Ok::<(), mckibben_io::table::TableError>(())
 /// ```
-pub fn read_over_time(text: &str, what: OverTime, rest_length_mm: f64) -> Result<Series> {
+pub fn read_over_time(
+    text: &str,
+    what: OverTime,
+    rest_length_mm: f64,
+) -> Result<Series, TableError> {
     let table = Table::read(text, &OVER_TIME[what as usize], &Columns::default())?;
     let column = table.needed(1)?;
     let length = if column.meaning == Meaning::Shortening {
@@ -53,7 +55,7 @@ pub fn read_over_time(text: &str, what: OverTime, rest_length_mm: f64) -> Result
 }
 
 /// Reads those of some quantities over time that a table has.
-pub fn read_log(text: &str, wanted: &[OverTime], rest_length_mm: f64) -> Result<Log> {
+pub fn read_log(text: &str, wanted: &[OverTime], rest_length_mm: f64) -> Result<Log, TableError> {
     let has =
         |what: OverTime| Table::read(text, &OVER_TIME[what as usize], &Columns::default()).is_ok();
     let found: Vec<OverTime> = wanted.iter().copied().filter(|what| has(*what)).collect();

@@ -243,7 +243,7 @@ impl Table {
     }
 
     fn no_unit(&self, column: &Column) -> TableError {
-        let has_pressure = self.vocabulary.quantities.contains(&Meaning::Pressure);
+        let has_pressure = self.vocabulary.quantities().any(|m| m == Meaning::Pressure);
         let example = |d: Dimension| match d {
             Dimension::Pressure if has_pressure => "kPa",
             d => d.unit_inside().name,

@@ -206,14 +206,14 @@ mod tests {
         for vocabulary in [&POINTS, &TESTS, &HISTORIES, &OVER_TIME[0]] {
             let mut seen = vec![];
             assert!(!vocabulary.needed.is_empty());
-            for meaning in vocabulary.quantities {
+            for meaning in vocabulary.quantities() {
                 assert!(!meaning.words().name.is_empty());
                 for word in meaning.words().all() {
                     assert_eq!(plain(word), word, "{word}");
                     // `deformation` is a mode in this program's tables, a strain with a unit in
                     // French ones. What both a shortening and an extension are called is the first
                     // of a kind's list.
-                    let is_way = *meaning == Meaning::Extension;
+                    let is_way = meaning == Meaning::Extension;
                     let may_be_twice = word == "deformation" || is_way;
                     assert!(
                         !seen.contains(&word) || may_be_twice,
