@@ -8,10 +8,8 @@
 //! are worth n (1 − ρ)/(1 + ρ) independent ones, so that the ± is larger by √((1 + ρ)/(1 − ρ)), as
 //! of a first-order autoregression (Bayley & Hammersley 1946 \[bayley1946\]).
 
-use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
+use crate::least_squares::{Errors, Estimate, EstimateError, Loss, Unknown, estimate};
 
-/// Fits: the scales of the second one are the residuals of the first.
-const FITS: usize = 2;
 /// Share of a quantity's scatter below which its residuals are rounding.
 const ROUNDING: f64 = 1e-6;
 /// Largest correlation of neighbouring rows.
@@ -38,19 +36,18 @@ pub fn fit_recorded<E: From<EstimateError>>(
         let unknowns = Vec::from_iter(unknowns);
         Ok::<_, E>(estimate(&scaled, &unknowns, &weights, Loss::Squares)?)
     };
-    let rms_of_residuals = |x: &[f64]| -> Result<Vec<f64>, E> {
-        let lists = residuals(x)?;
-        let scales = lists.iter().zip(scatter);
-        Ok(scales
-            .map(|(list, scatter)| rms(list.iter().copied()).max(ROUNDING * scatter))
-            .collect())
+    let scales = |lists: &[Vec<f64>]| -> Vec<f64> {
+        let scale = |(list, scatter): (&Vec<f64>, &f64)| {
+            let rms = Errors::new(list.iter().copied()).rms;
+            rms.max(ROUNDING * scatter)
+        };
+        lists.iter().zip(scatter).map(scale).collect()
     };
-    let mut found = fit(starts, scatter)?;
-    for _ in 1..FITS {
-        found = fit(&found.x, &rms_of_residuals(&found.x)?)?;
-    }
-    let lists = divided(residuals(&found.x)?, &rms_of_residuals(&found.x)?);
-    let wider = widening(&lists);
+    let first = fit(starts, scatter)?;
+    let mut found = fit(&first.x, &scales(&residuals(&first.x)?))?;
+    let lists = residuals(&found.x)?;
+    let scales = scales(&lists);
+    let wider = widening(&divided(lists, &scales));
     for half in [&mut found.standard_errors, &mut found.half_widths] {
         half.iter_mut().for_each(|half| *half *= wider);
     }
@@ -69,13 +66,6 @@ fn widening(lists: &[Vec<f64>]) -> f64 {
     let squares: f64 = lists.iter().flatten().map(|r| r * r).sum();
     let alike = (products / squares).clamp(0.0, MOST_ALIKE);
     ((1.0 + alike) / (1.0 - alike)).sqrt()
-}
-
-/// Root mean square.
-pub fn rms(values: impl Iterator<Item = f64>) -> f64 {
-    let (squares, count) =
-        values.fold((0.0, 0.0_f64), |(sum, count), v| (sum + v * v, count + 1.0));
-    (squares / count.max(1.0)).sqrt()
 }
 
 #[cfg(test)]

@@ -17,10 +17,7 @@ use mckibben::{
     progress::Progress,
     units::{Dimension, parse_quantity},
 };
-use mckibben_fit::{
-    identify::Identified,
-    recorded::{fit_recorded, rms},
-};
+use mckibben_fit::{identify::Identified, least_squares::Errors, recorded::fit_recorded};
 use mckibben_io::table::{Log, OverTime, Series, read_log};
 use mckibben_motion::{Command, Drive, number_at, run, with_value};
 use schemars::JsonSchema;
@@ -149,10 +146,8 @@ impl Moved {
         })?;
         let error = |(what, list): (OverTime, Series)| {
             let half = |first| {
-                rms(list
-                    .iter()
-                    .filter(|r| (r.0 <= half_s) == first)
-                    .map(|r| r.1))
+                let of_half = list.iter().filter(|r| (r.0 <= half_s) == first);
+                Errors::new(of_half.map(|r| r.1)).rms
             };
             LogErrors {
                 of: format!("{what:?}").to_lowercase(),
@@ -270,8 +265,8 @@ impl Fit<'_> {
         };
         let scatter = |(_, points): &(OverTime, Series)| {
             let first = || points.iter().filter(|p| p.0 <= half_s).map(|p| p.1);
-            let mean = first().sum::<f64>() / first().count().max(1) as f64;
-            rms(first().map(|v| v - mean))
+            let mean = Errors::new(first()).mean;
+            Errors::new(first().map(|v| v - mean)).rms
         };
         let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
         let starts: Vec<f64> = free.iter().map(|free| free.start).collect();

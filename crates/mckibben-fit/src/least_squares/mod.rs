@@ -15,7 +15,7 @@ mod student;
 
 pub use aicc::aicc;
 pub use bounds::Unknown;
-pub(crate) use errors::Errors;
+pub use errors::Errors;
 pub(crate) use estimate::robust_deviation;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
 pub(crate) use line::Line;
