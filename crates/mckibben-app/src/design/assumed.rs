@@ -19,8 +19,8 @@ pub struct Stated {
     supply: bool,
     rubber: bool,
     braid: bool,
-    /// What would state the length, where it is an assumption.
-    pub length_by: Option<&'static str>,
+    /// What would state the length, where it is not stated.
+    length_by: Option<&'static str>,
     /// Whether the length is stated, to which a muscle as sold is cut.
     pub is_cut: bool,
     /// Whether a stroke sets the contraction.
@@ -48,6 +48,11 @@ impl Stated {
         }
     }
 
+    /// What would state the length, where it is an assumption: none of one that was chosen.
+    pub fn length_by(&self, found: &Design) -> Option<&'static str> {
+        self.length_by.filter(|_| !found.is_longer)
+    }
+
     /// What was assumed, in sentences.
     pub fn assumptions(&self, found: &Design) -> Vec<String> {
         let spec = &found.spec;
@@ -71,7 +76,7 @@ impl Stated {
                  (`max_pressure_mpa`)"
             ));
         }
-        if self.length_by.is_some() && !found.is_longer {
+        if self.length_by(found).is_some() {
             let length_mm = number(spec.base.length_mm(), 5);
             let named = "(`length_mm`, or a muscle file)";
             out.push(format!(

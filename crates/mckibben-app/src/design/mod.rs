@@ -63,7 +63,7 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
     let to_be_sure = to_be_sure.map(|c| CandidateAnswer::new(c, spec));
     let decision = Decision {
         spec,
-        length_by: stated.length_by.filter(|_| !found.is_longer),
+        length_by: stated.length_by(found),
         candidates: &outcome.candidates,
         to_be_sure: to_be_sure.as_ref(),
     };
