@@ -1,6 +1,7 @@
 //! What is commanded over time.
 
 use crate::{MotionError, Result, error::within};
+use mckibben::extremes::ends;
 use std::f64::consts::TAU;
 
 /// A value over time: pressure in MPa, opening, or position.
@@ -203,11 +204,7 @@ impl Command {
     pub fn bounds(&self) -> (f64, f64) {
         match self {
             Self::Constant(value) => (*value, *value),
-            Self::Steps(points) | Self::Ramps(points) => points
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-                    (low.min(p.1), high.max(p.1))
-                }),
+            Self::Steps(points) | Self::Ramps(points) => ends(points.iter().map(|p| p.1)),
             Self::Sine {
                 mean, amplitude, ..
             }

@@ -2,7 +2,7 @@
 
 use super::caption;
 use crate::{NamedFigure, words::number};
-use mckibben::formula::Formula;
+use mckibben::{extremes::ends, formula::Formula};
 use mckibben_campaign::fit::{
     FittedFormula,
     data::{distinct, same},
@@ -36,14 +36,6 @@ fn line(low: f64, high: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-fn ends(points: &[(f64, f64)]) -> (f64, f64) {
-    points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
-            (a.min(p.0), b.max(p.0))
-        })
-}
-
 /// Points and the curve fitted to them.
 fn pair(
     mut panel: Panel,
@@ -52,7 +44,7 @@ fn pair(
     points: Vec<(f64, f64)>,
     of: impl Fn(f64) -> f64,
 ) -> Panel {
-    let (low, high) = ends(&points);
+    let (low, high) = ends(points.iter().map(|p| p.0));
     panel = panel.series(Series::scatter("", points).colour(n));
     panel.series(
         Series::line("", line(low, high, of))

@@ -8,6 +8,7 @@ use super::{
 use crate::{percent, units::Units};
 use mckibben::{
     analysis::Evaluation,
+    extremes::ends,
     model::Workspace,
     muscle::{Direction, Muscle},
 };
@@ -224,16 +225,13 @@ fn fit(
         });
         panel = panel.series(Series::scatter(label.clone(), dots).colour(n));
         let Some(model) = &model else { continue };
-        let ends = on.iter().map(|f| {
+        let (low, high) = ends(on.iter().map(|f| {
             if isobaric {
                 f.point.at.contraction
             } else {
                 f.point.at.pressure_mpa
             }
-        });
-        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-            (a.min(x), b.max(x))
-        });
+        }));
         let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();

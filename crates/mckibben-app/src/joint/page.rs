@@ -6,6 +6,7 @@ use crate::{
     print::{Amount, Csv, Page, Show, Table, sentences},
     units::{DEGREES, NEWTON_METRES, Scale},
 };
+use mckibben::extremes::ends;
 
 const NM_PER_RAD: Scale = Scale::fixed("N m/rad");
 
@@ -42,15 +43,10 @@ impl Show for JointAnswer {
 fn reached(map: &JointMap, page: &mut Page) {
     let points = map.points.iter().flatten();
     let at_rest: Vec<_> = points.filter(|q| !q.at_limit).collect();
-    let ends = |all: &mut dyn Iterator<Item = f64>| {
-        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
-        format!("{} to {}", number(low, 4), number(high, 4))
-    };
-    let angles = ends(&mut at_rest.iter().map(|q| q.angle_deg));
-    let stiffnesses = ends(&mut at_rest.iter().map(|q| q.stiffness_nm_per_rad));
-    let torques = ends(&mut map.torques.iter().flat_map(|t| [t.1, t.2]));
+    let reach = |(low, high)| format!("{} to {}", number(low, 4), number(high, 4));
+    let angles = reach(ends(at_rest.iter().map(|q| q.angle_deg)));
+    let stiffnesses = reach(ends(at_rest.iter().map(|q| q.stiffness_nm_per_rad)));
+    let torques = reach(ends(map.torques.iter().flat_map(|t| [t.1, t.2])));
     page.paragraph(if at_rest.is_empty() {
         "at all of these pressures the joint rests at a limit of its range, or is loose".into()
     } else {

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{columns::PointRow, hash};
 use mckibben::{
+    extremes::ends,
     formula::{
         Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,
         MadeRubber, NamedBraid, Provenance,
@@ -186,14 +187,7 @@ fn single(points: &[FitPoint], quantity: &'static str, value: fn(&FitPoint) -> f
 }
 
 fn range(points: &[FitPoint]) -> FormulaRange {
-    let extent = |f: fn(&FitPoint) -> f64| {
-        points
-            .iter()
-            .map(f)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(v), b.max(v))
-            })
-    };
+    let extent = |f: fn(&FitPoint) -> f64| ends(points.iter().map(f));
     FormulaRange {
         outer_diameter_mm: extent(|p| p.outer_diameter_mm),
         wall_mm: extent(|p| p.wall_mm),

@@ -21,6 +21,7 @@ use super::{
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
 use mckibben::{
+    extremes::ends,
     formula::{
         Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange,
         UniversalSummary, UniversalTerm,
@@ -168,10 +169,7 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
 /// The box, cut to what the muscles fill.
 fn range(samples: &[Sample]) -> UniversalRange {
     let cut = |(low, high): (f64, f64), value: &dyn Fn(&Sample) -> f64| {
-        let values = samples.iter().map(value);
-        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+        let (least, most) = ends(samples.iter().map(value));
         (
             low.max(least),
             if high.is_finite() {
