@@ -93,7 +93,7 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
 }
 
 /// The sleeves of the library, or of a table of the user's own.
-pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
+pub fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
         Ok(BraidSummary {
@@ -113,7 +113,7 @@ pub(crate) fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Pro
 }
 
 /// A sleeve; `None` where there is none of that name.
-pub(crate) fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
+pub fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
     let Ok(entry) = library::entry(name) else {
         return Ok(None);
     };

@@ -17,7 +17,7 @@ use std::sync::Mutex;
 /// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is
 /// not known: that of a usual supply. Whoever builds (`design`, `check`, `joint`, `motion`,
 /// `build`) reads of it at any pressure.
-pub(crate) const QUIET_MPA: f64 = 0.6;
+pub const QUIET_MPA: f64 = 0.6;
 /// Muscles whose burst pressure is kept.
 const KEPT: usize = 32;
 
@@ -26,7 +26,7 @@ const KEPT: usize = 32;
 static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 
 /// The burst pressure of a muscle by the model that answers.
-pub(crate) fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem> {
+pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem> {
     // Whoever panicked with the list left it whole.
     let list = || {
         KNOWN
@@ -56,7 +56,7 @@ const USUAL_MPA: f64 = 0.25;
 
 /// The working pressure in MPa where none is given: that of the paper, or the allowed one where
 /// that is lower.
-pub(crate) fn usual_mpa(found: &Burst) -> f64 {
+pub fn usual_mpa(found: &Burst) -> f64 {
     // Down to a hundredth, which a regulator shows.
     let lower = |p: f64| {
         if p >= 0.01 {
@@ -72,7 +72,7 @@ pub(crate) fn usual_mpa(found: &Burst) -> f64 {
 
 /// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed
 /// one, with `overpressure` up to that of a proof test.
-pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
+pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
     let most_mpa = match (overpressure, found.first(), found.allowed()) {
         (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
         (false, _, Some((allowed_mpa, _))) => allowed_mpa,
@@ -90,7 +90,7 @@ pub(crate) fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Res
 
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not
 /// known only above `quiet_mpa`.
-pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
+pub fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
     let above = match (found.first(), found.allowed()) {
         (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
             Some(Warning::of_burst(highest_mpa, burst_mpa, by))
@@ -108,7 +108,7 @@ pub(crate) fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Wa
 }
 
 /// Puts what is said of a burst before all other warnings, and takes out what it includes.
-pub(crate) fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = Warning>) {
+pub fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = Warning>) {
     let first = Warning::gravest(&said.into_iter().collect::<Vec<_>>());
     if first.iter().any(|w| w.kind == WarningKind::Burst) {
         warnings.retain(|w| w.kind != WarningKind::StrandsBreak);

@@ -389,7 +389,7 @@ fn unknown(burst: &Burst) -> Vec<String> {
 }
 
 /// The same as one warning, of a muscle that is chosen or built.
-pub(crate) fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>> {
+pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>> {
     let outside = outside(muscle, pressure_mpa)?.join("; ");
     let said =
         format!("outside of the muscles that were measured, on which the ± is founded: {outside}");

@@ -87,9 +87,10 @@ impl FromStr for Contractions {
         let text = text.trim();
         let unit = text.trim_start_matches(|c: char| !c.is_alphabetic() && c != '%');
         let in_mm = !unit.is_empty() && Dimension::Length.unit(unit).is_some();
-        let values = match in_mm {
-            true => text.parse::<List<Length>>().map(|list| list.0),
-            false => text.parse::<List<Ratio>>().map(|list| list.0),
+        let values = if in_mm {
+            text.parse::<List<Length>>().map(|list| list.0)
+        } else {
+            text.parse::<List<Ratio>>().map(|list| list.0)
         };
         let values = values.map_err(|error| {
             let kind = match error {
@@ -144,7 +145,7 @@ impl TryFrom<Given> for Contraction {
 }
 
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
-pub(crate) fn ratio(contraction: f64) -> Result<f64> {
+pub fn ratio(contraction: f64) -> Result<f64> {
     let e = finite("contraction", contraction)?;
     if is_ratio(e) {
         Ok(e)
@@ -155,13 +156,13 @@ pub(crate) fn ratio(contraction: f64) -> Result<f64> {
 
 /// Whether a number may be a contraction ratio: muscles that extend may become more than twice as
 /// long.
-pub(crate) fn is_ratio(e: f64) -> bool {
+pub fn is_ratio(e: f64) -> bool {
     const LONGEST: f64 = -1.5;
     e > LONGEST && e < 1.0
 }
 
 /// A number that is no contraction ratio.
-pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
+pub fn no_ratio(field: &str, e: f64) -> Problem {
     let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
     let hint = if e > 1.0 && e < 100.0 {
         format!("write {e}% or {}", e / 100.0)

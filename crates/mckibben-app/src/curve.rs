@@ -199,7 +199,7 @@ impl Family {
 
 /// Contractions from 0 by a round step to the free contraction (or extension) at the highest
 /// pressure, which is the last one of a closed list, or to the end of the model's range.
-pub(crate) fn reach(
+pub fn reach(
     evaluation: &mut Evaluation<'_>,
     pressures: &[f64],
     step: f64,
@@ -237,7 +237,7 @@ pub(crate) fn reach(
 }
 
 /// Refuses what a test does not take.
-pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
+pub fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
     let (unused, needs) = match test {
         Test::Isotonic => (
             ("contractions", contractions),
@@ -252,12 +252,12 @@ pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result
 }
 
 /// Evenly spaced values, both ends among them.
-pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
+pub fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
     Values::Interval(low, high).sampled(count - 1)
 }
 
 /// Finite values, or the default where none are given.
-pub(crate) fn list<Q>(
+pub fn list<Q>(
     field: &str,
     values: &Option<List<Q>>,
     default: impl FnOnce() -> Vec<f64>,
@@ -271,7 +271,7 @@ pub(crate) fn list<Q>(
     }
 }
 
-pub(crate) fn contractions(
+pub fn contractions(
     values: &Option<Contractions>,
     length_mm: f64,
     default: impl FnOnce() -> Vec<f64>,
@@ -285,11 +285,7 @@ pub(crate) fn contractions(
 }
 
 /// Pulls of an isotonic test, or pushes of a muscle that extends.
-pub(crate) fn forces(
-    values: &Option<List<Force>>,
-    muscle: &Muscle,
-    options: Options,
-) -> Result<Vec<f64>> {
+pub fn forces(values: &Option<List<Force>>, muscle: &Muscle, options: Options) -> Result<Vec<f64>> {
     let usual = if muscle.is_extensile() {
         [0.0, -10.0, -20.0]
     } else {
@@ -303,7 +299,7 @@ pub(crate) fn forces(
 }
 
 /// Refuses more points than `most`.
-pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<()> {
+pub fn check_count(counts: &[usize], most: usize) -> Result<()> {
     let points = counts.iter().fold(1usize, |a, b| a.saturating_mul(*b));
     if points <= most {
         return Ok(());
@@ -315,9 +311,7 @@ pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<()> {
     ))
 }
 
-pub(crate) fn answered<'a>(
-    list: impl IntoIterator<Item = &'a Curve>,
-) -> impl Iterator<Item = &'a Answer> {
+pub fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
     list.into_iter()
         .flat_map(|c| &c.points)
         .filter_map(|p| p.answer.as_ref().ok())

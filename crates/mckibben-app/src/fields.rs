@@ -56,9 +56,7 @@ impl From<&str> for NameOrFile {
 }
 
 /// A file, or a name alone, such as `lib:dmsp-20-300`.
-pub(crate) fn name_or_file<'de, D: Deserializer<'de>>(
-    from: D,
-) -> Result<Option<TextFile>, D::Error> {
+pub fn name_or_file<'de, D: Deserializer<'de>>(from: D) -> Result<Option<TextFile>, D::Error> {
     let given = Option::<NameOrFile>::deserialize(from)?;
     Ok(given.map(|given| match given {
         NameOrFile::File(file) => file,
@@ -189,7 +187,7 @@ impl ModelFields {
 }
 
 /// Reads an object of fields, or a text in its place.
-pub(crate) fn object_or<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+pub fn object_or<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
     named: fn(String) -> T,
 ) -> Result<T, D::Error> {

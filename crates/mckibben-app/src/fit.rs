@@ -397,7 +397,7 @@ struct Origin {
 }
 
 /// What every row says of its muscle and its point, in this order.
-pub(crate) const COLUMNS: [&str; 7] = [
+pub const COLUMNS: [&str; 7] = [
     "outer_diameter_mm",
     "wall_mm",
     "length_mm",

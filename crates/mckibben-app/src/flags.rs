@@ -113,9 +113,10 @@ mod parsers {
             let path = Path::new(name);
             let is_file = name.to_ascii_lowercase().ends_with(".json")
                 || (!Model::is_taken(name) && path.is_file());
-            Ok(match is_file {
-                true => NameOrFile::File(TextFile::formula(path)?),
-                false => NameOrFile::Name(name.to_owned()),
+            Ok(if is_file {
+                NameOrFile::File(TextFile::formula(path)?)
+            } else {
+                NameOrFile::Name(name.to_owned())
             })
         };
         Names { list: models, read }
@@ -149,9 +150,10 @@ mod parsers {
     /// The name of a rubber, or a file whose rubber is taken.
     pub fn rubber() -> Names<NameOrFile> {
         let read = |text: &str| {
-            Ok(match text.to_lowercase().ends_with(".toml") {
-                true => NameOrFile::File(TextFile::at(Path::new(text))?),
-                false => NameOrFile::Name(text.to_owned()),
+            Ok(if text.to_lowercase().ends_with(".toml") {
+                NameOrFile::File(TextFile::at(Path::new(text))?)
+            } else {
+                NameOrFile::Name(text.to_owned())
             })
         };
         Names {

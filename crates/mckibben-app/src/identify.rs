@@ -1,6 +1,6 @@
 //! `identify`: constants of rubber, braid and friction from measured points.
 
-pub(crate) mod page;
+pub mod page;
 
 use crate::{
     DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
@@ -274,7 +274,7 @@ fn muscle_file(data: &str, model: &str, identified: &Identification) -> Result<S
 }
 
 /// A muscle file that every command reads again.
-pub(crate) fn readable(text: String) -> Result<String> {
+pub fn readable(text: String) -> Result<String> {
     let wrong = |error| {
         let message = format!("the identified constants make no muscle: {error}");
         let hint = "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine";
@@ -381,7 +381,7 @@ struct Data {
 }
 
 /// The points of each table.
-pub(crate) fn measured_points(
+pub fn measured_points(
     tables: &DataFields,
     log: Option<PressureLog>,
     muscle: &Muscle,
@@ -501,12 +501,11 @@ impl IdentifyRequest {
         }
         for text in &self.bounds {
             let (target, bounds) = Parameter::parse_bounds(text, muscle)?;
-            match free.iter_mut().find(|p| p.target == target) {
-                Some(p) => p.bounds = Some(bounds),
-                None => {
-                    let message = format!("{} is not free", target.name(muscle));
-                    return wrong("bounds", message, "name it in `free` too");
-                }
+            if let Some(p) = free.iter_mut().find(|p| p.target == target) {
+                p.bounds = Some(bounds)
+            } else {
+                let message = format!("{} is not free", target.name(muscle));
+                return wrong("bounds", message, "name it in `free` too");
             }
         }
         Ok((free, fixed))

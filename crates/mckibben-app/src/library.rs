@@ -78,7 +78,7 @@ impl LibraryMuscle {
 }
 
 /// The muscles of the library.
-pub(crate) fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
+pub fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
     threads::map(&library()?, |(case, muscle)| {
         LibraryMuscle::new(&case.facts, muscle)
     })
@@ -88,7 +88,7 @@ pub(crate) fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
 
 /// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that
 /// name.
-pub(crate) fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
+pub fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
     let plain = library::named(name)
         .unwrap_or(name)
         .trim()

@@ -210,7 +210,7 @@ impl MeshFields {
 }
 
 /// Refuses both branches where one is requested, or where the friction is not known.
-pub(crate) fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
+pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction == Direction::Mean {
         return check_branch(
             Options {
@@ -229,7 +229,7 @@ pub(crate) fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
 }
 
 /// Refuses a branch of the hysteresis of a muscle whose friction is neither stated nor estimated.
-pub(crate) fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
+pub fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction.is_mean() || muscle.friction().is_some() || options.friction_share > 0.0 {
         return Ok(());
     }

@@ -106,7 +106,7 @@ pub const PAPER: &str = "paper";
 
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its
 /// muscle.
-pub(crate) fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
+pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     let mut lines = file.text.lines().map(str::trim);
     if lines.any(|line| !line.is_empty() && !line.starts_with('#')) || file.name == PAPER {
         return Ok(Cow::Borrowed(&file.text));

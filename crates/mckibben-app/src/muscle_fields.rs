@@ -149,9 +149,10 @@ impl FromStr for TubeSize {
         let outer = outer.trim();
         let unit_at = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit()).len();
         // A unit behind both holds for both.
-        let inner = match unit_at(inner) == inner.len() {
-            true => format!("{inner}{}", &outer[unit_at(outer)..]),
-            false => inner.to_owned(),
+        let inner = if unit_at(inner) == inner.len() {
+            format!("{inner}{}", &outer[unit_at(outer)..])
+        } else {
+            inner.to_owned()
         };
         let length = |text: &str| {
             let read = text.parse::<Length>();

@@ -110,7 +110,7 @@ pub struct ModelDetails {
 }
 
 /// A model; `None` where there is none of that name.
-pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
+pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
     let Ok(model) = Model::named(name, &Default::default()) else {
         return Ok(None);
     };
@@ -140,12 +140,12 @@ pub(crate) fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem>
     }))
 }
 
-pub(crate) fn unread(error: tubes::TubeError) -> Problem {
+pub fn unread(error: tubes::TubeError) -> Problem {
     Problem::new(ProblemKind::Specification, error.to_string(), "")
 }
 
 /// The tubes of a user's table, where it has some: in place of the catalogue's.
-pub(crate) fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
+pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
     let read = parts.map(|file| tubes::read(&file.text)).transpose();
     Ok(read
         .map_err(|e| unread(e).in_field("parts"))?
@@ -153,9 +153,7 @@ pub(crate) fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePar
 }
 
 /// The sleeves of a user's table, where it has some, else those of the library.
-pub(crate) fn sleeve_entries(
-    parts: Option<&TextFile>,
-) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
+pub fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
     let read = parts
         .map(|file| sleeve::library::read(&file.text))
         .transpose();

@@ -243,14 +243,14 @@ fn answered(
 }
 
 /// A number that must be there.
-pub(crate) fn given(field: &str, value: Option<impl Into<f64>>, expected: &str) -> Result<f64> {
+pub fn given(field: &str, value: Option<impl Into<f64>>, expected: &str) -> Result<f64> {
     finite(
         field,
         value.ok_or_else(|| Problem::missing(field, expected))?,
     )
 }
 
-pub(crate) fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
+pub fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
     let value = value.into();
     if value.is_finite() {
         return Ok(value);
@@ -264,7 +264,7 @@ pub(crate) fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
 }
 
 /// A number above zero.
-pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Result<f64> {
+pub fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Result<f64> {
     let value = value.into();
     if value.is_finite() && value > 0.0 {
         return Ok(value);
@@ -274,7 +274,7 @@ pub(crate) fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) 
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.
-pub(crate) fn pull(force_n: f64, options: Options) -> Result<()> {
+pub fn pull(force_n: f64, options: Options) -> Result<()> {
     if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
@@ -311,7 +311,7 @@ impl From<MuscleFields> for QuestionFields {
 }
 
 /// A model bound to its muscle, with the workspace of this request.
-pub(crate) struct Question {
+pub struct Question {
     pub(crate) muscle: Muscle,
     /// The model before it was bound.
     pub(crate) choice: Model,

@@ -74,12 +74,13 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
         problem: Problem::new(kind, message, ""),
     };
     let mut read = |typed: &Typed| {
-        let reading = match typed.list {
-            false => match parse_quantity(&typed.text, typed.kind) {
+        let reading = if !typed.list {
+            match parse_quantity(&typed.text, typed.kind) {
                 Ok(value) => Reading::One { value },
                 Err(error) => wrong(ProblemKind::Quantity, error.to_string()),
-            },
-            true => match parse_values(&typed.text, typed.kind) {
+            }
+        } else {
+            match parse_values(&typed.text, typed.kind) {
                 Ok(values) => Reading::Many {
                     values: values.sampled(DIVISIONS),
                     interval: match values {
@@ -91,7 +92,7 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
                     wrong(ProblemKind::Quantity, error.to_string())
                 }
                 Err(error) => wrong(ProblemKind::Range, error.to_string()),
-            },
+            }
         };
         points += match &reading {
             Reading::Many { values, .. } => values.len() as f64,

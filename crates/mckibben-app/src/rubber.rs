@@ -93,7 +93,7 @@ pub struct FittedToCurve {
     pub planar_difference: f64,
 }
 
-pub(crate) fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
+pub fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
     let one = |entry: &RubberEntry| {
         let law = rubber(&entry.name)?.law;
         Ok(RubberSummary {
@@ -111,7 +111,7 @@ pub(crate) fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
 }
 
 /// A rubber by NAME or NAME:LAW; `None` where there is none of that name.
-pub(crate) fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
+pub fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
     let plain = name.split(':').next().unwrap_or_default();
     let Ok(entry) = library::entry(plain) else {
         return Ok(None);

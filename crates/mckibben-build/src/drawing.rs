@@ -280,9 +280,10 @@ fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
             let a = side * (body.half + from);
             let b = side * (body.half + to);
             let x = (a.min(b), a.max(b));
-            match above {
-                true => v.cut(x, (outer, outer + 1.2), true),
-                false => v.outline(
+            if above {
+                v.cut(x, (outer, outer + 1.2), true)
+            } else {
+                v.outline(
                     Pen::Outline,
                     &[
                         [x.0, 0.0],
@@ -290,7 +291,7 @@ fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
                         [x.1, -outer - 1.2],
                         [x.1, 0.0],
                     ],
-                ),
+                )
             }
         }
     }

@@ -191,11 +191,10 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
     if room {
         sheet.line(Pen::Thin, [a, b]);
         let middle = move_by(a, 0.5 * length);
-        match upright {
-            true => {
-                sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
-            }
-            false => sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text),
+        if upright {
+            sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
+        } else {
+            sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text)
         }
         return;
     }

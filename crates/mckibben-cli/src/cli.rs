@@ -184,9 +184,10 @@ fn with_usual_name(arg: Arg) -> Arg {
     };
     let id = arg.get_id().to_string();
     // Its values are a list behind one flag.
-    let arg = match arg.get_value_delimiter().is_some() && id != "set" {
-        true => arg.action(ArgAction::Set),
-        false => arg,
+    let arg = if arg.get_value_delimiter().is_some() && id != "set" {
+        arg.action(ArgAction::Set)
+    } else {
+        arg
     };
     let of_field = arg.get_long() == Some(&*id.replace('_', "-"));
     let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
@@ -201,13 +202,15 @@ fn with_usual_name(arg: Arg) -> Arg {
     let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
     let value = one.map_or_else(|| noun.to_uppercase(), |_| "RANGE".to_owned());
     let is_usual = |names: &[clap::builder::Str]| names == [&*id.to_uppercase()] || names == [&*id];
-    let arg = match arg.get_value_names().is_none_or(is_usual) {
-        true => arg.value_name(value),
-        false => arg,
+    let arg = if arg.get_value_names().is_none_or(is_usual) {
+        arg.value_name(value)
+    } else {
+        arg
     };
-    match of_field {
-        true => arg.long(one.unwrap_or(&name).to_owned()),
-        false => arg,
+    if of_field {
+        arg.long(one.unwrap_or(&name).to_owned())
+    } else {
+        arg
     }
 }
 
@@ -226,12 +229,11 @@ fn with_short_help(
         return command;
     };
     let hides = command.get_arguments().any(Arg::is_hide_short_help_set);
-    command.after_help(match hides {
-        true => {
-            let first = first_example(&examples);
-            format!("{first}\n\nAll flags, with details: {path} --help")
-        }
-        false => examples,
+    command.after_help(if hides {
+        let first = first_example(&examples);
+        format!("{first}\n\nAll flags, with details: {path} --help")
+    } else {
+        examples
     })
 }
 

@@ -1,6 +1,6 @@
 //! Numbers and lists in the texts of the hosts.
 
-pub(crate) use mckibben_io::template::render;
+pub use mckibben_io::template::render;
 
 /// A number that reads back to the last bit, in any of the hosts' languages.
 pub fn number(value: f64) -> String {

@@ -379,23 +379,22 @@ impl<'a> Member<'a> {
             .clamp_slack
             .get()
             .and_then(|last| self.polished(p, last));
-        let contraction = match near {
-            Some(e) => e,
-            None => {
-                // Below zero where the ends slip or the sleeve is wider than the tube: it then
-                // hangs longer than at rest.
-                let options = Options {
-                    two_sided: true,
-                    ..Options::extrapolating()
-                };
-                let model = self.muscle.model;
-                let workspace = &self.memory.workspace;
-                let search = Evaluation::new(model, &mut workspace.borrow_mut(), options)
-                    .free_contraction(p);
-                let why = |error| format!("a slack muscle has no free contraction: {error}");
-                let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
-                self.polished(p, e).unwrap_or(e)
-            }
+        let contraction = if let Some(e) = near {
+            e
+        } else {
+            // Below zero where the ends slip or the sleeve is wider than the tube: it then
+            // hangs longer than at rest.
+            let options = Options {
+                two_sided: true,
+                ..Options::extrapolating()
+            };
+            let model = self.muscle.model;
+            let workspace = &self.memory.workspace;
+            let search =
+                Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
+            let why = |error| format!("a slack muscle has no free contraction: {error}");
+            let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
+            self.polished(p, e).unwrap_or(e)
         };
         self.memory.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;

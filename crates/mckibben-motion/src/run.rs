@@ -91,7 +91,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             .target
             .commands()
             .first()
-            .and_then(|c| c.period_s());
+            .and_then(super::command::Command::period_s);
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| Cycle {
             from_s: until - p,
@@ -150,7 +150,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             .target
             .commands()
             .iter()
-            .flat_map(|c| c.breakpoints())
+            .flat_map(super::command::Command::breakpoints)
             .collect();
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
         ends.retain(|t| *t > 0.0 && *t < until);

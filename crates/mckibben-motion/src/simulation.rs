@@ -122,7 +122,11 @@ impl Simulation {
         let mut out = vec![self.done as f64, self.modes.stop.unwrap_or(0.0)];
         out.extend(self.state.to_vec());
         for mode in &self.modes.muscles {
-            let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
+            let turns: Vec<f64> = mode
+                .presliding
+                .iter()
+                .flat_map(mckibben::muscle::Presliding::numbers)
+                .collect();
             let switch = f64::from(mode.switch as u8);
             out.extend([
                 f64::from(u8::from(mode.slack)),

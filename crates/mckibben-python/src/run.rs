@@ -91,12 +91,11 @@ pub fn long<T: Send>(
                     }
                 }
             };
-            match raised {
-                Some(error) => Err(error.into()),
-                None => {
-                    Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
-                    done
-                }
+            if let Some(error) = raised {
+                Err(error.into())
+            } else {
+                Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
+                done
             }
         })
     })

@@ -1,6 +1,6 @@
 //! Writing XML: escaped texts, short numbers.
 
-pub(crate) use mckibben_io::clean::markup as escape;
+pub use mckibben_io::clean::markup as escape;
 
 /// A length of the drawing with at most two decimals.
 pub fn length(value: f64) -> String {

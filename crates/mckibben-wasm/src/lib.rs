@@ -61,7 +61,7 @@ pub extern "C" fn ask(command_bytes: usize) -> u32 {
 /// Where the answer stands.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> *const u8 {
-    ANSWER.with_borrow(|answer| answer.as_ptr())
+    ANSWER.with_borrow(std::vec::Vec::as_ptr)
 }
 
 /// How many bytes it has.

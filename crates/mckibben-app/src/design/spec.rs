@@ -352,18 +352,16 @@ impl DesignRequest {
             self.largest_angle_deg.unwrap_or(Angle(largest)),
         )?;
         let (base, _) = self.with_stroke(vec![])?;
-        let radius = match &self.radius_mm {
-            Some(choice) => values(choice, "radius_mm")?,
-            None => {
-                let longest = match &self.length_mm {
-                    Some(choice) => values(choice, "length_mm")?.bounds().1,
-                    None => base.length_mm(),
-                };
-                let turn =
-                    torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
-                let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
-                Values::Interval(SMALLEST_RADIUS * most, most)
-            }
+        let radius = if let Some(choice) = &self.radius_mm {
+            values(choice, "radius_mm")?
+        } else {
+            let longest = match &self.length_mm {
+                Some(choice) => values(choice, "length_mm")?.bounds().1,
+                None => base.length_mm(),
+            };
+            let turn = torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
+            let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
+            Values::Interval(SMALLEST_RADIUS * most, most)
         };
         let radius_mm = radius.bounds().1;
         Ok((

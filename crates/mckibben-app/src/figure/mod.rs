@@ -9,13 +9,13 @@ mod simulate;
 mod tension;
 
 pub use curves::model_colour;
-pub(crate) use curves::{compare, curves, design, study};
-pub(crate) use fit::fitted;
-pub(crate) use identify::{identified, measured};
-pub(crate) use joint::joint;
-pub(crate) use motion::motion;
-pub(crate) use simulate::simulate;
-pub(crate) use tension::tension;
+pub use curves::{compare, curves, design, study};
+pub use fit::fitted;
+pub use identify::{identified, measured};
+pub use joint::joint;
+pub use motion::motion;
+pub use simulate::simulate;
+pub use tension::tension;
 
 use mckibben_report::{Panel, Style};
 

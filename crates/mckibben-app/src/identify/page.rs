@@ -107,7 +107,7 @@ impl LawRow {
 }
 
 /// Identified constants, each with its ±.
-pub(crate) fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
+pub fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
     Table::of(parameters)
         .text("", |p| &p.name)
         .text("value", |p| with_error_bar(p).0)

@@ -58,9 +58,12 @@ fn reached(map: &JointMap, page: &mut Page) {
 }
 
 fn table<'a>(points: &'a [JointRow], u: &Units) -> Table<'a, JointRow> {
-    let pull = |slack: bool, force_n: Option<f64>| match slack {
-        true => Amount::from("slack"),
-        false => force_n.into(),
+    let pull = |slack: bool, force_n: Option<f64>| {
+        if slack {
+            Amount::from("slack")
+        } else {
+            force_n.into()
+        }
     };
     let force = u.force.digits(4);
     Table::of(points)

@@ -142,22 +142,21 @@ impl StepFields {
             "valve.name"
         };
         let mut values = vec![(key, valve.trim().to_owned())];
-        match load
+        if let Some(contraction) = load
             .trim()
             .strip_prefix("held")
             .map(|rest| rest.trim_start_matches(':').trim())
         {
-            Some(contraction) => values.push(("load.held", held(contraction)?.to_string())),
-            None => {
-                let fields = LoadFields {
-                    load: Some(load.to_owned()),
-                    load_tables: tables.to_vec(),
-                };
-                fields.resolve(rest_length_mm)?;
-                values.push(("load.line", load.to_owned()));
-                values.push(("load.damping", damping_n_s_per_m.to_string()));
-                values.push(("load.stops", "0..1e6 mm".into()));
-            }
+            values.push(("load.held", held(contraction)?.to_string()))
+        } else {
+            let fields = LoadFields {
+                load: Some(load.to_owned()),
+                load_tables: tables.to_vec(),
+            };
+            fields.resolve(rest_length_mm)?;
+            values.push(("load.line", load.to_owned()));
+            values.push(("load.damping", damping_n_s_per_m.to_string()));
+            values.push(("load.stops", "0..1e6 mm".into()));
         }
         let head = format!(
             "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \

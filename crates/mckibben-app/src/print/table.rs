@@ -96,8 +96,9 @@ fn heading(label: &str, scale: &Scale) -> String {
 
 fn with_percent(cell: String, amount: &Amount, scale: &Scale) -> String {
     let is_number = !matches!(amount, Amount::Words(_));
-    match is_number && scale.name == "%" {
-        true => cell + " %",
-        false => cell,
+    if is_number && scale.name == "%" {
+        cell + " %"
+    } else {
+        cell
     }
 }

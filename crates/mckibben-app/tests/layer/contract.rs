@@ -78,7 +78,7 @@ fn keywords(field: &Value) -> String {
 fn describe(path: &str, schema: &Value, lines: &mut BTreeSet<String>) {
     let fields = schema["properties"].as_object();
     let alternatives = schema.get("anyOf").or(schema.get("oneOf")).is_some();
-    if fields.is_none_or(|fields| fields.is_empty()) || alternatives {
+    if fields.is_none_or(serde_json::Map::is_empty) || alternatives {
         lines.insert(format!("{path}: {}{}", kind(schema), keywords(schema)));
     }
     for (name, field) in fields.into_iter().flatten() {

@@ -49,9 +49,10 @@ fn one_muscle_has_one_pull_in_every_command() {
     for _ in 0..rounds(8) {
         let outer = random.between(8.0, 40.0);
         let extends = random.unit() < 0.3;
-        let (angle, contractions) = match extends {
-            true => (random.between(57.0, 72.0), [-0.1, -0.04, 0.0]),
-            false => (random.between(18.0, 40.0), [0.0, 0.06, 0.25]),
+        let (angle, contractions) = if extends {
+            (random.between(57.0, 72.0), [-0.1, -0.04, 0.0])
+        } else {
+            (random.between(18.0, 40.0), [0.0, 0.06, 0.25])
         };
         let text = format!(
             "[tube]\nouter_diameter = {outer}\nwall_thickness = {}\nlength = {}\nprestretch = \

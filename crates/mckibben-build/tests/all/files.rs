@@ -37,7 +37,7 @@ fn plan_from(text: &str, wishes: &Wishes) -> Plan {
     Plan::new(muscle, operating, wishes).unwrap()
 }
 
-pub(crate) fn plan_of(outer_mm: f64, wall_mm: f64, wishes: &Wishes) -> Plan {
+pub fn plan_of(outer_mm: f64, wall_mm: f64, wishes: &Wishes) -> Plan {
     plan_from(
         &format!(
             "[tube]\nouter_diameter = {outer_mm}\nwall_thickness = {wall_mm}\nlength = 200\nrubber \

@@ -171,7 +171,7 @@ fn select(problem: &Problem) -> Vec<usize> {
     let mut columns: Vec<DVector<f64>> = problem
         .matrix
         .column_iter()
-        .map(|c| c.into_owned())
+        .map(nalgebra::Matrix::into_owned)
         .collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
     let mut rest = problem.values.clone();

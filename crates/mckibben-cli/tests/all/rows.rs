@@ -194,9 +194,10 @@ fn every_flag_of_a_question_counts_or_is_refused() {
                 base = format!("{base} {usual}");
             }
         }
-        let more = match flag.contains('.') {
-            true => format!("{base} --with {flag}={value}"),
-            false => format!("{base} --{flag} {value}"),
+        let more = if flag.contains('.') {
+            format!("{base} --with {flag}={value}")
+        } else {
+            format!("{base} --{flag} {value}")
         };
         let (without, with) = (run_in(dir.path(), &base), run_in(dir.path(), &more));
         assert!(

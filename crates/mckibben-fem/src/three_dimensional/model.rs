@@ -43,14 +43,15 @@ impl ThreeDimensional {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;
         // What an insertion adds has no limit to compare with.
-        let accuracy = match divided
+        let accuracy = if divided
             .mesh
             .plug
             .as_ref()
             .is_some_and(|p| p.insertion_mm > 0.0)
         {
-            true => Accuracy::UNKNOWN,
-            false => Accuracy::share(0.0, Reference::Equations),
+            Accuracy::UNKNOWN
+        } else {
+            Accuracy::share(0.0, Reference::Equations)
         };
         let notes = notes(&divided, muscle);
         Ok(Self::from_divided(divided, muscle, accuracy, notes))

@@ -45,9 +45,10 @@ fn question(r: &mut Random) -> Option<(Muscle, f64, f64)> {
         r.between(7.0, 18.0),
         r.log(0.05, 1.5),
     ];
-    let stiffness = match r.unit() < 0.2 {
-        true => BraidStiffness::Inextensible,
-        false => BraidStiffness::NewtonPerMm(d0 * r.log(5.0, 100.0)),
+    let stiffness = if r.unit() < 0.2 {
+        BraidStiffness::Inextensible
+    } else {
+        BraidStiffness::NewtonPerMm(d0 * r.log(5.0, 100.0))
     };
     let (p, share) = (r.between(0.0, 0.8), r.between(0.0, 0.95));
     let muscle = muscle(measures, stiffness)?;

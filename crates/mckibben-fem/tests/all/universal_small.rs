@@ -7,7 +7,7 @@ use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// D0 10–60 mm, L0/D0 5–20, s/D0 .02–.17, θ0 18–37°, P/μ .05–5, strand strain up to 6 %.
-pub(super) fn random(r: &mut Random) -> Option<(Muscle, f64, f64)> {
+pub fn random(r: &mut Random) -> Option<(Muscle, f64, f64)> {
     let d0 = r.log(10.0, 60.0);
     let (length_mm, wall_mm) = (d0 * r.log(5.0, 20.0), d0 * r.between(0.02, 0.17));
     let angle_deg = r.between(18.0, 37.0);

@@ -127,13 +127,11 @@ fn scatter_n(result: &Identification, points: &[&PointFit]) -> f64 {
     let all = &result.points;
     let freedom = result.freedom as f64;
     let of_all = || largest_of_95(&all.iter().collect::<Vec<_>>());
-    match largest_of_95(points).or_else(of_all) {
-        // Constants that were fitted to the points make the residuals smaller.
-        Some(largest) => largest * (all.len() as f64 / freedom).sqrt(),
-        None => {
-            let squares: f64 = all.iter().map(|f| f.residual_n * f.residual_n).sum();
-            t95(result.freedom) * (squares / freedom).sqrt()
-        }
+    if let Some(largest) = largest_of_95(points).or_else(of_all) {
+        largest * (all.len() as f64 / freedom).sqrt()
+    } else {
+        let squares: f64 = all.iter().map(|f| f.residual_n * f.residual_n).sum();
+        t95(result.freedom) * (squares / freedom).sqrt()
     }
 }
 

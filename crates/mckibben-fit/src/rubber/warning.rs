@@ -99,18 +99,17 @@ pub fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
             "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber"
         ));
     } else if let Some(hoop_stretch) = fitted.quality.unstable_from_hoop_stretch {
-        out.push(match fitted.law.locks_at() {
-            Some(i1_minus_3) => format!(
+        out.push(if let Some(i1_minus_3) = fitted.law.locks_at() {
+            format!(
                 "{name}: locks at I1 − 3 = {i1_minus_3:.2}, which a muscle reaches at a hoop \
-                 stretch of {hoop_stretch:.2}"
-            ),
-            None => {
-                let from = hoop_stretch.min(hoop);
-                format!(
-                    "{law}: unstable in the two-axis stretch of a muscle from a hoop stretch \
-                    of {from:.2} on"
-                )
-            }
+             stretch of {hoop_stretch:.2}"
+            )
+        } else {
+            let from = hoop_stretch.min(hoop);
+            format!(
+                "{law}: unstable in the two-axis stretch of a muscle from a hoop stretch \
+                of {from:.2} on"
+            )
         });
     }
     out.extend(fitted.law.negative_c01_mpa().map(|c01_mpa| {

@@ -55,7 +55,7 @@ impl Reader {
             .metadata()
             .row_groups()
             .iter()
-            .map(|g| g.num_rows())
+            .map(parquet::file::metadata::RowGroupMetaData::num_rows)
             .fold(0, i64::saturating_add)
     }
 

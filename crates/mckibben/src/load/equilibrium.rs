@@ -98,15 +98,17 @@ impl Evaluation<'_> {
         } else {
             0.0
         };
-        let (least, most) = match options.extrapolate {
-            true => (f64::NEG_INFINITY, f64::INFINITY),
-            false => range,
+        let (least, most) = if options.extrapolate {
+            (f64::NEG_INFINITY, f64::INFINITY)
+        } else {
+            range
         };
         let start = start.max(reach.0 / length).max(least);
         // Beyond it nothing pulls.
-        let free = match extends {
-            true => None,
-            false => self.with(one_sided).free_contraction(pressure_mpa).ok(),
+        let free = if extends {
+            None
+        } else {
+            self.with(one_sided).free_contraction(pressure_mpa).ok()
         };
         let most = if free.is_some() { most } else { range.1 };
         let ends = [

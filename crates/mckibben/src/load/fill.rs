@@ -191,9 +191,10 @@ impl Evaluation<'_> {
     /// Refuses a hold to which filling does not bring the muscle, and a load to which it gives way.
     fn check(&self, filling: &Filling<'_>) -> Result<(), Refused> {
         let extends = self.model.muscle().is_extensile();
-        let (sign, side) = match extends {
-            true => (-1.0, "a contraction of zero or below"),
-            false => (1.0, "zero or above"),
+        let (sign, side) = if extends {
+            (-1.0, "a contraction of zero or below")
+        } else {
+            (1.0, "zero or above")
         };
         let held_at = filling.held_at.unwrap_or_default();
         Refused::unless(sign * held_at >= 0.0, ["contraction"], || {
@@ -214,9 +215,10 @@ impl Evaluation<'_> {
         let muscle = self.model.muscle();
         let range = &self.model.info().range;
         let open = (f64::NEG_INFINITY, f64::INFINITY);
-        let ((_, highest_mpa), (low, high)) = match self.options.extrapolate {
-            true => (open, open),
-            false => (range.pressure_mpa, range.contraction),
+        let ((_, highest_mpa), (low, high)) = if self.options.extrapolate {
+            (open, open)
+        } else {
+            (range.pressure_mpa, range.contraction)
         };
         let (least_mm, most_mm) = load.map_or(open, Load::reach_mm);
         let length_mm = muscle.length_mm();

@@ -4,7 +4,7 @@
 /// value and the slope. `None` where it does not converge or a value is not a number. Steps that
 /// leave the bracket are halved intervals; it ends with a step below `tolerance`, or of a few units
 /// in the last place.
-pub(crate) fn rising_root(
+pub fn rising_root(
     mut low: f64,
     mut high: f64,
     guess: f64,

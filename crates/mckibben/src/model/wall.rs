@@ -120,22 +120,21 @@ impl Wall {
     pub(super) fn of_square(&self, law: &Law, axial_stretch: f64, x: f64) -> SquareEnergy {
         let p = self.prestretch;
         let l = self.prestretch * axial_stretch;
-        let e = match self.closed(law) {
-            Some(wall) => wall.of_square(l, x),
-            None => {
-                let r = x.sqrt();
-                let e = self.integrated(law, l, r);
-                let i = 0.5 / r;
-                let by_x = e.r * i;
-                let xx = (e.rr - 2.0 * by_x) * i * i;
-                SquareEnergy {
-                    w: e.w,
-                    l: e.l,
-                    x: by_x,
-                    ll: e.ll,
-                    lx: e.lr * i,
-                    xx,
-                }
+        let e = if let Some(wall) = self.closed(law) {
+            wall.of_square(l, x)
+        } else {
+            let r = x.sqrt();
+            let e = self.integrated(law, l, r);
+            let i = 0.5 / r;
+            let by_x = e.r * i;
+            let xx = (e.rr - 2.0 * by_x) * i * i;
+            SquareEnergy {
+                w: e.w,
+                l: e.l,
+                x: by_x,
+                ll: e.ll,
+                lx: e.lr * i,
+                xx,
             }
         };
         SquareEnergy {

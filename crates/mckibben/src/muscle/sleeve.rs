@@ -7,23 +7,22 @@ impl Sleeve {
     /// The strands of a braid.
     pub fn of_strands(&self) -> Result<Strands, MuscleError> {
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
-        match (self.strand_count(), section) {
-            (Some(count), Some(_)) => Ok(Strands {
+        if let (Some(count), Some(_)) = (self.strand_count(), section) {
+            Ok(Strands {
                 count,
                 section,
                 strength_n: self.strand_strength_n,
-            }),
-            _ => {
-                let missing = self.missing();
-                let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
-                Err(refused(format!(
-                    "the source of {} does not state {}; give {} or `stiffness`, or take strands \
-                     that do not stretch (stiffness inextensible)",
-                    self.shape.name,
-                    missing.join(" and "),
-                    keys.join(" and ")
-                )))
-            }
+            })
+        } else {
+            let missing = self.missing();
+            let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
+            Err(refused(format!(
+                "the source of {} does not state {}; give {} or `stiffness`, or take strands \
+                 that do not stretch (stiffness inextensible)",
+                self.shape.name,
+                missing.join(" and "),
+                keys.join(" and ")
+            )))
         }
     }
 

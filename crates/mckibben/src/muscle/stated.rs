@@ -83,20 +83,18 @@ impl Stated {
             return Err(MuscleError::new(["braid.stiffness"], message));
         }
         let braid = parts.braid;
-        let mut braid = match &self.sleeve {
-            Some(sleeve) => self
-                .of_sleeve(sleeve.clone(), area, braid)?
-                .on_diameter(outer_diameter_mm)?,
-            None => {
-                let braid = self.of_strands(area, is_described, braid)?;
-                // An angle that was stated for this diameter stays.
-                let same = outer_diameter_mm == base.outer_diameter_mm()
-                    && self.measures.get(&SLEEVE_DIAMETER).is_none();
-                if same {
-                    braid
-                } else {
-                    braid.on_diameter(outer_diameter_mm)?
-                }
+        let mut braid = if let Some(sleeve) = &self.sleeve {
+            self.of_sleeve(sleeve.clone(), area, braid)?
+                .on_diameter(outer_diameter_mm)?
+        } else {
+            let braid = self.of_strands(area, is_described, braid)?;
+            // An angle that was stated for this diameter stays.
+            let same = outer_diameter_mm == base.outer_diameter_mm()
+                && self.measures.get(&SLEEVE_DIAMETER).is_none();
+            if same {
+                braid
+            } else {
+                braid.on_diameter(outer_diameter_mm)?
             }
         };
         if let Some(angle_deg) = self.measures.get(&ANGLE) {

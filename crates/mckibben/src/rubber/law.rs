@@ -181,9 +181,12 @@ impl Law {
             .concat();
             return self.kind().law(&terms).unwrap_or_else(|| self.clone());
         }
-        self.with_constants(|i, from| match constants[i].is_modulus() {
-            true => (1.0 - share) * from + share * others[i],
-            false => 1.0 / ((1.0 - share) / from + share / others[i]),
+        self.with_constants(|i, from| {
+            if constants[i].is_modulus() {
+                (1.0 - share) * from + share * others[i]
+            } else {
+                1.0 / ((1.0 - share) / from + share / others[i])
+            }
         })
     }
 

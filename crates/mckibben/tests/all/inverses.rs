@@ -141,9 +141,10 @@ fn known(r: &mut Random) -> Option<Known> {
     let pressure_mpa = r
         .log(0.005, 3.0)
         .clamp(range.pressure_mpa.0, range.pressure_mpa.1);
-    let contraction = match options.extrapolate {
-        true => r.between(-0.1, 0.6),
-        false => r.between(range.contraction.0.max(-0.2), range.contraction.1.min(0.7)),
+    let contraction = if options.extrapolate {
+        r.between(-0.1, 0.6)
+    } else {
+        r.between(range.contraction.0.max(-0.2), range.contraction.1.min(0.7))
     };
     let w = &mut Workspace::new();
     let mut pull = |e: f64| {

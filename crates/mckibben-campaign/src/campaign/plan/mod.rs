@@ -151,7 +151,7 @@ impl Plan {
 
     /// Columns of the axes that have none in every table: `seating_mm`.
     pub fn measures(&self) -> Vec<String> {
-        self.axes.iter().filter_map(|axis| axis.column()).collect()
+        self.axes.iter().filter_map(axis::Axis::column).collect()
     }
 
     /// Keys of the sensitivities that rows carry.

@@ -60,7 +60,7 @@ fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
             "{least} {most}"
         );
     };
-    spans(|m| m.outer_diameter_mm(), 10.0, 60.0);
+    spans(mckibben::muscle::Muscle::outer_diameter_mm, 10.0, 60.0);
     spans(|m| m.wall_mm() / m.outer_diameter_mm(), 0.017, 0.18500001);
     spans(|m| m.length_mm() / m.outer_diameter_mm(), 4.4, 22.000001);
     spans(|m| m.braid().angle_deg, 16.5, 39.0);

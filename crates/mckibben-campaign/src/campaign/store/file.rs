@@ -25,7 +25,7 @@ use std::{
 const MAX_BYTES: u64 = 64 << 30;
 
 /// A file of a store whose metadata are read.
-pub(crate) struct Opened {
+pub struct Opened {
     pub(crate) provenance: Provenance,
     pub(crate) which: Which,
     path: PathBuf,
@@ -134,7 +134,7 @@ fn undecoded(error: TableError, path: &Path) -> CampaignError {
 }
 
 /// A part as the bytes of its file.
-pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
+pub fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
     let mut bytes = vec![];
     let name = part_name(number);
     let tables = std::iter::once(Ok(table));
@@ -149,7 +149,7 @@ pub(crate) fn part(provenance: &Provenance, number: u64, table: Table) -> Result
 }
 
 /// Tables into an empty file, row group by row group; how the tables are cut does not matter.
-pub(crate) fn write(
+pub fn write(
     provenance: &Provenance,
     which: Which,
     tables: impl Iterator<Item = Result<Table>>,

@@ -19,7 +19,7 @@ const LOCK: &str = ".lock";
 pub(super) const MANIFEST: &str = ".campaign.json";
 
 /// The file name of a part.
-pub(crate) fn part_name(number: u64) -> String {
+pub fn part_name(number: u64) -> String {
     format!("part-{number:06}.parquet")
 }
 
@@ -31,7 +31,7 @@ fn part_number(name: &str) -> Option<u64> {
 }
 
 /// Whether a path names one file (`campaign.parquet`), not a folder of parts.
-pub(crate) fn is_file_name(path: &Path) -> bool {
+pub fn is_file_name(path: &Path) -> bool {
     path.extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("parquet"))
         && !path.is_dir()
@@ -43,7 +43,7 @@ const OTHER_FORMATS: [&str; 12] = [
 ];
 
 /// Refuses a name that promises another format than is written.
-pub(crate) fn check_name(path: &Path) -> Result<()> {
+pub fn check_name(path: &Path) -> Result<()> {
     let ending = path
         .extension()
         .map(|e| e.to_string_lossy().to_ascii_lowercase());
@@ -66,7 +66,7 @@ fn names(folder: &Path) -> Result<Vec<String>> {
 
 /// A folder of parts.
 #[derive(Debug)]
-pub(crate) struct Folder {
+pub struct Folder {
     pub(crate) path: PathBuf,
     /// Held while the store is written.
     locks: Vec<File>,

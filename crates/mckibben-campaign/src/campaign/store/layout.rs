@@ -20,7 +20,7 @@ pub struct Layout {
 
 /// One column of a layout.
 #[derive(Debug, Clone)]
-pub(crate) struct Field {
+pub struct Field {
     pub(crate) name: String,
     pub(crate) column: &'static Column,
     /// Its key in a group.

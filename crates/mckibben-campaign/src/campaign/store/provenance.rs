@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::path::Path;
 
 /// This version of the program.
-pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a table comes from. No time and no host: the same plan gives the same bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
@@ -43,7 +43,7 @@ pub struct Provenance {
 
 /// Which share of the table a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Which {
+pub enum Which {
     Whole,
     Part(u64),
 }

@@ -53,7 +53,7 @@ fn fill(
 
 /// Some rows of a campaign.
 #[derive(Debug, Clone)]
-pub(crate) struct Table {
+pub struct Table {
     pub(super) fields: Arc<[Field]>,
     pub(crate) columns: Vec<Column>,
     pub(crate) rows: usize,

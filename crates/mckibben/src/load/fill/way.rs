@@ -158,13 +158,12 @@ impl Slopes {
     pub fn at(evaluation: &mut Evaluation<'_>, p: f64, e: f64) -> Result<Self> {
         const STEP: f64 = 1e-5;
         let r = evaluation.response(p, e)?;
-        let volume_by_pressure = match r.volume_per_pressure_mm3_per_mpa {
-            Some(slope) => slope,
-            None => {
-                let low = (p - STEP).max(0.0);
-                let high = p + STEP;
-                (evaluation.cavity_mm3(high, e)? - evaluation.cavity_mm3(low, e)?) / (high - low)
-            }
+        let volume_by_pressure = if let Some(slope) = r.volume_per_pressure_mm3_per_mpa {
+            slope
+        } else {
+            let low = (p - STEP).max(0.0);
+            let high = p + STEP;
+            (evaluation.cavity_mm3(high, e)? - evaluation.cavity_mm3(low, e)?) / (high - low)
         };
         let volume_by_contraction = match r.volume_per_contraction_mm3 {
             Some(slope) => slope,

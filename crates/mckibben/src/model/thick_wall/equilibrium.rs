@@ -143,22 +143,21 @@ impl ThickWall {
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
             return Err(no_shape);
         }
-        match self.k {
-            Some(k) => self.extensible(k, p, l, near),
-            None => {
-                let r = self.pantograph(l);
-                if self.wall.bore2(l, r) <= 0.0 {
-                    return Err(no_shape);
-                }
-                let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
-                // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
-                let contact = 2.0 * PI * r * l * p - w.r;
-                if contact < 0.0 && !self.compression {
-                    // The tube alone, short of the braid.
-                    return self.solve(0.0, p, l, r, r);
-                }
-                Ok(self.rigid(p, l, r, &w, contact))
+        if let Some(k) = self.k {
+            self.extensible(k, p, l, near)
+        } else {
+            let r = self.pantograph(l);
+            if self.wall.bore2(l, r) <= 0.0 {
+                return Err(no_shape);
             }
+            let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
+            // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
+            let contact = 2.0 * PI * r * l * p - w.r;
+            if contact < 0.0 && !self.compression {
+                // The tube alone, short of the braid.
+                return self.solve(0.0, p, l, r, r);
+            }
+            Ok(self.rigid(p, l, r, &w, contact))
         }
     }
 

@@ -48,9 +48,12 @@ struct Other {
 }
 
 fn conditioned<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Conditioned>, D::Error> {
-    let of_text = |text: &str| match text.trim().ends_with('%') {
-        true => parse_quantity(text, Dimension::Ratio).map(|strain| Conditioned::Strain { strain }),
-        false => parse_quantity(text, Dimension::Pressure).map(Conditioned::Pressure),
+    let of_text = |text: &str| {
+        if text.trim().ends_with('%') {
+            parse_quantity(text, Dimension::Ratio).map(|strain| Conditioned::Strain { strain })
+        } else {
+            parse_quantity(text, Dimension::Pressure).map(Conditioned::Pressure)
+        }
     };
     let expected = Dimension::Pressure.expectation();
     text_or_number(&expected, of_text, Conditioned::Pressure, from).map(Some)

@@ -241,9 +241,12 @@ impl OfBraid {
 /// The error of the muscle, at the line of the key that caused it.
 fn located(source: &Source<'_>, error: &MuscleError) -> FileError {
     // A constant of a law is a key of the rubber's table.
-    let full = |key: &&'static str| match key.contains('.') {
-        true => Cow::Borrowed(*key),
-        false => Cow::from(format!("tube.material.{key}")),
+    let full = |key: &&'static str| {
+        if key.contains('.') {
+            Cow::Borrowed(*key)
+        } else {
+            Cow::from(format!("tube.material.{key}"))
+        }
     };
     let keys: Vec<Cow<'_, str>> = error.fields.iter().map(full).collect();
     let written = keys.iter().find(|k| source.has(k)).or(keys.first());

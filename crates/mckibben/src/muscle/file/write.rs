@@ -97,9 +97,12 @@ impl Text {
         let values = rubber.law.values();
         self.key("law", &text(kind.name), "");
         for (i, constant) in kind.constants.iter().enumerate() {
-            let one = |v: &f64| match constant.is_modulus() {
-                true => quantity(*v, "MPa"),
-                false => number(*v),
+            let one = |v: &f64| {
+                if constant.is_modulus() {
+                    quantity(*v, "MPa")
+                } else {
+                    number(*v)
+                }
             };
             let terms: Vec<f64> = values
                 .iter()
@@ -107,9 +110,10 @@ impl Text {
                 .skip(i)
                 .step_by(kind.constants.len())
                 .collect();
-            let value = match kind.is_sum {
-                true => list(&terms, one),
-                false => terms.iter().map(one).collect(),
+            let value = if kind.is_sum {
+                list(&terms, one)
+            } else {
+                terms.iter().map(one).collect()
             };
             self.key(constant.name, &value, constant.doc);
         }
@@ -240,9 +244,12 @@ impl Text {
         let comment = "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"";
         self.stated("stiffness", stiffness, comment);
         // What the sleeve says by itself need not be written.
-        let known = sleeve.as_ref().and_then(|sleeve| match is_stated {
-            true => sleeve.strands_beside_stiffness(),
-            false => sleeve.of_strands().ok(),
+        let known = sleeve.as_ref().and_then(|sleeve| {
+            if is_stated {
+                sleeve.strands_beside_stiffness()
+            } else {
+                sleeve.of_strands().ok()
+            }
         });
         if let Some(strands) = braid.strands.as_ref().filter(|s| known.as_ref() != Some(s)) {
             self.key(
