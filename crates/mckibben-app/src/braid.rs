@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A sleeve in a line.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct BraidSummary {
     /// The word for `braid`.
     pub name: String,
@@ -35,7 +35,7 @@ pub struct BraidSummary {
 }
 
 /// A sleeve, its source and terms, and what it is on tubes.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BraidDetails {
     /// What the library has of it.
     #[serde(flatten)]
@@ -69,7 +69,7 @@ pub struct BraidDetails {
 }
 
 /// A sleeve on a tube.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BraidPoint {
     /// Outer diameter D0 of the tube, mm.
     pub outer_diameter_mm: f64,

@@ -29,7 +29,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A muscle to be built.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
@@ -71,7 +71,7 @@ pub struct BuildRequest {
 }
 
 /// All that is needed to build a muscle.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct BuildAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
@@ -170,7 +170,7 @@ pub const REPORT: &str = "report.html";
 
 /// A file that a command makes.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct BuiltFile {
     /// Its name.
     pub name: String,

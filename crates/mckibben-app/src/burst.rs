@@ -117,7 +117,7 @@ pub fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = War
 }
 
 /// The pressures that a muscle bears.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct PressureLimits {
     /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that
     /// of the weakest; none where no number for it is stated.

@@ -12,11 +12,11 @@ use mckibben_campaign::campaign::{
     self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary,
 };
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// A plan, and where its table goes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CampaignRequest {
     /// Plan file (TOML)
@@ -67,7 +67,7 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 }
 
 /// A campaign to be summarised.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CampaignShowRequest {
     /// A campaign: one file, or a folder of parts
@@ -81,7 +81,7 @@ pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary> {
 }
 
 /// Folders of parts to be joined.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CampaignMergeRequest {
     /// Folders of parts
@@ -105,7 +105,7 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
 }
 
 /// A campaign whose shards are looked at.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CampaignStatusRequest {
     /// The folder of parts

@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A muscle to be checked.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CheckRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
@@ -44,7 +44,7 @@ pub struct CheckRequest {
 }
 
 /// What is known of a muscle, and what is not.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct CheckAnswer {
     /// The muscle.
     #[serde(flatten)]
@@ -84,7 +84,7 @@ pub struct CheckAnswer {
 }
 
 /// Quantities derived from the dimensions of a muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Derived {
     /// Which way the muscle moves under pressure.
     pub kind: MuscleKind,
@@ -106,7 +106,7 @@ pub struct Derived {
 }
 
 /// Values of a muscle at one pressure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Characteristics {
     /// The model that says so.
     pub model: String,
@@ -262,7 +262,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
 }
 
 /// A finding.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MuscleFinding {
     /// Its kind.
     pub kind: FindingKind,
@@ -275,7 +275,7 @@ pub struct MuscleFinding {
 }
 
 /// A kind of finding.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FindingKind {
     /// The muscle is unusual, or is loaded beyond what it bears.

@@ -28,7 +28,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Models compared with measured points, or with the first model.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct CompareRequest {
     /// Models, by name or the file of a formula [fe,paper,thick-wall,ideal]
@@ -93,7 +93,7 @@ impl FitConstant {
 }
 
 /// Models and their errors.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct CompareAnswer {
     /// `measured`, or the reference model.
     pub reference: String,
@@ -122,7 +122,7 @@ pub struct CompareAnswer {
 }
 
 /// A model and its errors, model − reference.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ComparedModel {
     #[serde(flatten)]
     pub errors: Comparison,

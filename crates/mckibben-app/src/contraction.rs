@@ -12,7 +12,7 @@ use std::str::FromStr;
 
 /// Contraction ratios ε = ΔL/L0, each a number below 1 or a percentage; or shortenings ΔL, such as
 /// 22mm. As text a list or a range of them.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Given", into = "Vec<f64>")]
 #[schemars(with = "List<Ratio>", inline)]
 pub struct Contractions {
@@ -22,7 +22,7 @@ pub struct Contractions {
 }
 
 /// One of [`Contractions`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "Given", into = "f64")]
 #[schemars(with = "Ratio", inline)]
 pub struct Contraction(Contractions);

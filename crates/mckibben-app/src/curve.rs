@@ -35,7 +35,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
 /// isobaric: P fixed, F over ε.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 pub struct CurveRequest {
     /// Which test
     #[arg(
@@ -335,7 +335,7 @@ fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
 
 /// A family of curves.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct CurveAnswer {
     /// The model's name.
     pub model: String,
@@ -369,7 +369,7 @@ pub struct CurveAnswer {
 }
 
 /// A point of a curve: an answer, or why there is none.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum PointRow {
     /// There is an answer.
@@ -386,7 +386,7 @@ pub enum PointRow {
 
 /// The quantities that fix a point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct RequestedPoint {
     /// Requested pressure, MPa.
     pub pressure_mpa: f64,
@@ -398,7 +398,7 @@ pub struct RequestedPoint {
 }
 
 /// A point without an answer.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct FailedPoint {
     /// The request.
     #[serde(flatten)]
@@ -449,7 +449,7 @@ impl From<&CurvePoint> for PointRow {
 }
 
 /// The thickness study with a rubber, a braid and a model.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct StudyRequest {
     /// The muscle, the model, and how it is evaluated.
@@ -463,7 +463,7 @@ pub struct StudyRequest {
 
 /// The study: curves of five walls and of the ideal formula, and the paper's findings with a
 /// verdict on each.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyAnswer {
     /// The model's name.
     pub model: String,
@@ -484,7 +484,7 @@ pub struct StudyAnswer {
 }
 
 /// A point of the study.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyRow {
     /// The point.
     #[serde(flatten)]

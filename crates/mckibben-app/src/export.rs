@@ -21,7 +21,7 @@ use std::path::Path;
 
 /// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
 /// files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ExportRequest {
     /// Target; `--list` describes them
@@ -62,7 +62,7 @@ pub struct ExportRequest {
 }
 
 /// A muscle as files for a target.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ExportAnswer {
     /// The target.
     pub target: String,
@@ -129,12 +129,12 @@ fn written(page: &mut Page, rows: Rows, files: &[BuiltFile], warnings: &[String]
 }
 
 /// The targets of `export`.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ExportListRequest {}
 
 /// The targets of `export`.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ExportListAnswer {
     /// One for each host.
     pub targets: Vec<Target>,
@@ -238,7 +238,7 @@ fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> 
 
 /// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
 /// of its muscles, as files for a target.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ExportJointRequest {
     /// The joint.
@@ -265,7 +265,7 @@ pub struct ExportJointRequest {
 }
 
 /// A joint as files for a target.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ExportJointAnswer {
     /// The target.
     pub target: String,

@@ -18,7 +18,7 @@ use serde::{
 use std::fmt;
 
 /// A file that a front end read, or that its user dropped in.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct TextFile {
     /// What to call it in messages: a path or a name.
     pub name: String,
@@ -27,7 +27,7 @@ pub struct TextFile {
 }
 
 /// A name, or a file in its place.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(
     untagged,
     expecting = "a name or an object with `name` and `text` is expected"
@@ -68,7 +68,7 @@ pub fn name_or_file<'de, D: Deserializer<'de>>(from: D) -> Result<Option<TextFil
 }
 
 /// Measured tables, and what they do not state.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct DataFields {
     /// Measured points: a table of pressures, contractions (or shortenings, lengths, extensions) and
@@ -139,7 +139,7 @@ impl DataFields {
 }
 
 /// What was understood of a table.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct UnderstoodTable {
     /// The table.
     pub data: String,
@@ -236,7 +236,7 @@ pub struct MeshFields {
 }
 
 /// How a model is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 #[command(next_help_heading = "Advanced")]
 pub struct AskFields {

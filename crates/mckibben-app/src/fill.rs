@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 
 /// Pressure, stroke and energies of a muscle that a volume of liquid is pushed into, from its
 /// length at rest without pressure, filled without air.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct FillRequest {
     /// Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe)
@@ -43,7 +43,7 @@ pub struct FillRequest {
 }
 
 /// A muscle with a volume of liquid pushed in.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct FillAnswer {
     /// Pressure, stroke, pull and energies.
     #[serde(flatten)]

@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A table of points, and how the formula is made.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct FitRequest {
     /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa,
@@ -74,7 +74,7 @@ pub struct FitRequest {
 }
 
 /// How a formula is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FitMethod {
     /// The paper's seven steps, to the 48 coefficients of its Table 2.
@@ -89,7 +89,7 @@ pub enum FitMethod {
 }
 
 /// A formula with its data, as in its file.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct FitAnswer {
     /// The formula.
     #[serde(flatten)]
@@ -109,7 +109,7 @@ pub struct FitAnswer {
 }
 
 /// A figure among several.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct NamedFigure {
     /// A name for its file.
     pub name: String,
@@ -234,7 +234,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
 }
 
 /// The paper's campaign computed anew.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct FitReportRequest {}
 
@@ -324,7 +324,7 @@ impl FitRequest {
 }
 
 /// A formula to be checked.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct CheckFormulaRequest {
     /// The formula's file.
@@ -336,7 +336,7 @@ pub struct CheckFormulaRequest {
 }
 
 /// A formula with its data.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]

@@ -40,7 +40,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Points, and the parameters of a muscle to identify from them.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct IdentifyRequest {
     /// The points.
@@ -110,7 +110,7 @@ pub struct IdentifyRequest {
 }
 
 /// Treatment of the branches of the hysteresis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Branches {
     /// Both branches, with the friction between them.
@@ -126,7 +126,7 @@ pub enum Branches {
 const MOST_POINTS: usize = 100_000;
 
 /// Result of the identification.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifyAnswer {
     /// The model.
     pub model: String,
@@ -157,7 +157,7 @@ pub struct IdentifyAnswer {
 
 /// Fit of a rubber law to the points.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct LawRow {
     /// The law.
     pub law: String,
@@ -194,7 +194,7 @@ impl LawRow {
 
 /// A point, with the value of the model.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifiedPoint {
     /// Measures of its muscle that it states.
     #[serde(flatten)]

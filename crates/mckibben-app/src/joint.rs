@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, fmt, path::Path};
 
 /// A joint: its file and those of its muscles.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct JointFields {
     /// Joint file (TOML).
@@ -71,7 +71,7 @@ impl JointFields {
 
 /// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles
 /// alone give the pressures for a torque and a stiffness.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct JointRequest {
     /// The joint.
@@ -482,7 +482,7 @@ fn word(rest: &Rest) -> RestWord {
 
 /// A point of a joint.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct JointRow {
     /// Angle, torque and stiffness.
     #[serde(flatten)]
@@ -529,7 +529,7 @@ pub struct JointRow {
 }
 
 /// How a joint rests.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RestWord {
     /// It comes back after a small turn.
@@ -550,7 +550,7 @@ impl fmt::Display for RestWord {
 
 /// A joint's answer.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct JointAnswer {
     /// The model's name.
     pub model: String,

@@ -37,7 +37,7 @@ pub struct LibraryMuscle {
 }
 
 /// A muscle of the library, with what is known of it and how well it agrees with its points.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryDetails {
     /// The muscle.
     #[serde(flatten)]

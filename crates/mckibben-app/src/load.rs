@@ -64,7 +64,7 @@ impl LoadFields {
 }
 
 /// The equilibria at pressures, and the stroke from the first to the last.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct LoadAnswer {
     /// The load as it was written.
     pub load: String,
@@ -79,7 +79,7 @@ pub struct LoadAnswer {
 }
 
 /// The equilibria at a pressure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct LoadedAt {
     /// The pressure, MPa.
     pub pressure_mpa: f64,

@@ -19,7 +19,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Measured muscles and rubbers, each with its known data and its fits.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MeasuredRequest {
     /// The folders; default: the built-in cases.
@@ -31,7 +31,7 @@ pub struct MeasuredRequest {
 }
 
 /// The validation reports of measured muscles and rubbers.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredAnswer {
     /// The model.
     pub model: String,
@@ -49,7 +49,7 @@ pub struct MeasuredAnswer {
 }
 
 /// A measured muscle.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredCase {
     /// What is known of it.
     #[serde(flatten)]
@@ -61,7 +61,7 @@ pub struct MeasuredCase {
 }
 
 /// Errors of a fit at some points: measured − computed.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredResult {
     /// Name of the case's folder.
     pub case: String,
@@ -75,7 +75,7 @@ pub struct MeasuredResult {
 }
 
 /// A measured rubber.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredRubber {
     /// What is known of it.
     #[serde(flatten)]
@@ -87,7 +87,7 @@ pub struct MeasuredRubber {
 }
 
 /// Errors of a fit at some nominal stresses: measured − computed.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredStress {
     /// Name of the case's folder.
     pub case: String,

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// What has a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PartKind {
     /// Bladders: tubes as sold, and those that one can cast.
@@ -39,7 +39,7 @@ pub enum PartKind {
 }
 
 /// Everything with a name.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct PartsListRequest {
     /// Only one kind
@@ -51,7 +51,7 @@ pub struct PartsListRequest {
 }
 
 /// Everything with a name.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct PartsListAnswer {
     /// Tubes.
     pub tubes: Vec<TubePart>,
@@ -69,7 +69,7 @@ pub struct PartsListAnswer {
 }
 
 /// What has a name.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct PartShowRequest {
     /// Name; of a rubber also NAME:LAW
@@ -79,7 +79,7 @@ pub struct PartShowRequest {
 
 /// All that have this name.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Default, Serialize, JsonSchema)]
 pub struct PartShowAnswer {
     /// A tube.
     pub tube: Option<TubePart>,
@@ -94,7 +94,7 @@ pub struct PartShowAnswer {
 }
 
 /// What is known of a model.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ModelDetails {
     /// Its name.
     pub name: String,

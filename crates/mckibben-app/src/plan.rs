@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use std::{fmt::Write as _, path::Path};
 
 /// A plan to be computed.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct PlanRequest {
     /// The plan (TOML).
@@ -17,7 +17,7 @@ pub struct PlanRequest {
 }
 
 /// Its table.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct PlanAnswer {
     /// The table (CSV): what `fit` reads.
     pub table: TextFile,

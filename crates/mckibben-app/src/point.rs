@@ -23,7 +23,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// F(P, ε): the pull at a pressure and contraction.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ForceRequest {
     /// Gauge pressure
@@ -42,7 +42,7 @@ pub struct ForceRequest {
 }
 
 /// P(F, ε): the pressure that gives a pull at a contraction.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct PressureRequest {
     /// Pull
@@ -61,7 +61,7 @@ pub struct PressureRequest {
 }
 
 /// ε(F, P): the contraction at which a pressure gives a pull.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ContractionRequest {
     /// Gauge pressure
@@ -84,7 +84,7 @@ pub struct ContractionRequest {
 }
 
 /// One point: its values, the muscle and the model.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct PointAnswer {
     /// The point.
     #[serde(flatten)]
@@ -104,7 +104,7 @@ pub struct PointAnswer {
 }
 
 /// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Background {
     /// The ± of the pull in words.
     pub uncertainty_words: UncertaintyWords,
@@ -118,7 +118,7 @@ pub struct Background {
 }
 
 /// Where a model's numbers come from.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ModelAbout {
     /// Where the formula comes from: author, year, equation.
     pub source: String,
@@ -284,7 +284,7 @@ pub fn pull(force_n: f64, options: Options) -> Result<()> {
 }
 
 /// A muscle, a model, and how it is evaluated.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct QuestionFields {
     /// The muscle.

@@ -14,7 +14,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Texts that a user typed.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct QuantitiesRequest {
     /// The texts.
@@ -22,7 +22,7 @@ pub struct QuantitiesRequest {
 }
 
 /// A text, and what it shall be.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
 pub struct Typed {
     /// The text, such as `2.5 bar`; a list or range where it is one, such as `0..40:5psi`.
     pub text: String,
@@ -34,14 +34,14 @@ pub struct Typed {
 }
 
 /// What was understood, in the order of the texts.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct QuantitiesAnswer {
     /// One reading for each text.
     pub readings: Vec<Reading>,
 }
 
 /// What was understood of a text.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Reading {
     /// A number, in mm, MPa, N, degrees, or the unit inside of its kind.
@@ -111,19 +111,19 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
 }
 
 /// The units.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct UnitsRequest {}
 
 /// Every kind of quantity with its units.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct UnitsAnswer {
     /// The kinds.
     pub kinds: Vec<KindOfQuantity>,
 }
 
 /// A kind of quantity.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct KindOfQuantity {
     /// Its name.
     pub kind: Dimension,
@@ -134,7 +134,7 @@ pub struct KindOfQuantity {
 }
 
 /// A unit.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct UnitOfKind {
     /// Its usual spelling.
     pub name: &'static str,
@@ -170,12 +170,12 @@ pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
 }
 
 /// The measures of a muscle.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MeasuresRequest {}
 
 /// The measures of a muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuresAnswer {
     /// All of them, in the order of the fields of requests.
     pub measures: Vec<MeasureEntry>,
@@ -183,7 +183,7 @@ pub struct MeasuresAnswer {
 
 /// A measure of a muscle.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasureEntry {
     /// Key in the muscle file.
     pub key: &'static str,

@@ -18,7 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a report states of itself; what is empty is a field to fill in by hand.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 #[command(next_help_heading = "Title block of the report")]
 pub struct TitleBlock {

@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// A rubber in a line.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct RubberSummary {
     /// The word for `rubber`.
     pub name: String,
@@ -31,7 +31,7 @@ pub struct RubberSummary {
 }
 
 /// A rubber with its laws, its source and its terms.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RubberDetails {
     #[serde(flatten)]
     pub entry: RubberEntry,
@@ -46,7 +46,7 @@ pub struct RubberDetails {
 }
 
 /// A law fitted to a rubber.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LibraryFit {
     /// The law.
     pub law: String,
@@ -78,7 +78,7 @@ fn columns<S: Serializer>(law: &Law, serializer: S) -> Result<S::Ok, S::Error> {
 }
 
 /// What is known of a law that was fitted to a curve.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FittedToCurve {
     /// Number of points.
     pub points: usize,

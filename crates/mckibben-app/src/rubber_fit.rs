@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::Path};
 
 /// Tension tests, and the laws to fit.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct RubberFitRequest {
     /// The tests: one table or several, each with its mode and dimensions in `set`, where its
@@ -86,7 +86,7 @@ pub struct RubberFitRequest {
 }
 
 /// The laws of the tests.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct RubberFitAnswer {
     /// What was understood of them.
     pub understood: Vec<UnderstoodTable>,
@@ -129,7 +129,7 @@ pub struct RubberFitAnswer {
 }
 
 /// A constant with the law that it belongs to: a row of a table.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct ConstantRow {
     law: String,
     constrained: bool,

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The deformed muscle at a pressure and contraction, by `fe`.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct ShapeRequest {
     /// The muscle.
@@ -42,7 +42,7 @@ pub struct ShapeRequest {
 }
 
 /// The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ShapeAnswer {
     /// The point, as `force` has it but without P′, which takes ten times as long.
     #[serde(flatten)]

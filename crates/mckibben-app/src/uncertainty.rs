@@ -14,7 +14,7 @@ const WORTH: f64 = 0.8;
 
 /// The ± of a pull in words, and the suggested test that would make it smaller.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct UncertaintyWords {
     /// The ± with its parts:
     /// `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.

@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The cases.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ValidateRequest {
     /// Also compute the finest meshes (some seconds more)
@@ -20,7 +20,7 @@ pub struct ValidateRequest {
 }
 
 /// The table of cases.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ValidateAnswer {
     /// The cases.
     pub cases: Vec<VerificationRow>,

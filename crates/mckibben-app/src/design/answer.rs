@@ -25,7 +25,7 @@ use serde::Serialize;
 
 /// Ranked muscles, and the reasons why others fail.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct DesignAnswer {
     /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure,
     /// what limits it; none where nothing fits.
@@ -81,7 +81,7 @@ pub struct DesignAnswer {
 }
 
 /// What the muscle must do.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "kind")]
 pub enum DemandAnswer {
     /// Pulls at contractions.
@@ -110,7 +110,7 @@ pub enum DemandAnswer {
 
 /// Search space and limits.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct SearchedAnswer {
     /// The rubber, or how many.
     pub rubber: String,
@@ -133,7 +133,7 @@ pub struct SearchedAnswer {
 }
 
 /// A muscle that fits.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct CandidateAnswer {
     /// So many of it side by side.
     pub count: u32,
@@ -172,7 +172,7 @@ pub struct CandidateAnswer {
 }
 
 /// The joint around a candidate.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct CandidateJoint {
     /// Radius of the pulley, mm.
     pub radius_mm: f64,
@@ -183,7 +183,7 @@ pub struct CandidateJoint {
 }
 
 /// A muscle that does not fit.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
     /// The muscle.
     #[serde(flatten)]
@@ -196,7 +196,7 @@ pub struct RejectedAnswer {
 }
 
 /// The muscle that comes closest, and what would make it fit.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]

@@ -29,7 +29,7 @@ use std::sync::{
 };
 
 /// The quantity that follows from each pair of numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PointQuantity {
     /// F in N, of P in MPa and ε.
     Force,
@@ -40,7 +40,7 @@ pub enum PointQuantity {
 }
 
 /// How many points are answered.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Many {
     pub wanted: PointQuantity,
     /// Also the derivatives by both numbers of a pair.
@@ -60,7 +60,7 @@ impl Many {
 }
 
 /// Why a list has no answer: the point that has none, and its reason.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct ArrayError {
     /// The point's place in the list, from 0; none where the list itself is at fault.
     pub index: Option<usize>,

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A motion.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MotionRun {
     /// The value of the sweep's key, where there is a sweep.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -24,7 +24,7 @@ pub struct MotionRun {
 
 /// How far from its computed end a measured muscle or joint may come to rest.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct EndUncertainty {
     /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a
     /// stop, of a controlled position, and where the command still changes.
@@ -56,7 +56,7 @@ impl MotionRun {
 
 /// The answer to a drive: its motion, or those of a sweep.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct MotionAnswer {
     /// The model's name.
     pub model: String,

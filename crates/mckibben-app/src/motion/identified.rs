@@ -24,7 +24,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Constants of a drive that were identified from a recorded motion.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifiedDrive {
     /// Of a recorded motion: the constants, with value and error.
     pub parameters: Vec<Identified>,
@@ -54,7 +54,7 @@ impl IdentifiedDrive {
 }
 
 /// Root mean squares of model − log, in MPa, degrees or as a contraction ratio.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct LogErrors {
     /// The quantity.
     pub of: String,

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
 /// A drive: its file, and the files that it names.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct MotionRequest {
     /// Drive file (TOML).
@@ -83,7 +83,7 @@ impl MotionRequest {
 
 /// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle,
 /// until the muscle lifts it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 #[command(next_help_heading = "Instead of a drive file")]
 pub struct StepFields {
@@ -185,7 +185,7 @@ fn held(text: &str) -> Result<f64> {
 }
 
 /// Values of a key of the drive file.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MotionSweep {
     /// The key, dotted: `valve.sonic_conductance`, `load.mass`.

@@ -7,7 +7,7 @@ use crate::{
 };
 
 /// A number, or what stands in its place.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub enum Amount {
     Nothing,
     Number(f64),

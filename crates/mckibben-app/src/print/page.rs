@@ -3,7 +3,7 @@
 use super::{Column, Rows, Table};
 
 /// A part of a page.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub enum Block {
     /// One line or several.
     Text(String),
@@ -12,7 +12,7 @@ pub enum Block {
 }
 
 /// What people read of an answer, from top to bottom.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Page {
     pub blocks: Vec<Block>,
 }

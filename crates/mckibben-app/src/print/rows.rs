@@ -5,7 +5,7 @@ use crate::Scale;
 use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Rows(Vec<(String, String)>);
 
 impl Rows {

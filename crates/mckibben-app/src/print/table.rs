@@ -4,7 +4,7 @@ use super::amount::Amount;
 use crate::{Scale, units::NUMBER, words::aligned};
 
 /// A heading and the cells below it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Column {
     pub heading: String,
     pub cells: Vec<String>,

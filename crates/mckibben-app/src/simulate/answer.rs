@@ -10,7 +10,7 @@ use serde::{Serialize, Serializer};
 
 /// A finite-element test with all its results.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct SimulateAnswer {
     /// `fe` or `fe3d`.
     pub model: String,
@@ -43,7 +43,7 @@ pub struct SimulateAnswer {
 }
 
 /// A point of the test.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum SimulatedRow {
     /// There is an equilibrium.
@@ -53,7 +53,7 @@ pub enum SimulatedRow {
 }
 
 /// An equilibrium.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct SimulatedPoint {
     /// The values that every model gives; the pull of a slack muscle is 0.
     #[serde(flatten)]
@@ -86,7 +86,7 @@ pub struct SimulatedPoint {
 }
 
 /// A place in the section at rest.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct RestPlace {
     /// Radius R, mm.
     pub rest_r_mm: f64,

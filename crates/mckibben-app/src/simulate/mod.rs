@@ -39,7 +39,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// One point of the test: the request and the solution.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Simulated {
     pub requested: RequestedPoint,
     pub solution: Result<Solution, FemError>,
@@ -51,7 +51,7 @@ pub struct Simulated {
 }
 
 /// A finite-element test.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct SimulateRequest {
     /// Which test
