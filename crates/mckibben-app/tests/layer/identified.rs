@@ -1,4 +1,4 @@
-//! Constants of a drive from a recorded motion.
+//! Constants of a drive from a recorded motion, and of a muscle from several tables.
 
 use super::reply;
 use serde_json::{Value, json};
@@ -163,4 +163,42 @@ fn a_constant_on_its_bound_keeps_its_value_and_the_others_are_identified_with_it
         valve.2 && valve.0 > 0.6 && !volume.2,
         "{valve:?} {volume:?}"
     );
+}
+
+/// An identity: a table with no weight, whatever is in it, is none; and with one it is not.
+#[test]
+fn a_table_of_weight_zero_is_left_out() {
+    let example = |name: &str| {
+        let path = crate::root().join("examples").join(name);
+        std::fs::read_to_string(path).unwrap()
+    };
+    let points = example("bench.csv");
+    // The same points with pulls that are a fifth larger.
+    let larger = points.lines().map(|line| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if let Some(Ok(force)) = cells.get(2).map(|cell| cell.parse::<f64>()) {
+            cells[2] = (1.2 * force).to_string();
+        }
+        cells.join(",") + "\n"
+    });
+    let larger: String = larger.collect();
+    assert_ne!(larger, points);
+    let constants = |tables: &[&str], weights: Value| -> Vec<f64> {
+        let data = tables
+            .iter()
+            .map(|text| json!({ "name": "t.csv", "text": text }));
+        let muscle = json!({ "name": "bench.toml", "text": example("bench.toml") });
+        let request = json!({ "muscle": { "file": muscle }, "data": data.collect::<Vec<_>>(), "weights": weights,
+            "model": "thick-wall", "free": ["mu", "braid.stiffness"] });
+        let parameters = reply("identify", request)["parameters"].take();
+        let value = |p: &Value| p["value"].as_f64().unwrap();
+        parameters.as_array().unwrap().iter().map(value).collect()
+    };
+    let alone = constants(&[&points], Value::Null);
+    let without = constants(&[&points, &larger], json!([1, 0]));
+    let with = constants(&[&points, &larger], json!([1, 1]));
+    for ((alone, without), with) in alone.iter().zip(without).zip(with) {
+        assert!((without / alone - 1.0).abs() < 1e-9, "{without} {alone}");
+        assert!((with / alone - 1.0).abs() > 1e-3, "{with} {alone}");
+    }
 }

@@ -237,3 +237,46 @@ fn an_inverse_has_the_uncertainty_of_what_it_computes() {
         assert!(force.get(key).is_none(), "{key}");
     }
 }
+
+/// By hand from the pulls of `force`; a point without an answer is counted and in no error.
+#[test]
+fn errors_of_a_comparison_are_those_of_its_points() {
+    let (pressures, contractions) = ([0.1, 0.2, 0.3], [0.0, 0.1]);
+    let models = ["ideal", "paper", "thick-wall"];
+    let compared = reply(
+        "compare",
+        json!({ "models": models, "pressures_mpa": pressures, "contractions": contractions }),
+    );
+    assert_eq!(compared["reference"], "ideal");
+    let pulls = |model: &str| -> Vec<Option<f64>> {
+        let points = pressures.iter().flat_map(|p| contractions.map(|e| (p, e)));
+        let pull = |(p, e)| {
+            let request =
+                json!({ "pressure_mpa": p, "contraction": e, "model": model }).to_string();
+            let answer = mckibben_app::ask("force", &request, &mckibben::progress::Silent).ok()?;
+            serde_json::from_str::<Value>(&answer).unwrap()["force_n"].as_f64()
+        };
+        points.map(pull).collect()
+    };
+    let reference = pulls("ideal");
+    for (row, model) in compared["models"].as_array().unwrap().iter().zip(models) {
+        let both = pulls(model).into_iter().zip(&reference);
+        let off: Vec<f64> = both.filter_map(|(a, b)| Some(a? - (*b)?)).collect();
+        let n = off.len() as f64;
+        for (key, by_hand) in [
+            ("points", n),
+            ("unanswered", 6.0 - n),
+            ("rms_n", (off.iter().map(|d| d * d).sum::<f64>() / n).sqrt()),
+            ("max_n", off.iter().map(|d| d.abs()).fold(0.0, f64::max)),
+            ("mean_n", off.iter().sum::<f64>() / n),
+        ] {
+            let found = row[key].as_f64().unwrap_or_default();
+            assert!(
+                (found - by_hand).abs() < 1e-6,
+                "{model} {key}: {found} {by_hand}"
+            );
+        }
+    }
+    // Above 0.25 MPa the formula has no answer.
+    assert_eq!(compared["models"][1]["unanswered"], 2);
+}

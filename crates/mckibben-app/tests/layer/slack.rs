@@ -175,3 +175,68 @@ fn a_muscle_has_a_text_or_is_of_the_library() {
         ProblemKind::File
     );
 }
+
+/// Two muscles of one kind, one on each side: P′ of the first at an angle is that of the second at
+/// the opposite one, and that of `force` at its contraction.
+#[test]
+fn the_pressure_at_which_a_muscle_of_a_joint_starts_to_pull_is_that_of_force() {
+    let file = |name: &str| {
+        let path = crate::root().join("examples").join(name);
+        json!({ "name": name, "text": std::fs::read_to_string(path).unwrap() })
+    };
+    let muscle = file("forearm-muscle.toml");
+    let angles: Vec<f64> = (-4..=4).map(|i| 15.0 * f64::from(i)).collect();
+    let request = json!({ "joint": file("forearm.toml"), "muscles": [muscle, muscle], "model": "thick-wall",
+        "pressures_mpa": [[0.4, 0.0]], "angles_deg": angles });
+    let points = reply("joint", request)["points"].take();
+    let number = |i: usize, key: &str| points[i][key].as_f64().unwrap();
+    for i in 0..angles.len() {
+        let start = number(i, "start_pressure_1_mpa");
+        let opposite = number(angles.len() - 1 - i, "start_pressure_2_mpa");
+        assert_eq!(start, opposite, "{}", angles[i]);
+        let contraction = number(i, "contraction_1");
+        let question = json!({ "muscle": { "file": muscle }, "model": "thick-wall",
+            "pressure_mpa": 0.4, "contraction": contraction });
+        let alone = reply("force", question)["start_pressure_mpa"]
+            .as_f64()
+            .unwrap();
+        assert!(
+            (start - alone).abs() < 1e-9,
+            "{contraction}: {start} {alone}"
+        );
+    }
+}
+
+/// The arm of 25 mm on either side, and the weight of 1.2 kg at 150 mm, which hangs at the neutral
+/// angle; and each pull is that of `force`.
+#[test]
+fn a_joint_carries_the_pulls_of_its_muscles_on_their_arms() {
+    let file = |name: &str| {
+        let path = crate::root().join("examples").join(name);
+        json!({ "name": name, "text": std::fs::read_to_string(path).unwrap() })
+    };
+    let muscle = file("biceps.toml");
+    let pressures = [0.2, 0.1];
+    let request = json!({ "joint": file("elbow.toml"), "muscles": [muscle, muscle], "model": "thick-wall",
+        "pressures_mpa": [pressures], "angles_deg": [-20.0, 10.0, 40.0] });
+    let points = reply("joint", request)["points"].take();
+    for point in points.as_array().unwrap() {
+        let number = |key: &str| point[key].as_f64().unwrap();
+        let weight = 1.2 * 9.80665 * 0.15 * number("angle_deg").to_radians().sin();
+        let torque = 0.025 * (number("force_1_n") - number("force_2_n")) - weight;
+        assert!((number("torque_nm") - torque).abs() < 1e-9, "{point}");
+        for (i, (arm, pressure_mpa)) in [25.0, -25.0].into_iter().zip(pressures).enumerate() {
+            let of = |key: &str| &point[key.replace('#', &(i + 1).to_string())];
+            let question = json!({ "muscle": { "file": muscle }, "model": "thick-wall",
+                "pressure_mpa": pressure_mpa, "contraction": of("contraction_#") });
+            let alone = reply("force", question);
+            let [ours, theirs] = [of("force_#_n"), &alone["force_n"]].map(|n| n.as_f64().unwrap());
+            assert!((ours - theirs).abs() < 1e-6, "{i} {point}: {theirs}");
+            assert_eq!(of("slack_#"), &alone["slack"], "{i} {point}");
+            assert!(
+                (of("arm_#_mm").as_f64().unwrap() - arm).abs() < 1e-12,
+                "{i} {point}"
+            );
+        }
+    }
+}

@@ -138,3 +138,45 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
         }
     }
 }
+
+/// Cycles of a neo-Hookean strip: W = (μ/2)(λ² + 2/λ − 3), and of the stress μ (λ − λ⁻²) the share
+/// η of Ogden and Roxburgh by the largest energy so far.
+#[test]
+fn the_softening_of_a_rubber_stands_in_its_muscle_file() {
+    use mckibben::rubber::{Law, over_time::erf};
+    let (mu, r, m, beta) = (0.4, 1.5, 0.04, 0.1);
+    let mut text = String::from("time_s,stretch,nominal_stress_mpa\n");
+    let (mut time, mut largest) = (0, 0.0_f64);
+    for (from, to) in [(1.0, 1.7), (1.7, 1.0), (1.0, 2.2), (2.2, 1.0)] {
+        for i in 0..25 {
+            let stretch: f64 = from + (to - from) * f64::from(i) / 25.0;
+            let energy = 0.5 * mu * (stretch * stretch + 2.0 / stretch - 3.0);
+            largest = largest.max(energy);
+            let eta = 1.0 - erf((largest - energy) / (m + beta * largest)) / r;
+            let stress = eta * mu * (stretch - stretch.powi(-2));
+            text += &format!("{time},{stretch},{stress}\n");
+            time += 1;
+        }
+    }
+    let data = json!([{ "name": "cycles.csv", "text": text }]);
+    let answer = reply(
+        "rubber",
+        json!({ "data": data, "laws": ["neo-hookean"], "softening": true }),
+    );
+    let muscle = mckibben::muscle::file::parse_muscle(answer["muscle_file"].as_str().unwrap());
+    let rubber = muscle.unwrap().tube().rubber.clone();
+    let written = rubber.softening.unwrap();
+    for (key, written, made) in [
+        ("r", written.r, r),
+        ("m_mpa", written.m_mpa, m),
+        ("beta", written.beta, beta),
+    ] {
+        assert_eq!(answer["softening"][key], json!(written), "{key}");
+        assert!((written / made - 1.0).abs() < 0.01, "{key}: {written}");
+    }
+    // The law beside it is that of the first loading.
+    let Law::NeoHookean(law) = rubber.law else {
+        panic!("{rubber:?}")
+    };
+    assert!((law.mu_mpa / mu - 1.0).abs() < 1e-9, "{law:?}");
+}

@@ -193,3 +193,17 @@ fn texts_of_others_are_plain_in_the_readme() {
         }
     }
 }
+
+#[test]
+fn a_muscle_that_no_clamp_holds_is_refused() {
+    let plan = |insertion_mm: f64| {
+        let text = format!("[terminals]\ninsertion = {insertion_mm}\n");
+        let muscle = parse_muscle(&text).unwrap();
+        let operating = operating(&muscle, 0.25);
+        Plan::new(muscle, operating, &Wishes::default())
+    };
+    assert!(plan(3.0).is_ok());
+    let refused = plan(2.9).unwrap_err();
+    assert!(refused.message.contains("holds no clamp"), "{refused}");
+    assert_eq!(refused.fields, ["insertion_mm"]);
+}

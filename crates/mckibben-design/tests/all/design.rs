@@ -11,7 +11,7 @@ use mckibben::units::Values;
 use mckibben_design::{
     Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
     OperatingPoint, Relaxation, SAFETY, Spec, SpecError, TorqueWanted, VALIDATED_STRAND_STRAIN,
-    design, design_joint,
+    design, design_joint, fits,
 };
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -90,6 +90,70 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
             }
         }
         assert_eq!(outcome.looked_at, (44, fitting));
+    }
+}
+
+/// A window of a thousandth of the diameter: its lower end, where the muscle just pulls enough at
+/// the highest pressure, by bisection on the model alone, and the largest bulge as that of a muscle
+/// at its upper end.
+#[test]
+fn a_window_of_a_thousandth_of_the_diameter_is_found() {
+    for (wanted, max_pressure_mpa, wall_mm) in [
+        (&[(300.0, 0.1), (20.0, 0.25)][..], 0.4, 1.5),
+        (&[(700.0, 0.15)][..], 0.25, 2.0),
+        (&[(1200.0, 0.05)][..], 0.3, 3.0),
+    ] {
+        let points = wanted.iter().map(|&(force_n, contraction)| OperatingPoint {
+            force_n,
+            contraction,
+        });
+        let mut spec = Spec {
+            wanted: points.collect::<Vec<_>>().into(),
+            max_pressure_mpa,
+            wall_mm: Values::List(vec![wall_mm]),
+            ..spec(1.0, 0.1)
+        };
+        let at = |d0: f64| ThickWall::new(&spec.base.with_section(d0, wall_mm).unwrap());
+        let pulls = |d0: f64| {
+            let (model, w) = (at(d0), &mut Workspace::new());
+            wanted
+                .iter()
+                .all(|&(force_n, e)| model.force_n(w, max_pressure_mpa, e).unwrap() >= force_n)
+        };
+        let (mut weak, mut strong) = (8.0, 80.0);
+        assert!(!pulls(weak) && pulls(strong));
+        for _ in 0..60 {
+            let middle = 0.5 * (weak + strong);
+            *if pulls(middle) {
+                &mut strong
+            } else {
+                &mut weak
+            } = middle;
+        }
+        let upper = 1.001 * strong;
+        let (model, w) = (at(upper), &mut Workspace::new());
+        let bulge = |&(force_n, e): &(f64, f64)| {
+            let mut evaluation = Evaluation::new(&model, w, Options::default());
+            let p = evaluation.pressure_at(force_n, e).unwrap();
+            let response = model.response(&mut Workspace::new(), p, e).unwrap();
+            response.bulged_diameter_mm.unwrap()
+        };
+        spec.limits.bulged_diameter_mm = Some(wanted.iter().map(bulge).fold(0.0, f64::max));
+        // The window is what it is said to be.
+        for (d0, is_inside) in [
+            (0.9999 * strong, false),
+            (1.0005 * strong, true),
+            (1.002 * strong, false),
+        ] {
+            let muscle = spec.base.with_section(d0, wall_mm).unwrap();
+            assert_eq!(fits(&spec, BUILD, &muscle), is_inside, "{wanted:?} {d0}");
+        }
+        let outcome = design(&spec, BUILD).unwrap();
+        let best = outcome.candidates.first();
+        let d0 = best.map(|c| c.muscle.outer_diameter_mm());
+        let found =
+            d0.is_some_and(|d0| (strong * (1.0 - 1e-9)..upper * (1.0 + 1e-9)).contains(&d0));
+        assert!(found, "{wanted:?}: {strong} {d0:?}");
     }
 }
 

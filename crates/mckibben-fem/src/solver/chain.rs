@@ -112,3 +112,65 @@ impl Chain {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::random::Random;
+    use nalgebra::{DMatrix, DVector};
+
+    /// Indefinite chains of random slabs, against the product of the whole matrix and its dense
+    /// eigenvalues: x from K x, and by Sylvester's law as many negative pivots as eigenvalues.
+    #[test]
+    fn a_chain_has_the_dense_solution_and_inertia() {
+        let mut random = Random(7);
+        for (slabs, station, inside) in [(1, 1, 0), (1, 3, 2), (5, 4, 7), (12, 2, 1)] {
+            let mut chain = Chain::new(slabs, station, inside);
+            let (size, step) = (chain.size(), inside + station);
+            let dimension = slabs * step + station;
+            let mut whole = DMatrix::<f64>::zeros(dimension, dimension);
+            chain.begin();
+            for slab in 0..slabs {
+                // A slab is ordered [inside | left station | right station].
+                let place = |i: usize| {
+                    let local = if i < inside {
+                        station + i
+                    } else if i < step {
+                        i - inside
+                    } else {
+                        i
+                    };
+                    slab * step + local
+                };
+                let a = chain.slab_mut(slab);
+                for (i, j) in (0..size).flat_map(|i| (i..size).map(move |j| (i, j))) {
+                    let (p, q) = (place(i), place(j));
+                    let sign = if p % 3 == 1 { -1.0 } else { 1.0 };
+                    a[i * size + j] = if i == j {
+                        sign * size as f64
+                    } else {
+                        random.between(-0.5, 0.5)
+                    };
+                    whole[(p, q)] += a[i * size + j];
+                    whole[(q, p)] = whole[(p, q)];
+                }
+                chain.eliminate(slab).unwrap();
+            }
+            let mut end = chain.end.clone();
+            let negative = chain.negative + dense::eliminate(&mut end, station, station).unwrap();
+            let wanted = DVector::from_fn(dimension, |i, _| 1.5 + ((i * i) as f64).sin());
+            let mut x = (&whole * &wanted).as_slice().to_vec();
+            chain.forward(&mut x);
+            let last = &mut x[slabs * step..];
+            dense::forward(&end, station, station, last);
+            dense::backward(&end, station, station, last);
+            chain.backward(&mut x);
+            let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs());
+            let off = off.fold(0.0, f64::max);
+            assert!(off < 1e-12, "{slabs} {station} {inside}: {off:e}");
+            let eigenvalues = whole.symmetric_eigenvalues();
+            let expected = eigenvalues.iter().filter(|x| **x < 0.0).count();
+            assert_eq!(negative, expected, "{slabs} {station} {inside}");
+        }
+    }
+}

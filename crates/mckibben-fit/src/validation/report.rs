@@ -350,6 +350,45 @@ mod tests {
         );
     }
 
+    /// By hand: of each branch the mean, the rms and the share within the ± of 3 N; means of the
+    /// branches are a list of their own.
+    #[test]
+    fn errors_of_a_branch_are_those_of_its_points() {
+        use Direction::{Contraction, Elongation, Mean};
+        let point = |branch, difference_n, half_width_n| Residual {
+            contraction: 0.1,
+            contraction_share: 0.3,
+            difference_n,
+            branch,
+            pressure_mpa: 0.2,
+            blocked_n: 100.0,
+            half_width_n,
+        };
+        let points = [
+            point(Contraction, -1.0, Some(3.0)),
+            point(Mean, 0.5, Some(3.0)),
+            point(Elongation, 2.0, Some(3.0)),
+            point(Contraction, -7.0, Some(3.0)),
+            point(Elongation, 2.0, Some(3.0)),
+            point(Elongation, 2.0, None),
+        ];
+        let group = Group::new("all".into(), true, &points);
+        let of = |errors: &ForceErrors| (errors.points, errors.bias_n, errors.rms_n, errors.held);
+        assert_eq!(of(&group.means), (1, 0.5, 0.5, Some(1.0)));
+        let branches = group.by_branch.iter().map(|b| (b.branch, of(&b.errors)));
+        assert_eq!(
+            branches.collect::<Vec<_>>(),
+            [
+                (Contraction, (2, -4.0, 5.0, Some(0.5))),
+                (Elongation, (3, 2.0, 2.0, Some(1.0))),
+            ]
+        );
+        assert_eq!((group.branch_points, group.branch_held), (5, Some(0.75)));
+        // A branch that was not measured has no row.
+        let rising = Group::new("some".into(), true, &points[..1]);
+        assert_eq!(rising.by_branch.len(), 1);
+    }
+
     #[test]
     fn a_caller_who_has_gone_ends_it() {
         struct Gone;

@@ -335,6 +335,29 @@ mod tests {
         assert_eq!(names(folder.path()), 0);
     }
 
+    /// As files of any program: the umask decides of a new file, and one that was there keeps its
+    /// mode.
+    #[cfg(unix)]
+    #[test]
+    fn a_file_can_be_read_by_others_as_the_umask_or_its_mode_allows() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let mode = |name: &str| std::fs::metadata(at(name)).unwrap().permissions().mode() & 0o777;
+        std::fs::write(at("plain"), b"x").unwrap();
+        put(&at("alone"), b"x", false).unwrap();
+        put_all(folder.path(), [("one", b"x"), ("two", b"x")], false).unwrap();
+        for name in ["alone", "one", "two"] {
+            assert_eq!(mode(name), mode("plain"), "{name}");
+        }
+        for kept in [0o600, 0o640] {
+            let of_old = std::fs::Permissions::from_mode(kept);
+            std::fs::set_permissions(at("alone"), of_old).unwrap();
+            put(&at("alone"), b"y", true).unwrap();
+            assert_eq!(mode("alone"), kept);
+        }
+    }
+
     #[test]
     fn a_read_only_file_stays_as_it_is() {
         let (_folder, path) = folder();

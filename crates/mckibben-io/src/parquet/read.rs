@@ -184,3 +184,28 @@ fn optional(reader: ColumnReaderImpl<DoubleType>, rows: usize) -> Result<Vec<Opt
     let value = |level| if level == 1 { there.next() } else { None };
     Ok(levels.into_iter().map(value).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io;
+
+    #[test]
+    fn a_panic_of_the_decoder_is_an_error_of_the_file() {
+        let message = |result: Result<()>| TableError::from(result.unwrap_err()).to_string();
+        let panics = guarded(|| panic!("index out of bounds"));
+        assert_eq!(message(panics), "the decoder of Parquet gives up on it");
+        assert_eq!(guarded(|| Ok(7)).unwrap(), 7);
+    }
+
+    /// What the system does not read is not called damaged: errno 5 is EIO.
+    #[test]
+    fn an_error_of_the_system_stays_one() {
+        let failed = guarded::<()>(|| Err(io::Error::from_raw_os_error(5).into()));
+        let error = TableError::from(failed.unwrap_err());
+        assert!(
+            matches!(&error, TableError::Io(source) if source.raw_os_error() == Some(5)),
+            "{error:?}"
+        );
+    }
+}

@@ -230,6 +230,17 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
         kinds.starts_with(&[EventKind::Slack, EventKind::Taut]),
         "{kinds:?}"
     );
+    // It is thrown and caught again and again, each time alike.
+    for pair in kinds.chunks_exact(2) {
+        assert_eq!(pair, [EventKind::Slack, EventKind::Taut], "{kinds:?}");
+    }
+    let flights: Vec<f64> = motion
+        .events
+        .chunks_exact(2)
+        .map(|pair| pair[1].time_s - pair[0].time_s)
+        .collect();
+    let alike = flights.iter().all(|t| (t / flights[0] - 1.0).abs() < 1e-4);
+    assert!(flights.len() > 1 && alike, "{flights:?}");
     // Between the two the mass is in free flight: x is a parabola of −g.
     let (out, back) = (motion.events[0].time_s, motion.events[1].time_s);
     let flying: Vec<usize> = (0..motion.series.time_s.len())

@@ -80,12 +80,17 @@ impl Server {
 
     /// A connection with a request on it.
     fn sent(&self, command: &str, body: &str) -> TcpStream {
+        self.begun(command, body.len(), body)
+    }
+
+    /// A connection with a request on it whose body is as long as is `said`, and has begun.
+    fn begun(&self, command: &str, said: usize, body: &str) -> TcpStream {
         let mut stream = TcpStream::connect(self.address).unwrap();
-        let (host, length) = (self.address, body.len());
+        let host = self.address;
         write!(
             stream,
             "POST /api/{command} HTTP/1.1\r\nHost: {host}\r\nContent-Type: \
-             application/json\r\nContent-Length: {length}\r\n\
+             application/json\r\nContent-Length: {said}\r\n\
              Connection: close\r\n\r\n{body}"
         )
         .unwrap();
@@ -141,4 +146,45 @@ fn the_server_ends_within_two_seconds_whatever_it_does() {
         TcpStream::connect(server.address).is_err(),
         "nobody listens any more"
     );
+}
+
+/// A place is taken by work, not by who has said nothing, half of a head, or the beginning of a long
+/// body.
+#[test]
+fn slow_and_silent_callers_lock_nobody_out() {
+    let server = Server::new(Config {
+        at_once: 1,
+        ..Config::default()
+    });
+    let mut waiting = vec![];
+    for _ in 0..40 {
+        waiting.push(TcpStream::connect(server.address).unwrap());
+        let mut half = TcpStream::connect(server.address).unwrap();
+        half.write_all(b"POST /api/units HTTP/1.1\r\nHost: loc")
+            .unwrap();
+        waiting.push(half);
+        waiting.push(server.begun("compare", 8 << 20, " "));
+    }
+    for slow in waiting.iter_mut().skip(2).step_by(3) {
+        slow.write_all(b" ").unwrap();
+        let mut text = String::new();
+        server
+            .sent("units", "{}")
+            .read_to_string(&mut text)
+            .unwrap();
+        assert!(text.starts_with("HTTP/1.1 200 "), "{text:.80}");
+    }
+}
+
+/// The time of a request runs while its body comes, too.
+#[test]
+fn a_body_that_does_not_come_is_not_waited_for() {
+    let server = Server::new(Config {
+        time: Duration::from_millis(300),
+        ..Config::default()
+    });
+    let mut start = [0; 12];
+    let mut slow = server.begun("units", 100, "{");
+    slow.read_exact(&mut start).unwrap();
+    assert_eq!(&start, b"HTTP/1.1 504");
 }

@@ -132,6 +132,22 @@ fn sobol_points_are_a_net() {
     }
 }
 
+#[test]
+fn another_seed_draws_other_muscles_and_the_same_one_the_same() {
+    for method in ["latin-hypercube", "sobol"] {
+        let lengths = |seed: u32| -> Vec<f64> {
+            let plan = plan(&format!(
+                "[sampling]\nmethod = \"{method}\"\nsamples = 20\nseed = {seed}\n[vary]\n\
+                 tube.length = \"100..300\""
+            ));
+            let length = |i| plan.inputs(i).parts.tube.length_mm;
+            (0..20).map(length).collect()
+        };
+        assert_eq!(lengths(4), lengths(4), "{method}");
+        assert_ne!(lengths(4), lengths(5), "{method}");
+    }
+}
+
 /// A regression value: what a plan means must not change with a library.
 #[test]
 fn the_first_samples_stay_what_they_are() {

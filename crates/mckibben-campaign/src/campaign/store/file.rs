@@ -183,3 +183,30 @@ pub fn write(
     }
     out.finish().map_err(failed)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Error, ErrorKind};
+
+    /// A damaged part is computed again and may be overwritten; one that the system does not read
+    /// (errno 5, EIO) may be whole.
+    #[test]
+    fn what_the_system_does_not_read_is_not_called_damaged() {
+        let path = Path::new("part-000003.parquet");
+        let unread = undecoded(TableError::Io(Error::from_raw_os_error(5)), path);
+        assert!(matches!(unread, CampaignError::Read { .. }), "{unread}");
+        assert!(unread.hint().contains("not necessarily damaged"));
+        for error in [
+            TableError::Table("a column is of another kind".into()),
+            // Of the decoder, not of the system.
+            TableError::Io(Error::new(ErrorKind::UnexpectedEof, "the end is missing")),
+        ] {
+            let damaged = undecoded(error, path);
+            assert!(
+                matches!(damaged, CampaignError::Damaged { .. }),
+                "{damaged}"
+            );
+        }
+    }
+}

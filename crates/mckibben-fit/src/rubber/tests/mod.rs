@@ -264,6 +264,7 @@ fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
     assert!(!held.parameters[1].identifiable);
     assert!((2.0 * held.parameters[0].value / neo.parameters[0].value - 1.0).abs() < 1e-9);
     assert!(held.quality.r_squared < free.quality.r_squared);
+    assert_eq!(held.quality.free_r_squared, Some(free.quality.r_squared));
     assert!((held.quality.r_squared - neo.quality.r_squared).abs() < 1e-9);
 }
 
