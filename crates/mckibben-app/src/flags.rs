@@ -29,7 +29,7 @@ mod parsers {
 
     /// A word of an enum: its variants are the possible values, with their documentation.
     #[derive(Debug)]
-pub struct Word<T>(PhantomData<T>);
+    pub struct Word<T>(PhantomData<T>);
 
     impl<T> Clone for Word<T> {
         fn clone(&self) -> Self {
@@ -57,7 +57,7 @@ pub struct Word<T>(PhantomData<T>);
             let word = clap::builder::PossibleValuesParser::new(words);
             // An enum may read words that it does not list.
             let text = value.to_str().unwrap_or_default();
-            match mckibben_io::named(text) {
+            match mckibben::units::named(text) {
                 Some(read) => Ok(read),
                 None => Err(word
                     .parse_ref(command, arg, value)
@@ -80,7 +80,7 @@ pub struct Word<T>(PhantomData<T>);
     /// A text for which there are names: completion offers them, and what else is typed is judged
     /// by whoever reads it.
     #[derive(Clone)]
-pub struct Names<T> {
+    pub struct Names<T> {
         list: fn() -> Vec<String>,
         read: fn(&str) -> Result<T, Problem>,
     }
@@ -265,7 +265,7 @@ pub struct Names<T> {
 
     /// A stiffness of one strand family: a quantity or a word.
     pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
-        if let Some(word) = mckibben_io::named(text.trim()) {
+        if let Some(word) = mckibben::units::named(text.trim()) {
             return Ok(word);
         }
         let read: Result<mckibben::units::typed::Stiffness, _> = text.parse();

@@ -11,6 +11,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Evaluation, Options},
+    clean::line,
     model::Workspace,
     muscle::{
         Muscle,
@@ -31,10 +32,7 @@ use mckibben_fit::{
         read_points,
     },
 };
-use mckibben_io::{
-    clean::line,
-    table::{OverTime, read_over_time},
-};
+use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};

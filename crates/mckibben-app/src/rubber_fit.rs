@@ -371,7 +371,7 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
             )
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
-        let mode = mckibben_io::named(mode.trim()).ok_or_else(|| {
+        let mode = mckibben::units::named(mode.trim()).ok_or_else(|| {
             let modes = Mode::ALL.map(|mode| format!("`{}`", mode.name()));
             bad(&format!(
                 "names no mode; expected one of {}",

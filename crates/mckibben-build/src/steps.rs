@@ -5,7 +5,8 @@ use crate::{
     safety::relief_mpa,
     text::{mm, percent, significant, trimmed},
 };
-use mckibben_io::{clean, files::File, template::render};
+use mckibben::clean;
+use mckibben_io::{files::File, template::render};
 
 type Values = Vec<(&'static str, String)>;
 

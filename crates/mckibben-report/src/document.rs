@@ -4,7 +4,7 @@ use crate::{
     figure::{Figure, Result},
     xml::escape,
 };
-use mckibben_io::clean;
+use mckibben_units::clean;
 use std::fmt::Write as _;
 
 /// A report.

@@ -6,11 +6,10 @@
 //! that is said. [`File`] is one that a crate made.
 
 mod made;
-mod read;
 #[cfg(feature = "write")]
 mod write;
 
 pub use made::{Content, File};
-pub use read::{ReadError, open, read};
+pub use mckibben_units::{ReadError, open, read};
 #[cfg(feature = "write")]
 pub use write::{Unfinished, check_free, check_writable, put, put_all, sync};

@@ -7,7 +7,7 @@ use super::{
     kinds::Vocabulary,
     vocabulary::Meaning,
 };
-use crate::units::{
+use mckibben_units::{
     Unit,
     nearest::{meant, nearest},
 };

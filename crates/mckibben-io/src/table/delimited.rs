@@ -2,8 +2,8 @@
 //! editor counts it.
 
 use super::error::TableError;
-use crate::cancel;
 use csv::{ReaderBuilder, StringRecord, Trim};
+use mckibben_units::cancel;
 
 /// The largest table that is read, in bytes: about a million lines.
 pub const MAX_BYTES: usize = 32 << 20;

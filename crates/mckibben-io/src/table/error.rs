@@ -1,7 +1,7 @@
 //! Why a table cannot be read.
 
 use super::{kinds::Need, vocabulary::Meaning};
-use crate::cancel::Cancelled;
+use mckibben_units::cancel::Cancelled;
 use thiserror::Error;
 
 /// Why a table cannot be read. Lines are counted from 1, as an editor counts them. Fields of

@@ -5,7 +5,7 @@ use super::{
     kinds::Vocabulary,
     vocabulary::{Meaning, Words, is_spoken},
 };
-use crate::units::{Dimension, Unit};
+use mckibben_units::{Dimension, Unit};
 
 /// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! From the bytes of a file to the text of a table: whatever program wrote it.
 
 use super::{error::TableError, heading::plain, vocabulary::is_known, workbook};
-use crate::units::Dimension;
 use chardetng::{EncodingDetector, Iso2022JpDetection, Utf8Detection};
 use encoding_rs::{EUC_JP, Encoding, GBK, SHIFT_JIS, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+use mckibben_units::Dimension;
 
 /// The text of a table, and what it was read from where that is not UTF-8: `GBK`, `sheet Data`. Of
 /// a workbook it is the sheet of this name, else the first with numbers.

@@ -1,7 +1,7 @@
 //! What was understood of a table, for people to check.
 
 use super::{error::short, find::Table, heading::Column, number::Decimal};
-use crate::units::tidy;
+use mckibben_units::tidy;
 use serde::{Deserialize, Serialize};
 
 /// What was understood of a table.

@@ -9,7 +9,7 @@ use super::{
     number::{self, Decimal, NoNumber},
     vocabulary::Meaning,
 };
-use crate::{cancel, units::Dimension};
+use mckibben_units::{Dimension, cancel};
 
 impl Table {
     /// The column of a quantity.

@@ -5,7 +5,7 @@
 //! an underscore ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other
 //! spelling (`ue`) is beside them.
 
-use crate::{units::Dimension, word::named};
+use mckibben_units::{Dimension, named};
 use serde::Deserialize;
 use std::{
     collections::{BTreeMap, BTreeSet},

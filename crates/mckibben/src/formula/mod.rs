@@ -132,7 +132,7 @@ pub enum Document {
 /// The text of a formula's file.
 pub fn read_text(path: &Path) -> Result<String, FormulaError> {
     let bytes =
-        mckibben_io::files::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
+        mckibben_units::read(path, MAX_BYTES).map_err(|e| FormulaError::new(e.to_string()))?;
     String::from_utf8(bytes).map_err(FormulaError::json)
 }
 

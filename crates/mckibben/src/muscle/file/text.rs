@@ -1,6 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
-use mckibben_io::clean::is_unseen;
+use mckibben_units::clean::is_unseen;
 use std::fmt::Write;
 
 /// The column of the comments.

@@ -46,7 +46,7 @@ impl NamedUnit {
     /// The unit that a field has by its name; none where it is a plain number, or no number.
     ///
     /// ```
-    /// use mckibben_io::units::NamedUnit;
+    /// use mckibben_units::NamedUnit;
     /// assert_eq!(NamedUnit::of_field("slip_mm_per_n").map(|u| u.unit), Some("mm/N"));
     /// assert_eq!(NamedUnit::of_field("force_per_pressure_n_per_mpa").map(|u| u.unit), Some("N/MPa"));
     /// assert_eq!(NamedUnit::of_field("turns"), None);
@@ -88,7 +88,7 @@ impl NamedUnit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::parse_quantity;
+    use crate::parse_quantity;
 
     /// An identity: the end of a name is the unit inside, in which a bare number and one with the
     /// unit are the same.

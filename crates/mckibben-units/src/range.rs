@@ -62,10 +62,10 @@ pub enum RangeError {
 /// behind the last number holds for all that carry none (`0..2.5:0.1bar`, `20,80,150N`).
 ///
 /// ```
-/// use mckibben_io::units::{Dimension, Values, parse_values};
+/// use mckibben_units::{Dimension, Values, parse_values};
 /// let p = parse_values("0..2.5:0.5bar", Dimension::Pressure)?;
 /// assert_eq!(p, Values::List(vec![0.0, 0.05, 0.1, 0.15, 0.2, 0.25]));
-/// # Ok::<(), mckibben_io::units::RangeError>(())
+/// # Ok::<(), mckibben_units::RangeError>(())
 /// ```
 pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeError> {
     let text = text.trim();

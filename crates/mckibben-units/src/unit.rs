@@ -111,7 +111,7 @@ impl Dimension {
     /// a quantity, and what they only say (`Load (kg)`, `bar(g)`, `percent`).
     ///
     /// ```
-    /// use mckibben_io::units::Dimension;
+    /// use mckibben_units::Dimension;
     /// assert_eq!(Dimension::Force.heading_unit("kg").map(|u| u.inside(1.0)), Some(9.80665));
     /// assert_eq!(Dimension::Force.unit("kg"), None);
     /// ```

@@ -173,7 +173,7 @@ fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
 /// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
 ///
 /// ```
-/// use mckibben_io::units::{Dimension, parse_quantity};
+/// use mckibben_units::{Dimension, parse_quantity};
 /// assert_eq!(parse_quantity("2.5bar", Dimension::Pressure), Ok(0.25));
 /// assert_eq!(parse_quantity("15 %", Dimension::Ratio), Ok(0.15));
 /// assert!(parse_quantity("30bar", Dimension::Length).is_err());

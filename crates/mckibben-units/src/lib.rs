@@ -2,14 +2,24 @@
 //!
 //! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are
 //! degrees where a name says `_deg` and radians elsewhere. Units exist at the edge only, here.
+//!
+//! Beside them what every crate needs: the wish to end work ([`cancel`]), texts without invisible
+//! characters ([`clean`]), the bytes of a regular file ([`read()`]).
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod bounded;
+pub mod cancel;
+pub mod clean;
 mod convert;
 mod dimension;
 mod name;
+mod named;
 pub mod nearest;
 mod quantity;
 mod range;
+mod read;
 mod short;
 pub mod typed;
 mod unit;
@@ -19,8 +29,10 @@ pub use bounded::{Bounded, Interval, NotNegative, Positive};
 pub use convert::{rounded, tidy};
 pub use dimension::Dimension;
 pub use name::NamedUnit;
+pub use named::named;
 pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
+pub use read::{ReadError, open, read};
 pub use short::{short_numbers, trimmed};
 pub use unit::Unit;
 pub use word::Words;

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 /// is.
 ///
 /// ```
-/// use mckibben_io::units::short_numbers;
+/// use mckibben_units::short_numbers;
 /// assert_eq!(short_numbers("it is 0.03569728515256208 s"), "it is 0.03569729 s");
 /// assert_eq!(short_numbers(&format!("{} mm", 1e200)), "1e200 mm");
 /// assert_eq!(short_numbers("\"0.03569728515256208\" of 907.5 N"), "\"0.03569728515256208\" of 907.5 N");
