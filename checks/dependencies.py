@@ -27,7 +27,7 @@ UNMAINTAINED = {
     "ttf-parser": "it reads one font, which the program carries; no file of a user comes to it",
 }
 # Two versions at a time, until those that ask for the older one follow.
-TWICE = set("getrandom miniz_oxide r-efi safe_arch simba syn wide".split())
+TWICE = set("getrandom miniz_oxide r-efi syn".split())
 
 
 def fits(expression, allowed):

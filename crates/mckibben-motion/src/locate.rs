@@ -10,12 +10,7 @@ fn needs_model(guard: Guard) -> bool {
 
 impl Integration<'_, '_> {
     /// The first guard that fails within the last step, which ended at `t` with `end`, and when.
-    pub fn event(
-        &mut self,
-        method: &mut dyn Stepper,
-        t: f64,
-        end: &State,
-    ) -> Result<Option<(Guard, f64)>> {
+    pub fn event(&mut self, method: &Stepper, t: f64, end: &State) -> Result<Option<(Guard, f64)>> {
         const INSIDE: usize = 4;
         let from = self.t;
         let mut before = from;
@@ -75,7 +70,7 @@ impl Integration<'_, '_> {
     }
 
     /// When a guard fails that holds at the one time and not at the other.
-    fn root(&self, method: &mut dyn Stepper, guard: Guard, (low, high): (f64, f64)) -> Result<f64> {
+    fn root(&self, method: &Stepper, guard: Guard, (low, high): (f64, f64)) -> Result<f64> {
         let function = |time: f64| -> Result<f64> {
             let Some(state) = self.within(method, time) else {
                 return Ok(0.0);

@@ -14,7 +14,7 @@ use crate::{
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest
     /// of nine points, and the top of the parabola through it and its neighbours.
-    pub fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
+    pub fn fastest(&mut self, method: &Stepper, t: f64) {
         const PIECES: usize = 8;
         let Some(largest) = self.largest_speed.filter(|_| !self.rests()) else {
             return;
@@ -51,12 +51,7 @@ impl Integration<'_, '_> {
     /// The output that is due up to a time within the last step, which ended at `t`. Pull and
     /// volume between its ends are cubic in time, by their derivatives there: as good as the dense
     /// output, and no model is evaluated.
-    pub fn records(
-        &mut self,
-        method: &mut dyn Stepper,
-        last: f64,
-        (t, end): (f64, &State),
-    ) -> Result<()> {
+    pub fn records(&mut self, method: &Stepper, last: f64, (t, end): (f64, &State)) -> Result<()> {
         let system = self.system;
         let step = system.drive.output_step_s;
         if step * self.outputs as f64 > last {

@@ -2,11 +2,7 @@
 
 use crate::{
     Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result,
-    events::Guard,
-    integrate::{Stepper, stepper},
-    metrics::Passed,
-    state::State,
-    system::System,
+    events::Guard, integrate::Stepper, metrics::Passed, state::State, system::System,
 };
 use mckibben::{progress::Progress, size};
 
@@ -235,41 +231,31 @@ impl<'s, 'd> Integration<'s, 'd> {
         let system = self.system;
         let relative = system.drive.tolerance;
         let begin = |t: f64, state: &State, h: Option<f64>| {
-            stepper(system, (t, end), &state.to_vec(), relative, h)
-                .map_err(|what| MotionError::diverged(t, &what))
+            Stepper::new(system, (t, end), &state.to_vec(), relative, h)
         };
         let shortest = 1e-14 * system.drive.until_s.max(end);
         if end - self.t <= shortest {
             self.t = end;
             return Ok(None);
         }
-        let mut method = begin(self.t, &self.state, (!watch).then_some(end - self.t))?;
+        let mut method = begin(self.t, &self.state, (!watch).then_some(end - self.t));
         while end - self.t > shortest {
             self.check_steps(end)?;
-            let tried = method.step(system, end);
+            let tried_s = method.next_step();
+            let is_accepted = method.step(system, end);
             let failed = system.failed.borrow_mut().take();
-            let accepted = failed.is_none() && matches!(tried, Ok(true));
-            if !accepted {
-                if let Some(MotionError::Cancelled(error)) = failed {
-                    return Err(error.into());
+            if let Some(MotionError::Cancelled(error)) = failed {
+                return Err(error.into());
+            }
+            if failed.is_some() || !is_accepted {
+                if failed.is_some() {
+                    method = begin(self.t, &self.state, Some(0.1 * tried_s));
                 }
-                let h = if failed.is_some() || tried.is_err() {
-                    0.1 * method
-                        .next_step()
-                        .min(method.time() - self.t + method.next_step())
-                } else {
-                    method.next_step()
-                };
+                let h = method.next_step();
                 if h.is_nan() || h < shortest {
-                    let time_s = self.t;
-                    let steps = self.steps;
-                    let step_s = h;
                     let what = "the step has become too small";
-                    return Err(failed.unwrap_or(ended_after(time_s, steps, step_s, what)));
-                }
-                method = begin(self.t, &self.state, Some(h))?;
-                if let Some(error) = system.failed.borrow_mut().take() {
-                    return Err(error);
+                    let ended = ended_after(self.t, self.steps, h, what);
+                    return Err(failed.unwrap_or(ended));
                 }
                 continue;
             }
@@ -279,18 +265,18 @@ impl<'s, 'd> Integration<'s, 'd> {
             }
             let state = self.resting(system.layout.state(method.state()));
             let event = if watch {
-                self.event(method.as_mut(), t, &state)?
+                self.event(&method, t, &state)?
             } else {
                 None
             };
             let last = event.map_or(t, |e| e.1);
             if watch {
-                self.records(method.as_mut(), last, (t, &state))?;
+                self.records(&method, last, (t, &state))?;
             }
             if event.is_some() {
                 return Ok(event);
             }
-            self.fastest(method.as_mut(), t);
+            self.fastest(&method, t);
             self.pass_by(t, &state);
             (self.t, self.state) = (t, state);
         }
@@ -317,7 +303,7 @@ impl<'s, 'd> Integration<'s, 'd> {
     }
 
     /// The state at a time within the last step.
-    pub fn within(&self, method: &mut dyn Stepper, t: f64) -> Option<State> {
+    pub fn within(&self, method: &Stepper, t: f64) -> Option<State> {
         method
             .within(t)
             .map(|numbers| self.system.layout.state(&numbers))

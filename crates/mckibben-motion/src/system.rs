@@ -373,10 +373,6 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
 }
 
 impl Equations for System<'_> {
-    fn len(&self) -> usize {
-        self.layout.len
-    }
-
     fn core(&self) -> usize {
         self.layout.core
     }
