@@ -400,7 +400,7 @@ impl Stepper {
                 } else {
                     (ratio * ratio_before).sqrt()
                 };
-                if !(factor < 0.99) {
+                if factor.is_nan() || factor >= 0.99 {
                     return None;
                 }
                 convergence = factor / (1.0 - factor);

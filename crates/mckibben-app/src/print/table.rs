@@ -37,18 +37,9 @@ impl<'a, T> Table<'a, T> {
         scale: &Scale,
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
-        let amounts: Vec<Amount> = self.list.iter().map(|of| amount(of).into()).collect();
-        let numbers = amounts.iter().map(|amount| match amount {
-            Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
-            _ => None,
-        });
-        let numbers: Vec<Option<f64>> = numbers.collect();
-        let cells = amounts.iter().zip(aligned(&numbers, scale.digits));
-        let cells = cells.map(|(amount, aligned)| match amount {
-            Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
-            _ => Some(with_percent(amount.bare(scale)?, amount, scale)),
-        });
-        self.cells(heading(label, scale), cells.collect())
+        let amounts = self.amounts(&|of| amount(of).into());
+        let cells = aligned_cells(&amounts, scale);
+        self.cells(heading(label, scale), cells)
     }
 
     /// A column of quantities of one unit and of unlike sizes: each has its own decimals.
@@ -58,11 +49,15 @@ impl<'a, T> Table<'a, T> {
         scale: &Scale,
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
-        let amounts = self.list.iter().map(|of| amount(of).into());
-        let cells =
-            amounts.map(|amount: Amount| Some(with_percent(amount.bare(scale)?, &amount, scale)));
+        let amounts = self.amounts(&|of| amount(of).into());
+        let cells = amounts.iter().map(|amount| unaligned_cell(amount, scale));
         let cells = cells.collect();
         self.cells(heading(label, scale), cells)
+    }
+
+    // By reference: compiled once for each kind of row, not for each column.
+    fn amounts(&self, amount: &dyn Fn(&'a T) -> Amount) -> Vec<Amount> {
+        self.list.iter().map(amount).collect()
     }
 
     /// A column of words, or of numbers without a unit.
@@ -92,6 +87,25 @@ fn heading(label: &str, scale: &Scale) -> String {
         "%" | "" => label.into(),
         _ => scale.heading(label),
     }
+}
+
+/// Cells of numbers with their points aligned; what has a ± or words is as it is alone.
+fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
+    let numbers = amounts.iter().map(|amount| match amount {
+        Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
+        _ => None,
+    });
+    let numbers: Vec<Option<f64>> = numbers.collect();
+    let cells = amounts.iter().zip(aligned(&numbers, scale.digits));
+    let cells = cells.map(|(amount, aligned)| match amount {
+        Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
+        _ => unaligned_cell(amount, scale),
+    });
+    cells.collect()
+}
+
+fn unaligned_cell(amount: &Amount, scale: &Scale) -> Option<String> {
+    Some(with_percent(amount.bare(scale)?, amount, scale))
 }
 
 fn with_percent(cell: String, amount: &Amount, scale: &Scale) -> String {
