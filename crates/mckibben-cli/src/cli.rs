@@ -7,7 +7,7 @@ use crate::{
         motion, parts, point, rubber, schema, serve, simulate, validate,
     },
 };
-use clap::{Arg, ArgAction, CommandFactory, Parser, Subcommand};
+use clap::{Arg, ArgAction, ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use mckibben::units::NamedUnit;
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the \
@@ -69,104 +69,130 @@ pub struct Cli {
 
 /// Every command, in the order of the help.
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub enum Command {
     /// Find muscles that meet a specification, ranked (the main command)
-    Design(Box<design::Design>),
+    Design(Flags<design::Design>),
     /// Pull at a pressure and contraction: F(P, ε)
-    Force(Box<point::Force>),
+    Force(Flags<point::Force>),
     /// Pressure that gives a pull at a contraction: P(F, ε)
-    Pressure(Box<point::Pressure>),
+    Pressure(Flags<point::Pressure>),
     /// Contraction at which a pressure gives a pull: ε(F, P)
-    Contraction(Box<point::Contraction>),
+    Contraction(Flags<point::Contraction>),
     /// Pressure, stroke and energy of a muscle that a volume of liquid is pushed into
-    Fill(Box<fill::Fill>),
+    Fill(Flags<fill::Fill>),
     /// Family of curves: isometric, isotonic or isobaric
-    Curve(Box<curve::Curve>),
+    Curve(Flags<curve::Curve>),
     /// Joint with one muscle and a spring, or with two opposed muscles: torque, stiffness, rest
     /// position, pressures
-    Joint(Box<joint::Joint>),
+    Joint(Flags<joint::Joint>),
     /// Motion over time of a muscle or a joint with valves
-    Motion(Box<motion::Motion>),
+    Motion(Flags<motion::Motion>),
     /// One finite-element test with all results: curves, shape, strands, stretches, sensitivities
-    Simulate(Box<simulate::Simulate>),
+    Simulate(Flags<simulate::Simulate>),
     /// What is known of a muscle, whether it is plausible, what it bears, and what to measure first;
     /// or a formula's file
-    Check(Box<check::Check>),
+    Check(Flags<check::Check>),
     /// Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
-    Build(Box<build::Build>),
+    Build(Flags<build::Build>),
     /// The muscle, or a joint, for a controller or simulator: C, Python, MuJoCo, FMI, OpenSim
-    Export(Box<export::Export>),
+    Export(Flags<export::Export>),
     /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
-    Campaign(Box<campaign::Campaign>),
+    Campaign(Flags<campaign::Campaign>),
     /// Verification against exact values and validation against measured muscles
-    Validate(Box<validate::Validate>),
+    Validate(Flags<validate::Validate>),
     /// Compare models with each other or with measured points: errors and figure
-    Compare(Box<compare::Compare>),
+    Compare(Flags<compare::Compare>),
     /// Constants of rubber, braid and friction from measured curves, with their uncertainty
-    Identify(Box<identify::Identify>),
+    Identify(Flags<identify::Identify>),
     /// Fit a formula to a table of finite-element points, with its errors and its range
-    Fit(Box<fit::Fit>),
+    Fit(Flags<fit::Fit>),
     /// Everything with a name: tubes, sleeves, rubbers, muscles, models
     #[command(subcommand, arg_required_else_help = true)]
     Parts(Box<parts::Parts>),
     /// Rubber laws from tension tests: constants with their errors, range of stability
-    Rubber(Box<rubber::Rubber>),
+    Rubber(Flags<rubber::Rubber>),
     /// Local web server: the workbench in a browser, and every command over HTTP
-    Serve(serve::Serve),
+    Serve(Flags<serve::Serve>),
     /// JSON Schema of requests, answers and files
-    Schema(schema::Schema),
+    Schema(Flags<schema::Schema>),
     /// Help of a command, as its flag --help prints it
-    Help(help::Help),
+    Help(Flags<help::Help>),
     /// Manual pages for `man`
-    Man(help::ManPages),
+    Man(Flags<help::ManPages>),
     /// Shell completions, written to standard output
-    Completions(help::Completions),
+    Completions(Flags<help::Completions>),
 }
 
 impl Command {
     /// Runs it; the exit code where it ends well.
     pub fn run(self, format: Format) -> Result<u8, Problem> {
         match self {
-            Self::Design(command) => command.run(format),
-            Self::Force(command) => command.run(format),
-            Self::Pressure(command) => command.run(format),
-            Self::Contraction(command) => command.run(format),
-            Self::Fill(command) => command.run(format),
-            Self::Curve(command) => command.run(format),
-            Self::Joint(command) => command.run(format),
-            Self::Motion(command) => command.run(format),
-            Self::Simulate(command) => command.run(format),
-            Self::Check(command) => command.run(format),
-            Self::Build(command) => command.run(format),
-            Self::Export(command) => command.run(format),
-            Self::Campaign(command) => command.run(format),
-            Self::Validate(command) => command.run(format),
-            Self::Compare(command) => command.run(format),
-            Self::Identify(command) => command.run(format),
-            Self::Fit(command) => command.run(format),
+            Self::Design(command) => command.0.run(format),
+            Self::Force(command) => command.0.run(format),
+            Self::Pressure(command) => command.0.run(format),
+            Self::Contraction(command) => command.0.run(format),
+            Self::Fill(command) => command.0.run(format),
+            Self::Curve(command) => command.0.run(format),
+            Self::Joint(command) => command.0.run(format),
+            Self::Motion(command) => command.0.run(format),
+            Self::Simulate(command) => command.0.run(format),
+            Self::Check(command) => command.0.run(format),
+            Self::Build(command) => command.0.run(format),
+            Self::Export(command) => command.0.run(format),
+            Self::Campaign(command) => command.0.run(format),
+            Self::Validate(command) => command.0.run(format),
+            Self::Compare(command) => command.0.run(format),
+            Self::Identify(command) => command.0.run(format),
+            Self::Fit(command) => command.0.run(format),
             Self::Parts(command) => command.run(format),
-            Self::Rubber(command) => command.run(format),
-            Self::Serve(command) => command.run(format),
-            Self::Schema(command) => command.run(),
-            Self::Help(command) => command.run(),
-            Self::Man(command) => command.run(),
-            Self::Completions(command) => command.run(),
+            Self::Rubber(command) => command.0.run(format),
+            Self::Serve(command) => command.0.run(format),
+            Self::Schema(command) => command.0.run(),
+            Self::Help(command) => command.0.run(),
+            Self::Man(command) => command.0.run(),
+            Self::Completions(command) => command.0.run(),
         }
     }
 }
 
-/// The command line: `-h` shows the first example and where the other flags are, `--help` all.
+/// The command line: `-h` shows the first example and where the other flags are, `--help` all. The
+/// flags of a command are made when it is asked for.
 pub fn command() -> clap::Command {
-    with_short_help("mckibben", root(), &|_| true)
+    with_short_help("mckibben", Cli::command().arg_required_else_help(true))
 }
 
-/// The command line, complete for the commands among these words.
-pub fn command_of(words: &[String]) -> clap::Command {
-    with_short_help("mckibben", root(), &|name| words.iter().any(|w| w == name))
+/// The flags of a command, with their usual names and their short help.
+#[derive(Debug)]
+pub struct Flags<T>(pub Box<T>);
+
+impl<T: Args> Args for Flags<T> {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        let path = format!("mckibben {}", command.get_name());
+        // The sentence of the list of commands, not of the type.
+        let about = command.get_about().cloned().unwrap_or_default();
+        // What every command takes stands behind its own flags, in the help too.
+        let of_all: Vec<Arg> = command.get_arguments().cloned().collect();
+        let flags = T::augment_args(command).about(about).long_about(None);
+        let own = flags.get_arguments().skip(of_all.len()).cloned();
+        let mut in_order = own.chain(of_all).collect::<Vec<Arg>>().into_iter();
+        let flags = flags.mut_args(|arg| in_order.next().unwrap_or(arg));
+        with_short_help(&path, flags)
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        Self::augment_args(command)
+    }
 }
 
-fn root() -> clap::Command {
-    Cli::command().arg_required_else_help(true)
+impl<T: FromArgMatches> FromArgMatches for Flags<T> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        T::from_arg_matches(matches).map(|flags| Self(Box::new(flags)))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        self.0.update_from_arg_matches(matches)
+    }
 }
 
 /// A quantity's flag is its field without the unit, and of a list in the singular: `pressures_mpa` is
@@ -214,32 +240,25 @@ fn with_usual_name(arg: Arg) -> Arg {
     }
 }
 
-/// Gives a command, and those below it that are wanted, the names of their flags and their short help.
-fn with_short_help(
-    path: &str,
-    mut command: clap::Command,
-    wanted: &dyn Fn(&str) -> bool,
-) -> clap::Command {
-    for name in names(&command).into_iter().filter(|name| wanted(name)) {
+/// Gives a command and those below it the names of their flags and their short help.
+fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
+    let names = command.get_subcommands().map(clap::Command::get_name);
+    for name in names.map(str::to_owned).collect::<Vec<_>>() {
         let path = format!("{path} {name}");
-        command = command.mut_subcommand(name, |sub| with_short_help(&path, sub, wanted));
+        command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
     }
     command = command.mut_args(with_usual_name);
     let Some(examples) = command.get_after_long_help().map(ToString::to_string) else {
         return command;
     };
-    let hides = command.get_arguments().any(Arg::is_hide_short_help_set);
+    let hides = |arg: &Arg| arg.is_hide_short_help_set() && !arg.is_global_set();
+    let hides = command.get_arguments().any(hides);
     command.after_help(if hides {
         let first = first_example(&examples);
         format!("{first}\n\nAll flags, with details: {path} --help")
     } else {
         examples
     })
-}
-
-fn names(command: &clap::Command) -> Vec<String> {
-    let names = command.get_subcommands().map(clap::Command::get_name);
-    names.map(str::to_owned).collect()
 }
 
 /// Examples of a command, each without the name of the program; a long one goes on below.

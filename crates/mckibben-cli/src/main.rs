@@ -38,7 +38,7 @@ fn main() -> ExitCode {
         return report(problem, asked_format());
     }
     progress::no_signal_for_long_files();
-    let mut root = cli::command_of(&args);
+    let mut root = cli::command();
     let parsed = root
         .try_get_matches_from_mut(std::env::args_os())
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
