@@ -42,7 +42,7 @@ PARTS = {
     "golds": (
         "tables and formulas that the program makes itself",
         [
-            r"crates/mckibben(-io|-fit|-fem|-campaign)?/(src|data|examples)/.*",
+            r"crates/mckibben(-io|-units|-fit|-fem|-campaign)?/(src|data|examples)/.*",
             r"plans/.*",
             r"data/(campaign|silicones|treloar)/.*",
         ],
@@ -163,7 +163,7 @@ PARTS = {
         "campaigns on Slurm, Dask and process pools",
         [
             r"crates/mckibben-campaign/src/campaign/.*",
-            r"crates/mckibben-io/src/.*",
+            r"crates/mckibben-(io|units)/src/.*",
             r"crates/mckibben-cli/src/commands/campaign.*",
             r"python/mckibben/_campaign\.py",
             r"python/tests/test_executors\.py",
