@@ -131,7 +131,7 @@ PARTS = {
     "random": (
         "ten times as many random muscles, specifications and inputs",
         [
-            r"crates/mckibben(-fem|-design|-export|-io)?/(src|tests)/.*",
+            r"crates/mckibben(-fem|-design|-export|-io|-units)?/(src|tests)/.*",
         ],
         None,
         [

@@ -13,16 +13,18 @@ import sys
 from pathlib import Path
 
 RECORD = Path(__file__).resolve().parent / "seconds.json"
-GROUP = re.compile(r"Running (\S+) \(\S*/deps/(\w+)-\w+\)")
+GROUP = re.compile(r"Running (unittests )?(\S+) \(\S*/deps/(\w+)-\w+\)")
 RESULT = re.compile(r"test result: .* (\d+) passed.* finished in ([0-9.]+)s")
 
 
 def seconds_by_group(log):
-    groups, group = {}, None
+    groups, crate, group = {}, "", None
     for line in log.splitlines():
         if found := GROUP.search(line):
-            file, program = found.groups()
-            group = program if file.endswith(("lib.rs", "main.rs")) else f"{program} {file}"
+            is_unit, file, program = found.groups()
+            # The unit tests of a crate are run before those in its folder `tests`.
+            crate = program if is_unit else crate
+            group = f"{crate} {file}"
         elif (found := RESULT.search(line)) and group:
             groups[group] = (int(found[1]), float(found[2]))
             group = None
