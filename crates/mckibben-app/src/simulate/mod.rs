@@ -162,15 +162,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Model::Elements(elements) = &model else {
-        let name = model.name();
-        let message = format!(
-            "a test needs a finite-element model, and \"{name}\" is not one; give fe or fe3d"
-        );
-        return Err(Problem::new(
-            ProblemKind::Model,
-            message,
-            "`curve` draws the curves of every model",
-        ));
+        return Err(no_elements(&model.name()));
     };
     model.admit(&muscle)?;
     let ends = muscle.ends();
@@ -195,23 +187,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     for (i, &requested) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let pressure_mpa = requested.pressure_mpa;
-        let given = match (requested.contraction, requested.force_n) {
-            (None, Some(force_n)) => Given::PressureAndPull {
-                pressure_mpa,
-                force_n,
-            },
-            (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
-        };
-        let solution = simulation.solve(workspace, given);
-        cancel::check()?;
-        let point = judged(
-            &*simulation,
-            workspace,
-            requested,
-            solution,
-            request.two_sided,
-        );
+        let point = solved(&*simulation, workspace, requested, request.two_sided)?;
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
             let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
             files.add(shape, &solution.response)?;
@@ -313,16 +289,31 @@ impl SimulateRequest {
     }
 }
 
+fn no_elements(model: &str) -> Problem {
+    let message =
+        format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
+    let hint = "`curve` draws the curves of every model";
+    Problem::new(ProblemKind::Model, message, hint)
+}
+
 /// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
 /// free contraction.
-fn judged(
+fn solved(
     model: &dyn Simulation,
     workspace: &mut Workspace,
     requested: RequestedPoint,
-    solution: Result<Solution, FemError>,
     two_sided: bool,
-) -> Simulated {
+) -> Result<Simulated> {
     let pressure_mpa = requested.pressure_mpa;
+    let given = match (requested.contraction, requested.force_n) {
+        (None, Some(force_n)) => Given::PressureAndPull {
+            pressure_mpa,
+            force_n,
+        },
+        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
+    };
+    let solution = model.solve(workspace, given);
+    cancel::check()?;
     let shortened = requested
         .contraction
         .filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
@@ -349,13 +340,13 @@ fn judged(
         |_| Status::Ok,
     );
     let slack = hangs || pushes && shortened.is_some();
-    Simulated {
+    Ok(Simulated {
         requested,
         solution,
         slack,
         free_contraction: past_free,
         status,
-    }
+    })
 }
 
 /// Where every point fails: the first reason.

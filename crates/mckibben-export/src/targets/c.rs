@@ -17,9 +17,10 @@ pub const TARGET: Target = Target {
 };
 
 /// Name, what it is, and template of a file.
-type Source = (&'static str, &'static str, &'static str);
+pub type Source = (&'static str, &'static str, &'static str);
 
-const SOURCES: [Source; 4] = [
+/// The functions, and the numbers of a muscle.
+pub const SOURCES: [Source; 4] = [
     (
         "mckibben.h",
         "the functions, the same for all muscles",
@@ -123,12 +124,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     })
 }
 
-/// The functions with the muscle's numbers.
-pub fn sources(muscle: &ExportedMuscle) -> Vec<File> {
-    files(muscle, &SOURCES)
-}
-
-fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
+pub fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
     sources
         .iter()
         .map(|(name, about, template)| {

@@ -40,7 +40,7 @@ pub struct Zero {
 pub struct Sweep<F, E> {
     at: F,
     samples: Vec<Sample>,
-    costly: bool,
+    pub costly: bool,
     /// Steps towards an extremum or an edge.
     closing: usize,
     /// A value below this is zero.

@@ -243,17 +243,12 @@ const UNKNOWNS: [Unknowns; 4] = [
 /// 3.0 by its value reference.
 pub fn description(variables: &[Variable], version: Version) -> (String, String) {
     let is_third = version == Version::Third;
-    let place = |name: &str| {
-        variables
-            .iter()
-            .position(|v| v.name == name)
-            .map_or(0, |at| at + 1)
-    };
     let key = |name: &str| {
         if is_third {
             reference(name)
         } else {
-            place(name)
+            let place = variables.iter().position(|v| v.name == name);
+            place.map_or(0, |place| place + 1)
         }
         .to_string()
     };
