@@ -11,6 +11,7 @@ use crate::{
 use mckibben::{
     analysis::Evaluation,
     answer::Options,
+    joined,
     model::{ForceModel, ModelError, Workspace},
     muscle::{Muscle, measures::END_FACTOR},
     progress::Progress,
@@ -159,11 +160,7 @@ impl ComparedModel {
         let stiffness = self
             .fitted_stiffness_n_per_mm
             .map(|v| format!("stiffness {} N/mm", number(v, 4)));
-        [modulus, end, stiffness]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join(", ")
+        joined([modulus, end, stiffness].into_iter().flatten(), ", ")
     }
 }
 

@@ -5,6 +5,7 @@ use crate::{
     Problem,
     flags::{self, Args},
 };
+use mckibben::joined;
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
@@ -130,11 +131,7 @@ impl DataFields {
 
     /// The tables by their names.
     pub fn names(&self) -> String {
-        self.data
-            .iter()
-            .map(|file| file.name.as_str())
-            .collect::<Vec<_>>()
-            .join(", ")
+        joined(self.data.iter().map(|file| file.name.as_str()), ", ")
     }
 }
 

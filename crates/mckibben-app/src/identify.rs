@@ -11,6 +11,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Evaluation, Options},
+    joined,
     model::Workspace,
     muscle::{
         Muscle,
@@ -547,7 +548,7 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
         };
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
-    parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+    joined(parameters.iter().map(one), ", ")
 }
 
 /// Where the points stretch the rubber beyond the data of its constants.

@@ -1,6 +1,7 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
 use mckibben::{
+    joined,
     muscle::{BraidStiffness, Muscle},
     rubber::Law,
     units::trimmed,
@@ -101,7 +102,7 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
 
 /// Texts with commas between.
 pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
-    texts.into_iter().collect::<Vec<_>>().join(", ")
+    joined(texts, ", ")
 }
 
 /// The name of a file, on one line.
@@ -132,16 +133,12 @@ pub fn rubber_name(m: &Muscle) -> String {
 
 /// A law with its constants.
 pub fn law_text(law: &Law) -> String {
-    let constants: Vec<String> = law
-        .constants()
-        .into_iter()
-        .map(|c| {
-            format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit())
-                .trim_end()
-                .to_owned()
-        })
-        .collect();
-    format!("{} ({})", law.name(), constants.join(", "))
+    let constants = law.constants().into_iter().map(|c| {
+        format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit())
+            .trim_end()
+            .to_owned()
+    });
+    format!("{} ({})", law.name(), joined(constants, ", "))
 }
 
 /// The braid in one word or figure.

@@ -10,6 +10,7 @@ use crate::{
 };
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use mckibben::{
+    joined,
     muscle::measures::MEASURES,
     units::{QuantityError, RangeError},
 };
@@ -71,12 +72,12 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
     // The sentence and the indented lines below it; usage follows after an empty line.
-    let lines: Vec<&str> = text
-        .lines()
-        .take_while(|l| !l.trim().is_empty())
-        .map(str::trim)
-        .collect();
-    let message = lines.join(" ");
+    let message = joined(
+        text.lines()
+            .take_while(|l| !l.trim().is_empty())
+            .map(str::trim),
+        " ",
+    );
     Problem::new(
         ProblemKind::Usage,
         message.trim_start_matches("error: "),

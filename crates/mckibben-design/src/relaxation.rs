@@ -1,7 +1,10 @@
 //! A change of a specification: what it does, and how it is said.
 
 use crate::{Demand, Lift, OperatingPoint, Spec, bundle::envelope_ratio, limits::check::Show};
-use mckibben::units::{Dimension, Values, rounded, tidy};
+use mckibben::{
+    joined,
+    units::{Dimension, Values, rounded, tidy},
+};
 use serde::Serialize;
 
 /// A change of the specification with which a muscle fits.
@@ -189,7 +192,7 @@ impl Relaxation {
             }
             Self::Together { changes } => {
                 let all = changes.iter().map(|change| change.describe(spec, show));
-                all.collect::<Vec<_>>().join(", and together with that ")
+                joined(all, ", and together with that ")
             }
         }
     }
@@ -208,10 +211,7 @@ fn less_pull(spec: &Spec, points: &[OperatingPoint], share: f64, show: Show<'_>)
                     tidy(t.angle_deg, 4)
                 )
             });
-            format!(
-                "reduce the torque to {}",
-                torques.collect::<Vec<_>>().join(" and ")
-            )
+            format!("reduce the torque to {}", joined(torques, " and "))
         }
     }
 }
@@ -222,7 +222,7 @@ fn listed(spec: &Spec, points: &[OperatingPoint], show: Show<'_>) -> String {
         let force = show(Dimension::Force, f64::from(spec.count) * q.force_n);
         format!("{force} at {}", percent(q.contraction))
     });
-    points.collect::<Vec<_>>().join(" and ")
+    joined(points, " and ")
 }
 
 /// A change, and how much it asks: the logarithm of its number over that of the specification.

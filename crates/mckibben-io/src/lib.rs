@@ -15,4 +15,4 @@ pub mod template;
 pub mod units;
 mod word;
 
-pub use word::named;
+pub use word::{joined, named};

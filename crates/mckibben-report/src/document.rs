@@ -4,7 +4,7 @@ use crate::{
     figure::{Figure, Result},
     xml::escape,
 };
-use mckibben_io::clean;
+use mckibben_io::{clean, joined};
 use std::fmt::Write as _;
 
 /// A report.
@@ -111,8 +111,7 @@ impl Part {
             Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
             Self::Drawing(svg) => writeln!(out, "<figure class=\"drawing\">{svg}</figure>"),
             Self::Code(text) => {
-                let lines: Vec<String> = text.lines().map(escape).collect();
-                writeln!(out, "<pre>{}</pre>", lines.join("\n"))
+                writeln!(out, "<pre>{}</pre>", joined(text.lines().map(escape), "\n"))
             }
             Self::Body(data) => {
                 let data = clean::json(data);

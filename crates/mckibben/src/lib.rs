@@ -63,6 +63,7 @@ pub mod warning;
 
 pub use mckibben_io::cancel;
 pub use mckibben_io::clean;
+pub use mckibben_io::joined;
 pub use mckibben_io::units;
 pub use mckibben_io::units::nearest;
 

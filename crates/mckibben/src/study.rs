@@ -8,6 +8,7 @@
 use crate::{
     analysis::{AnalysisError, Evaluation, Options},
     curve::{Curve, Test},
+    joined,
     model::{ForceModel, Ideal, ModelError, Workspace},
     muscle::{Muscle, MuscleError, Tube},
 };
@@ -236,7 +237,7 @@ fn isometric(
     let rising = starts.iter().all(|of_walls| of_walls.is_sorted());
     let joined = |forces: Vec<f64>| {
         let texts = forces.iter().map(|f| format!("{f:.0}"));
-        texts.collect::<Vec<_>>().join(" / ")
+        joined(texts, " / ")
     };
     let thinnest: Vec<f64> = forces.iter().map(|f| f[0]).collect();
     let [bore, outer] = [0, 1].map(|i| contractions.map(|e| ideals[i].1.pull(HIGHEST_MPA, e)));

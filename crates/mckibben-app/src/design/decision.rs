@@ -3,7 +3,10 @@
 
 use super::CandidateAnswer;
 use crate::{Units, number, percent, words::within};
-use mckibben::units::{Dimension, rounded, tidy};
+use mckibben::{
+    joined,
+    units::{Dimension, rounded, tidy},
+};
 use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Demand, Spec};
 
@@ -73,7 +76,6 @@ impl Decision<'_> {
                 range.unwrap_or_default()
             )
         };
-        let points: Vec<String> = first.points.iter().map(point).collect();
         let facts = [
             first
                 .bulged_diameter_mm()
@@ -86,7 +88,6 @@ impl Decision<'_> {
                 .largest(|q| q.liquid_volume_mm3)
                 .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
-        let facts: Vec<String> = facts.into_iter().flatten().collect();
         let each = if self.spec.count > 1 { "each " } else { "" };
         let way = if self.spec.options().direction.is_mean() {
             ""
@@ -95,8 +96,8 @@ impl Decision<'_> {
         };
         format!(
             "Pulls {each}{}{way}; {}",
-            points.join(", "),
-            facts.join(", ")
+            joined(first.points.iter().map(point), ", "),
+            joined(facts.into_iter().flatten(), ", ")
         )
     }
 
@@ -177,5 +178,5 @@ fn limit(first: &Candidate) -> String {
         let share = percent((1e3 * share).floor() / 1e3);
         format!("{}, {share} to spare", limit.name())
     });
-    format!("Limit {}", spare.collect::<Vec<_>>().join("; next: "))
+    format!("Limit {}", joined(spare, "; next: "))
 }

@@ -3,6 +3,7 @@
 use super::width::{self, fold};
 use crate::{clean::line, typed::in_flags};
 use comfy_table::{CellAlignment, Table, presets};
+use mckibben::joined;
 use mckibben_app::print::{Block, Column, Page};
 use std::path::Path;
 
@@ -21,7 +22,7 @@ fn table_within(room: usize, list: &[Column]) -> String {
     let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
     let parts = parts(room, &columns.iter().collect::<Vec<_>>());
     let drawn = parts.iter().map(|columns| table(room, columns));
-    drawn.collect::<Vec<_>>().join("\n")
+    joined(drawn, "\n")
 }
 
 /// A column of one line a cell.
@@ -114,8 +115,7 @@ fn table(room: usize, columns: &[&Drawn<'_>]) -> String {
         let is_last = i + 1 == columns.len();
         column.set_padding((0, if is_last { 0 } else { GAP as u16 }));
     }
-    let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();
-    text.join("\n") + "\n"
+    joined(table.lines().map(|l| l.trim_end().to_owned()), "\n") + "\n"
 }
 
 /// A page of an answer.

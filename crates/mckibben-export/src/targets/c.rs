@@ -6,6 +6,7 @@ use crate::{
     Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
     template::{list, lists, number, render},
 };
+use mckibben::joined;
 
 pub const TARGET: Target = Target {
     name: "c",
@@ -101,9 +102,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         .iter()
         .map(ExportedMuscle::identifier)
         .collect();
-    let each = |one: fn(&String) -> String, between: &str| {
-        names.iter().map(one).collect::<Vec<_>>().join(between)
-    };
+    let each = |one: fn(&String) -> String, between: &str| joined(names.iter().map(one), between);
     let mut values = joint.values(["{", "}"], |v| format!("MCKIBBEN_R({})", number(v)));
     values.push((
         "includes",

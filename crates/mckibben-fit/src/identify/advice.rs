@@ -12,7 +12,7 @@ use crate::{
     rubber::MODULI,
 };
 use mckibben::{
-    cancel,
+    cancel, joined,
     model::{Ideal, Workspace},
     muscle::{
         Muscle,
@@ -25,7 +25,6 @@ use std::cmp::Ordering;
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
 pub fn lines(list: &[u64]) -> String {
     const SHOWN: usize = 6;
-    let shown: Vec<String> = list.iter().take(SHOWN).map(u64::to_string).collect();
     let more = list.len().saturating_sub(SHOWN);
     let word = if list.len() == 1 { "line" } else { "lines" };
     let tail = if more > 0 {
@@ -33,7 +32,10 @@ pub fn lines(list: &[u64]) -> String {
     } else {
         String::new()
     };
-    format!("{word} {}{tail}", shown.join(", "))
+    format!(
+        "{word} {}{tail}",
+        joined(list.iter().take(SHOWN).map(u64::to_string), ", ")
+    )
 }
 
 /// A number with three digits.

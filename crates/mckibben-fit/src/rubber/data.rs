@@ -6,6 +6,7 @@ mod sheet;
 use super::{Mode, TensionPoint};
 use crate::measured::distinct;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
+use mckibben::joined;
 use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood};
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
@@ -104,11 +105,10 @@ fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Res
 
 /// The different values, for people.
 fn listed(values: &[f64]) -> String {
-    distinct(values.iter().copied())
-        .iter()
-        .map(f64::to_string)
-        .collect::<Vec<_>>()
-        .join(", ")
+    joined(
+        distinct(values.iter().copied()).iter().map(f64::to_string),
+        ", ",
+    )
 }
 
 /// L/L0, row by row.

@@ -7,9 +7,12 @@ use super::{
     kinds::Vocabulary,
     vocabulary::Meaning,
 };
-use crate::units::{
-    Unit,
-    nearest::{meant, nearest},
+use crate::{
+    joined,
+    units::{
+        Unit,
+        nearest::{meant, nearest},
+    },
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -161,7 +164,7 @@ impl Vocabulary {
                     },
                     what = self.what,
                     name = short(name),
-                    known = names.collect::<Vec<_>>().join(", ")
+                    known = joined(names, ", ")
                 ))
             })?;
             Ok(Choice {

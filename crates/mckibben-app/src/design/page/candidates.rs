@@ -5,6 +5,7 @@ use crate::{
     print::{Page, Table},
     units::{DEGREES, GRAMS, NORMAL_LITRES, PERCENT},
 };
+use mckibben::joined;
 
 impl DesignAnswer {
     /// The candidates with what differs among them; with `is_full` everything that is known of
@@ -39,7 +40,7 @@ impl DesignAnswer {
             .text(&u.pressure.heading("P required"), |c| {
                 let points = c.candidate.points.iter();
                 let needs = points.map(|q| u.pressure.to(q.response.pressure_mpa, 3));
-                needs.collect::<Vec<_>>().join(", ")
+                joined(needs, ", ")
             })
             .quantity("P sure", &pressure, |c| c.candidate.sure_pressure_mpa);
         if self.highest_differ() {

@@ -3,6 +3,7 @@
 use super::{Kind, Version};
 use crate::{ExportedMuscle, template::number};
 use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
+use mckibben::joined;
 use std::fmt::Write as _;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -294,12 +295,7 @@ pub fn description(variables: &[Variable], version: Version) -> (String, String)
             "      <Unknown index".into()
         };
         let unknown = |v: &Variable| {
-            let on = states_dependencies.then(|| {
-                v.on.iter()
-                    .map(|name| key(name))
-                    .collect::<Vec<_>>()
-                    .join(" ")
-            });
+            let on = states_dependencies.then(|| joined(v.on.iter().map(|name| key(name)), " "));
             format!(
                 "{start}=\"{}\"{}/>\n",
                 key(v.name),

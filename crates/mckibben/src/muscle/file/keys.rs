@@ -6,6 +6,7 @@ use super::{
     source::{Source, shortened},
 };
 use crate::{
+    joined,
     nearest::{meant, nearest},
     rubber::{Law, foreign},
     units::Dimension,
@@ -188,8 +189,10 @@ fn dotted(path: &str, table: &Value, out: &mut Vec<String>) {
 fn expected(schema: &Value) -> String {
     let what = match (schema["enum"].as_array(), dimension(schema)) {
         (Some(words), _) => {
-            let words: Vec<&str> = words.iter().filter_map(Value::as_str).collect();
-            format!("one of {}", words.join(", "))
+            format!(
+                "one of {}",
+                joined(words.iter().filter_map(Value::as_str), ", ")
+            )
         }
         (None, Some(dimension)) => dimension.expectation(),
         (None, None) if schema["type"] == "number" => PLAIN.into(),

@@ -5,7 +5,10 @@ use super::{
     keys::Keys,
     reader::At,
 };
-use crate::units::{Dimension, typed::read_number};
+use crate::{
+    joined,
+    units::{Dimension, typed::read_number},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::{fmt, ops::Range};
@@ -163,7 +166,7 @@ impl<'t> Source<'t> {
 
 /// A text on one line, and not longer than a message can bear.
 pub fn shortened(text: &str) -> String {
-    let mut out: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out: String = joined(text.split_whitespace(), " ");
     if let Some((cut, _)) = out.char_indices().nth(60) {
         out.truncate(cut);
         out.push('…');
