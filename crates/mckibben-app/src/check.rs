@@ -165,17 +165,14 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
         let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
-            question
-                .evaluation()
-                .point(0.0, 0.0)
-                .ok()?
-                .response
-                .volume_mm3
+            let at_rest = question.evaluation().point(0.0, 0.0).ok()?;
+            at_rest.response.volume_mm3
         });
         (question.muscle, rest_volume_mm3, at_pressure)
     };
     let rubber = &muscle.tube().rubber;
     let law = &rubber.law;
+    let constants = law.constants().into_iter();
     let reach = muscle.reach();
     let beyond = rubber
         .fitted_to_stretch
@@ -190,14 +187,10 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
-        constants_mpa: law
-            .constants()
-            .into_iter()
-            .map(|c| (c.name, c.value))
-            .collect(),
+        constants_mpa: constants.map(|c| (c.name, c.value)).collect(),
         shear_modulus_mpa: law.shear_modulus_mpa(),
         fitted_to_stretch: rubber.fitted_to_stretch,
-        bulk_modulus_mpa: match muscle.tube().rubber.bulk {
+        bulk_modulus_mpa: match rubber.bulk {
             Bulk::Incompressible => None,
             Bulk::Modulus(k) => Some(k),
         },

@@ -342,11 +342,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
-    let beyond = if kept {
-        beyond_data(&identified, &model)
-    } else {
-        None
-    };
+    let beyond = kept.then(|| beyond_data(&identified, &model)).flatten();
     let summary = MuscleSummary::from(&identified.muscle);
     let figure = request.figure.as_ref().map(|unit| {
         let about = format!(

@@ -22,7 +22,10 @@ struct Body<'a> {
     plan: &'a Plan,
     /// Half of the free length.
     half: f64,
-    /// Radius over the sleeve, and over clamps or collar.
+    /// The same to the end of the clamped length.
+    end: f64,
+    /// Radius over the clamped sleeve, the free one, and clamps or collar.
+    clamped: f64,
     sleeve: f64,
     widest: f64,
     /// From the ends of the free length to the ends of the plugs.
@@ -39,11 +42,15 @@ impl<'a> Body<'a> {
             .map(|p| p[0])
             .fold(0.0, f64::max);
         let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
+        let half = 0.5 * plan.muscle.length_mm();
+        let clamped = 0.5 * plan.clamped_diameter_mm;
         Self {
             plan,
-            half: 0.5 * plan.muscle.length_mm(),
+            half,
+            end: half + plan.air_plug.stem.length_mm,
+            clamped,
             sleeve: 0.5 * plan.over_sleeve_mm,
-            widest: (0.5 * plan.clamped_diameter_mm + 1.5).max(collar).max(head),
+            widest: (clamped + 1.5).max(collar).max(head),
             left: plan.air_plug.length_mm(),
             right: plan.eye_plug.length_mm(),
         }
@@ -109,16 +116,14 @@ pub fn on_paper(plan: &Plan) -> Sheet {
 
 /// The muscle at rest: above the axis in section, below it from outside.
 fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
-    let plan = body.plan;
-    let half = body.half;
-    let cut = &plan.cut;
-    let stem = &plan.air_plug.stem;
+    let Body {
+        plan, half, end, ..
+    } = *body;
     let ro = 0.5 * plan.muscle.outer_diameter_mm();
     let ri = 0.5 * plan.muscle.inner_diameter_mm();
-    let inner = 0.5 * stem.diameter_mm;
-    let wall = cut.tube_wall_mm;
-    let outer = 0.5 * plan.clamped_diameter_mm;
-    let end = half + stem.length_mm;
+    let inner = 0.5 * plan.air_plug.stem.diameter_mm;
+    let wall = plan.cut.tube_wall_mm;
+    let outer = body.clamped;
     axis(v, half + body.left, half + body.right);
     v.cut((-half, half), (ri, ro), true);
     v.cut((-half, half), (ro, body.sleeve), false);
@@ -159,7 +164,20 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     strands(body, v);
     clamps(body, v, false);
     heads(body, v, 0.0, true);
-    // Dimensions.
+    measures_at_rest(body, v, (ri, ro));
+    label(v, body.widest, 15.5, "At rest, without pressure");
+}
+
+/// Dimensions, the plane of the section, and the numbers of the parts.
+fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
+    let Body {
+        plan,
+        half,
+        end,
+        clamped: outer,
+        ..
+    } = *body;
+    let stem = &plan.air_plug.stem;
     let row = v.scale * body.widest + 5.0;
     let clamped = mm(stem.length_mm);
     v.across(
@@ -215,7 +233,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
         let x = v.at(to[0], to[1])[0] + beside;
         v.balloon(to, [x, low], number);
     }
-    label(v, body.widest, 15.5, "At rest, without pressure");
 }
 
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end
@@ -224,7 +241,7 @@ fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
     let half = body.half;
     let stem = &body.plan.air_plug.stem;
     let collar = 0.5 * stem.collar_diameter_mm;
-    let from = half + stem.length_mm;
+    let from = body.end;
     let top = half + stem.top_mm();
     let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
     let head = body.plan.air_plug.head();
@@ -264,7 +281,7 @@ fn axis(v: &mut View<'_>, left: f64, right: f64) {
 /// Ties in their grooves, or ferrules, on one side of the axis.
 fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
     let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
-    let outer = 0.5 * plan.clamped_diameter_mm;
+    let outer = body.clamped;
     let bands: Vec<(f64, f64)> = match plan.clamps {
         Clamps::Ties { width_mm, .. } => {
             let start = |s: f64| s + 0.5 * (stem.groove_width_mm - width_mm);
@@ -352,8 +369,8 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
             .iter()
             .rev()
             .map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
-        let outer = sign * 0.5 * plan.clamped_diameter_mm;
-        let end = half + plan.air_plug.stem.length_mm;
+        let outer = sign * body.clamped;
+        let end = body.end;
         let all: Vec<[f64; 2]> = [[-end, outer], [-half, outer]]
             .into_iter()
             .chain(left)
@@ -370,7 +387,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
         &diameter(2.0 * widest),
     );
     let row = -(v.scale * widest.max(body.widest) + 6.0);
-    let clamp = -0.5 * plan.clamped_diameter_mm;
+    let clamp = -body.clamped;
     v.across(
         (-half, half - stroke),
         (clamp, clamp),

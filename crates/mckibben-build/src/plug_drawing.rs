@@ -29,13 +29,17 @@ pub fn on_paper(plan: &Plan) -> Sheet {
     let gap = (right - left - widths[0] - widths[1]) / 3.0;
     let places = [left + gap, left + 2.0 * gap + widths[0]];
 
-    for (x, draw) in places.into_iter().zip([air_plug, eye_plug]) {
+    let plugs = ["3  air plug", "4  eye plug"]
+        .into_iter()
+        .zip([air_plug, eye_plug]);
+    for (x, (name, draw)) in places.into_iter().zip(plugs) {
         let mut view = View {
             sheet: &mut sheet,
             origin: [x, y],
             scale,
         };
-        draw(plan, &mut view, head);
+        let about = draw(plan, &mut view);
+        names(&mut view, head, &[name, &about]);
     }
     let stem = &air.stem;
     let notes = [
@@ -67,7 +71,8 @@ pub fn on_paper(plan: &Plan) -> Sheet {
     sheet
 }
 
-fn air_plug(plan: &Plan, v: &mut View<'_>, highest_mm: f64) {
+/// Draws the air plug, and says what it has.
+fn air_plug(plan: &Plan, v: &mut View<'_>) -> String {
     let air = &plan.air_plug;
     for sign in [-1.0, 1.0] {
         let section = across(air.profile(), sign);
@@ -87,7 +92,7 @@ fn air_plug(plan: &Plan, v: &mut View<'_>, highest_mm: f64) {
     }
     stem(v, &air.stem, air.length_mm());
     let passage = diameter(air.passage_mm);
-    let what = match (air.fitting, air.fitting.thread_mm()) {
+    match (air.fitting, air.fitting.thread_mm()) {
         (thread, Some((drill, depth, boss))) => {
             format!(
                 "{thread}: hole {}, {} deep; boss {}; passage {passage}",
@@ -105,11 +110,11 @@ fn air_plug(plan: &Plan, v: &mut View<'_>, highest_mm: f64) {
         }
         // Threads are above.
         _ => String::new(),
-    };
-    names(v, highest_mm, &["3  air plug", &what]);
+    }
 }
 
-fn eye_plug(plan: &Plan, v: &mut View<'_>, highest_mm: f64) {
+/// Draws the eye plug, and says what it has.
+fn eye_plug(plan: &Plan, v: &mut View<'_>) -> String {
     let eye = &plan.eye_plug;
     let top = eye.stem.top_mm();
     let mut all = across(eye.stem.profile(), 1.0);
@@ -125,14 +130,13 @@ fn eye_plug(plan: &Plan, v: &mut View<'_>, highest_mm: f64) {
         -(v.scale * half + 6.0),
         &mm(eye.centre_mm),
     );
-    let text = format!(
+    format!(
         "eye for M{}: hole {}, {} wide, {} thick",
         mm(eye.bolt_mm),
         diameter(eye.hole_mm),
         mm(eye.width_mm),
         mm(eye.thickness_mm)
-    );
-    names(v, highest_mm, &["4  eye plug", &text]);
+    )
 }
 
 /// A profile of radius and height on one side of the horizontal axis of the sheet.

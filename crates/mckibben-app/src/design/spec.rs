@@ -69,9 +69,11 @@ impl DesignRequest {
         };
         let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
-        let between = |field, choice: &Option<Choice<Length>>, (low, high)| match choice {
-            Some(choice) => values(choice, field),
-            None => Ok(Values::Interval(low, high)),
+        let between = |field, choice: &Option<Choice<Length>>, (low, high)| {
+            let all = || Ok(Values::Interval(low, high));
+            choice
+                .as_ref()
+                .map_or_else(all, |choice| values(choice, field))
         };
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
         let supply_mpa = self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);

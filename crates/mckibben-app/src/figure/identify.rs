@@ -194,6 +194,14 @@ fn fit(
     } else {
         u.pressure.heading("pressure P")
     };
+    let x_of = |f: &PointFit| {
+        if isobaric {
+            f.point.at.contraction
+        } else {
+            f.point.at.pressure_mpa
+        }
+    };
+    let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
@@ -212,26 +220,12 @@ fn fit(
         let key = |f: &&&PointFit| same(levels.key(f), value);
         let label = levels.label(n, u);
         let on: Vec<&&PointFit> = mine.iter().filter(key).collect();
-        let dots = on.iter().map(|f| {
-            let at = &f.point.at;
-            (
-                if isobaric {
-                    at.contraction
-                } else {
-                    u.pressure.value(at.pressure_mpa)
-                },
-                u.force.value(at.force_n),
-            )
-        });
+        let dots = on
+            .iter()
+            .map(|f| (shown(x_of(f)), u.force.value(f.point.at.force_n)));
         panel = panel.series(Series::scatter(label.clone(), dots).colour(n));
         let Some(model) = &model else { continue };
-        let (low, high) = ends(on.iter().map(|f| {
-            if isobaric {
-                f.point.at.contraction
-            } else {
-                f.point.at.pressure_mpa
-            }
-        }));
+        let (low, high) = ends(on.iter().map(|f| x_of(f)));
         let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
@@ -247,7 +241,7 @@ fn fit(
                     .force_n(pressure, contraction + offset)
                     .ok()
                     .filter(|f| *f >= 0.0)?;
-                let x = if isobaric { x } else { u.pressure.value(x) };
+                let x = shown(x);
                 let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
                 edges.extend(half.map(|half| {
                     (

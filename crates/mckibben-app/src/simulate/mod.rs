@@ -162,7 +162,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Model::Elements(elements) = &model else {
-        return Err(no_elements(&model.name()));
+        return Err(no_elements(model.name()));
     };
     model.admit(&muscle)?;
     let ends = muscle.ends();

@@ -187,12 +187,10 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
     let too_few = |points| {
-        let dropped = slack.len();
-        let parameters = unknowns.len();
         IdentifyError::Data(DataError::TooFew {
             points,
-            dropped,
-            parameters,
+            dropped: slack.len(),
+            parameters: unknowns.len(),
         })
     };
     if counted.len() <= unknowns.len() {

@@ -7,14 +7,13 @@
 use super::{
     error::{AnalysisError, Result},
     evaluation::{Evaluation, Options},
-    sweep::{Sweep, Zero, places},
+    sweep::Sweep,
 };
 use crate::{
     cancel,
     model::{ModelError, Workspace, root::rising_root},
     muscle::Muscle,
 };
-use std::cmp::Ordering::Equal;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 pub const HIGHEST_PRESSURE_MPA: f64 = 20.0;
@@ -212,36 +211,6 @@ impl Evaluation<'_> {
         self.contraction_down_to(force_n, pressure_mpa, true)
     }
 
-    /// Where a contraction is sought of a muscle that may be stretched, or not.
-    fn span(&self, stretches: bool) -> Span {
-        let range = self.model.info().range.contraction;
-        let muscle = self.model.muscle();
-        let (low, high) = if self.options.extrapolate {
-            WIDEST
-        } else {
-            range
-        };
-        let low = low.max(WIDEST.0);
-        let highest = high.min(WIDEST.1);
-        let start = range.0.max(0.0);
-        let straight = straight_strands(muscle).max(low).min(start);
-        Span {
-            lowest: match (self.options.two_sided, stretches) {
-                (true, _) => low.min(start),
-                (false, true) => straight,
-                (false, false) => start,
-            },
-            straight,
-            start,
-            // Past the ideal maximum nothing pulls, and strands that are straight hold; those that
-            // stretch reach a little further.
-            shortest: (muscle.max_ideal_contraction() * 1.3 + 0.05)
-                .min(0.95)
-                .clamp(start, highest.max(start)),
-            highest,
-        }
-    }
-
     fn contraction_down_to(
         &mut self,
         force_n: f64,
@@ -249,8 +218,25 @@ impl Evaluation<'_> {
         stretches: bool,
     ) -> Result<f64> {
         let (model, info, options) = (self.model, self.model.info(), self.options);
-        let span = self.span(stretches);
-        let start = span.start;
+        let (low, high) = if options.extrapolate {
+            WIDEST
+        } else {
+            info.range.contraction
+        };
+        let low = low.max(WIDEST.0);
+        let highest = high.min(WIDEST.1);
+        let start = info.range.contraction.0.max(0.0);
+        // Past the ideal maximum nothing pulls, and strands that are straight hold; those that
+        // stretch reach a little further.
+        let shortest = (model.muscle().max_ideal_contraction() * 1.3 + 0.05)
+            .min(0.95)
+            .clamp(start, highest.max(start));
+        let straight = straight_strands(model.muscle()).max(low).min(start);
+        let lowest = match (options.two_sided, stretches) {
+            (true, _) => low.min(start),
+            (false, true) => straight,
+            (false, false) => start,
+        };
         self.check_companion(|companion| {
             companion.contraction_down_to(force_n, pressure_mpa, stretches)
         })?;
@@ -259,7 +245,7 @@ impl Evaluation<'_> {
             force => force.ok(),
         };
         let closed = |ws: &mut Workspace| model.contraction_at_pull(ws, force_n, pressure_mpa);
-        if let Some(e) = self.closed((span.lowest, span.highest), closed)? {
+        if let Some(e) = self.closed((lowest, highest), closed)? {
             return Ok(e);
         }
         let mut sweep = Sweep::new(info.costly, force_n.abs().max(1.0), |e| {
@@ -271,7 +257,8 @@ impl Evaluation<'_> {
         } else {
             f64::NEG_INFINITY
         };
-        if let Some(e) = span.search(&mut sweep, least)? {
+        let places = [lowest, straight, start, shortest, highest];
+        if let Some(e) = sweep.falling(places, least)? {
             return Ok(e);
         }
         let (nearest_contraction, nearest_force_n) = nearest(sweep, options, force_n, start)?;
@@ -290,61 +277,6 @@ impl Evaluation<'_> {
                 }
             }),
         })
-    }
-}
-
-/// The contractions among which one is sought, from the longest muscle to the shortest.
-struct Span {
-    lowest: f64,
-    straight: f64,
-    start: f64,
-    shortest: f64,
-    highest: f64,
-}
-
-impl Span {
-    /// The contraction without excess of the pull, in the order of
-    /// [`contraction_at`](Evaluation::contraction_at); a pull whose excess is below `least` has
-    /// ceased.
-    fn search<F: FnMut(f64) -> Result<f64, ModelError>>(
-        &self,
-        sweep: &mut Sweep<F, ModelError>,
-        least: f64,
-    ) -> Result<Option<f64>, ModelError> {
-        let (straight, start, shortest) = (self.straight, self.start, self.shortest);
-        let (branch, beyond) = if sweep.costly { (24, 6) } else { (80, 40) };
-        let at_start = sweep.sample(start)?;
-        // Whether the branch that falls through the start has the pull where the muscle is longer.
-        if let Some(f) = at_start.filter(|f| *f < 0.0 && self.lowest < start)
-            && sweep
-                .sample(start + (shortest - start) / branch as f64)?
-                .is_none_or(|next| next < f)
-        {
-            sweep.fill((straight, start), branch)?;
-            if let Some(zero) = sweep.zeros(0)?.iter().rfind(|zero| zero.falls) {
-                return Ok(Some(zero.at));
-            }
-        }
-        let further =
-            places((shortest, self.highest.max(shortest)), beyond).filter(|_| least.is_infinite());
-        let shortening = places((start, shortest), branch).chain(further);
-        if let Some(e) = sweep.first(shortening, true, least)? {
-            return Ok(Some(e));
-        }
-        if self.lowest < start {
-            sweep.fill((straight, start), branch)?;
-            sweep.fill((self.lowest, straight), beyond)?;
-        }
-        let order = |zero: &Zero| {
-            (
-                !zero.falls,
-                zero.falls && zero.at < start,
-                (zero.at - start).abs(),
-            )
-        };
-        let zeros = sweep.all()?.into_iter();
-        let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
-        Ok(best.map(|zero| zero.at))
     }
 }
 

@@ -6,6 +6,7 @@
 
 use super::{golden::golden, root::find_root};
 use crate::cancel::{self, Cancelled};
+use std::cmp::Ordering::Equal;
 
 /// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap
 /// and of one that is costly.
@@ -40,7 +41,7 @@ pub struct Zero {
 pub struct Sweep<F, E> {
     at: F,
     samples: Vec<Sample>,
-    pub costly: bool,
+    costly: bool,
     /// Steps towards an extremum or an edge.
     closing: usize,
     /// A value below this is zero.
@@ -117,6 +118,50 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
             before = value;
         }
         Ok(None)
+    }
+
+    /// Of a function that falls as a rule, with places that rise and with `start` among them: the
+    /// zero on the branch on which it falls through the start; else the first beyond the start at
+    /// which it falls; else the one nearest to the start. A value below `least` is followed by no
+    /// zero.
+    pub fn falling(
+        &mut self,
+        [lowest, straight, start, shortest, highest]: [f64; 5],
+        least: f64,
+    ) -> Result<Option<f64>, E> {
+        let (branch, beyond) = if self.costly { (24, 6) } else { (80, 40) };
+        let at_start = self.sample(start)?;
+        // Whether the branch that falls through the start has its zero before it.
+        if let Some(f) = at_start.filter(|f| *f < 0.0 && lowest < start)
+            && self
+                .sample(start + (shortest - start) / branch as f64)?
+                .is_none_or(|next| next < f)
+        {
+            self.fill((straight, start), branch)?;
+            if let Some(zero) = self.zeros(0)?.iter().rfind(|zero| zero.falls) {
+                return Ok(Some(zero.at));
+            }
+        }
+        let further = places((shortest, highest.max(shortest)), beyond);
+        let further = further.filter(|_| least.is_infinite());
+        let beyond_start = places((start, shortest), branch).chain(further);
+        if let Some(place) = self.first(beyond_start, true, least)? {
+            return Ok(Some(place));
+        }
+        if lowest < start {
+            self.fill((straight, start), branch)?;
+            self.fill((lowest, straight), beyond)?;
+        }
+        let order = |zero: &Zero| {
+            (
+                !zero.falls,
+                zero.falls && zero.at < start,
+                (zero.at - start).abs(),
+            )
+        };
+        let zeros = self.all()?.into_iter();
+        let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
+        Ok(best.map(|zero| zero.at))
     }
 
     /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema
@@ -253,7 +298,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 }
 
 /// Rising places that cut an interval into so many parts, with its ends.
-pub fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
+fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |i| {
         if i == parts {
             to
