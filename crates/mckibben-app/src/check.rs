@@ -13,6 +13,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Burst, FailurePressure},
+    extremes::peak,
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     uncertainty::UncertaintyParts,
@@ -421,11 +422,12 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
             .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
     });
     let measured: Vec<[f64; 4]> = built.map(|m| sizes(&m)).collect();
-    let highest_mpa = cases
-        .iter()
-        .flat_map(|case| &case.points)
-        .map(|p| p.at.pressure_mpa)
-        .fold(0.0, f64::max);
+    let highest_mpa = peak(
+        cases
+            .iter()
+            .flat_map(|case| &case.points)
+            .map(|p| p.at.pressure_mpa),
+    );
     let mut outside = vec![];
     for (i, (name, unit)) in SIZES.into_iter().enumerate() {
         let among = measured.iter().map(|sizes| sizes[i]);

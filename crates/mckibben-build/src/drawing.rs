@@ -7,6 +7,7 @@ use crate::{
     text::{mm, percent, significant, trimmed},
     view::{View, diameter},
 };
+use mckibben::extremes::peak;
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -35,12 +36,7 @@ struct Body<'a> {
 
 impl<'a> Body<'a> {
     fn new(plan: &'a Plan) -> Self {
-        let head = plan
-            .air_plug
-            .head()
-            .iter()
-            .map(|p| p[0])
-            .fold(0.0, f64::max);
+        let head = peak(plan.air_plug.head().iter().map(|p| p[0]));
         let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
         let half = 0.5 * plan.muscle.length_mm();
         let clamped = 0.5 * plan.clamped_diameter_mm;

@@ -7,6 +7,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Burst, Evaluation, burst},
+    extremes::peak,
     model::{ModelError, Response},
     muscle::Muscle,
 };
@@ -152,10 +153,7 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
-    let pressure_mpa = points
-        .iter()
-        .map(|p| p.response.pressure_mpa)
-        .fold(0.0, f64::max);
+    let pressure_mpa = peak(points.iter().map(|p| p.response.pressure_mpa));
     let mut spare: Vec<(Limit, f64)> = probe
         .checks
         .iter()

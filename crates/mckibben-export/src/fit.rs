@@ -13,6 +13,7 @@ use crate::{
 use mckibben::{
     analysis::{Evaluation, Options, bisect},
     cancel,
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::Direction,
     threads,
@@ -468,7 +469,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     if known.is_empty() {
         return Err(ExportError::NoVolume(model.to_owned()));
     }
-    let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
+    let scale = peak(known.iter().map(|k| k.1.abs()));
     let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
     let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
     let solved = least_squares(matrix, &values).ok_or(ExportError::Points(known.len()))?;
@@ -477,10 +478,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
 }
 
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
-    let largest = held_out
-        .iter()
-        .filter_map(|p| p.volume_m3)
-        .fold(0.0, f64::max);
+    let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
     let here = |p: &Sample| form.at(p.q * form.supply_pa, p.contraction);
     let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
     let volume = |p: &Sample| {
@@ -499,9 +497,9 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
             .get((0.95 * forces.len() as f64) as usize)
             .copied()
             .unwrap_or(0.0),
-        force_worst_ratio: BETWEEN[0] * all().map(force).fold(0.0, f64::max) + BESIDE,
+        force_worst_ratio: BETWEEN[0] * peak(all().map(force)) + BESIDE,
         volume_rms: volumes.rms,
-        volume_worst_ratio: BETWEEN[1] * all().filter_map(volume).fold(0.0, f64::max) + BESIDE,
+        volume_worst_ratio: BETWEEN[1] * peak(all().filter_map(volume)) + BESIDE,
     }
 }
 

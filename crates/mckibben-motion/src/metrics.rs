@@ -1,7 +1,7 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
-use mckibben::analysis::bisect;
+use mckibben::{analysis::bisect, extremes::peak};
 
 /// A point that was integrated.
 #[derive(Debug, Clone, Copy)]
@@ -148,10 +148,7 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
                     .recip()
         {
             // Less than the error of the integration is none.
-            let overshoot = positions
-                .inside(piece)
-                .map(|spot| (spot.value - to) / step)
-                .fold(0.0, f64::max);
+            let overshoot = peak(positions.inside(piece).map(|spot| (spot.value - to) / step));
             let far = positions
                 .inside(piece)
                 .filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
@@ -217,7 +214,7 @@ pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option
         .iter()
         .map(constant_from)
         .collect::<Option<Vec<_>>>()?;
-    let from = from.into_iter().fold(0.0, f64::max);
+    let from = peak(from);
     if from >= until {
         return None;
     }

@@ -9,3 +9,8 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     }
     (low, high)
 }
+
+/// The largest of values, and no less than zero.
+pub fn peak(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, f64::max)
+}

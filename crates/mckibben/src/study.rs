@@ -8,6 +8,7 @@
 use crate::{
     analysis::{AnalysisError, Evaluation, Options},
     curve::{Curve, Test},
+    extremes::peak,
     joined,
     model::{ForceModel, Ideal, ModelError, Workspace},
     muscle::{Muscle, MuscleError, Tube},
@@ -228,7 +229,7 @@ fn isometric(
         Ok(m.force_n(HIGHEST_MPA, e)?.max(0.0))
     })?;
     let loss: Vec<f64> = forces.iter().map(|f| f[0] - f[4]).collect();
-    let largest = loss.iter().copied().fold(0.0, f64::max);
+    let largest = peak(loss.iter().copied());
     let starts = answers(walls, options, &contractions[1..], |m, e| {
         m.start_pressure_mpa(e)
     })?;

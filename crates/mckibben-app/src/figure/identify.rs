@@ -8,7 +8,7 @@ use super::{
 use crate::{percent, units::Units};
 use mckibben::{
     analysis::Evaluation,
-    extremes::ends,
+    extremes::{ends, peak},
     model::Workspace,
     muscle::{Direction, Muscle},
 };
@@ -73,10 +73,16 @@ impl Levels {
     }
 
     fn key(&self, f: &PointFit) -> f64 {
+        self.states(f)[0]
+    }
+
+    /// What is fixed along a curve, and what varies.
+    fn states(&self, f: &PointFit) -> [f64; 2] {
+        let at = &f.point.at;
         if self.isobaric {
-            f.point.at.pressure_mpa
+            [at.pressure_mpa, at.contraction]
         } else {
-            f.point.at.contraction
+            [at.contraction, at.pressure_mpa]
         }
     }
 
@@ -194,13 +200,7 @@ fn fit(
     } else {
         u.pressure.heading("pressure P")
     };
-    let x_of = |f: &PointFit| {
-        if isobaric {
-            f.point.at.contraction
-        } else {
-            f.point.at.pressure_mpa
-        }
-    };
+    let x_of = |f: &PointFit| levels.states(f)[1];
     let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = identified.candidate.section_muscle(section);
@@ -354,7 +354,7 @@ fn panel(
     let mut workspace = Workspace::new();
     for (n, &pressure) in shown.iter().enumerate() {
         let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);
-        let end = at().map(|p| p.at.contraction).fold(0.0, f64::max);
+        let end = peak(at().map(|p| p.at.contraction));
         let dots = at().map(|p| (p.at.contraction, u.force.value(p.at.force_n)));
         panel = panel.series(Series::scatter(u.pressure.show(pressure), dots).colour(n));
         let Some(model) = &model else { continue };

@@ -14,6 +14,7 @@ use crate::{
     with_error_bar,
 };
 use mckibben::{
+    extremes::peak,
     progress::Progress,
     units::{Dimension, parse_quantity},
 };
@@ -114,7 +115,7 @@ impl Moved {
                 .flat_map(|(_, points)| points)
                 .map(|point| point.0)
         };
-        let end_s = times().fold(0.0, f64::max);
+        let end_s = peak(times());
         let half_s = 0.5 * (times().fold(end_s, f64::min) + end_s);
         let fit = Fit {
             moved: self,

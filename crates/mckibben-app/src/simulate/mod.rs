@@ -18,6 +18,7 @@ use mckibben::{
     answer::Options,
     cancel,
     curve::Test,
+    extremes::peak,
     model::{ModelError, Response, Workspace},
     muscle::{Ends, Muscle},
     progress::Progress,
@@ -204,7 +205,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         .filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
-    let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
+    let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
     put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: name.into(),
@@ -250,7 +251,7 @@ impl SimulateRequest {
         };
         let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
-            let highest = pressures.iter().copied().fold(0.0, f64::max);
+            let highest = peak(pressures.iter().copied());
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }

@@ -199,7 +199,7 @@ pub fn solve(
         effort.iterations += 1;
         let size = system.correct()?;
         effort.moved += size;
-        if size.is_nan() || size >= LARGE {
+        if !(..LARGE).contains(&size) {
             return Err(Stopped::Diverged);
         }
         if effort.moved > options.reach {

@@ -12,7 +12,9 @@ use crate::{
     rubber::MODULI,
 };
 use mckibben::{
-    cancel, joined,
+    cancel,
+    extremes::peak,
+    joined,
     model::{Ideal, Workspace},
     muscle::{
         Muscle,
@@ -172,7 +174,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let middle = ratios[ratios.len() / 2];
     let high = ratios[9 * ratios.len() / 10];
-    let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let highest = peak(points.iter().map(|p| p.at.pressure_mpa));
     let pressure = show(highest);
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
@@ -252,10 +254,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
             .total_cmp(&q.pressure_mpa)
             .then(p.contraction.total_cmp(&q.contraction))
     });
-    let largest = points
-        .iter()
-        .map(|p| p.at.force_n.abs())
-        .fold(0.0, f64::max);
+    let largest = peak(points.iter().map(|p| p.at.force_n.abs()));
     let clash = |pair: &&[&DataPoint]| {
         let a = pair[0];
         let b = pair[1];

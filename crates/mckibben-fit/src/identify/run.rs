@@ -15,6 +15,7 @@ use crate::{
 };
 use mckibben::{
     cancel::Cancelled,
+    extremes::peak,
     model::ModelError,
     muscle::{
         Direction, Muscle, MuscleError,
@@ -83,7 +84,7 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
         if n > 0.0 { f / n } else { 0.0 }
     };
     let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
-    let forces = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+    let forces = peak(points.iter().map(|p| p.at.force_n));
     let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
     half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
 }
@@ -308,7 +309,7 @@ fn end_displacement_mm(
         Target::Measure(m) if *m == SLIP => {
             let ends = muscle.ends();
             let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
-            Some(value * request.points.iter().map(load).fold(0.0, f64::max))
+            Some(value * peak(request.points.iter().map(load)))
         }
         _ => None,
     }

@@ -11,7 +11,7 @@
 
 use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use mckibben::cancel;
+use mckibben::{cancel, extremes::peak};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -186,19 +186,14 @@ impl Inner<'_> {
             }
         }
         let svd = j.clone().svd(true, true);
-        let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+        let largest = peak(svd.singular_values.iter().copied());
         let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else {
             return Ok(None);
         };
         let in_scales = |(k, unknown): (usize, &Unknown)| {
             (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs()
         };
-        let far = self
-            .unknowns
-            .iter()
-            .enumerate()
-            .map(in_scales)
-            .fold(0.0, f64::max);
+        let far = peak(self.unknowns.iter().enumerate().map(in_scales));
         if far <= STEP || (&j * &step).norm_squared() <= SMALLER * r.norm_squared() {
             return Ok(None);
         }
@@ -384,7 +379,7 @@ pub fn estimate(
             Loss::Largest => sixth_power(&r, weights, &factors),
         };
         let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs());
-        let settled = moved.fold(0.0, f64::max) < 1e-6;
+        let settled = peak(moved) < 1e-6;
         factors = next;
         all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect();
         if settled {
@@ -432,7 +427,7 @@ fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
 /// logarithm: the whole step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
 fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
-    let largest = size.iter().copied().fold(0.0, f64::max);
+    let largest = peak(size.iter().copied());
     if largest == 0.0 {
         return before.to_vec();
     }
@@ -470,7 +465,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     } else {
         DMatrix::zeros(1, 1).svd(false, false)
     };
-    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+    let largest = peak(svd.singular_values.iter().copied());
     let mut covariance = DMatrix::<f64>::zeros(m, m);
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {

@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben::{
     cancel::Cancelled,
+    extremes::peak,
     muscle::{Direction, Muscle},
     progress::CancelOnly,
     threads,
@@ -188,7 +189,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
 impl Group {
     fn new(name: String, blind: bool, residuals: &[Residual]) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
-        let end = means().map(|r| r.contraction).fold(0.0, f64::max);
+        let end = peak(means().map(|r| r.contraction));
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
         let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
             let errors = ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction)));

@@ -190,8 +190,6 @@ pub fn liquid() -> Vec<VerificationRow> {
     let first = |m: &Motion| m.series.muscles.first().cloned();
     let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map_or(f64::NAN, value);
     let still = |value: &dyn Fn(&Response) -> f64| at(&|f| value(&f.answer.response));
-    let pressure = last(&|m| first(m)?.pressure_mpa.last().copied());
-    let contraction = last(&|m| first(m)?.contraction.last().copied());
     let work = last(&|m| Some(m.energies.exergy_j));
     let energy = last(&|m| {
         let e = m.energies;
@@ -200,8 +198,6 @@ pub fn liquid() -> Vec<VerificationRow> {
     // Both ends of the filling's work against gauge pressure; the ramp is slow and the load damped,
     // so that the piston's work has more.
     let hertz = filled.as_ref().and_then(|at| hanging.hertz(at));
-    let shut = at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU);
-    let stored = at(&|f| f.pump_work_j);
     let lost = last(&|m| Some(m.energies.damper_j + m.energies.kinetic_j + m.energies.impacts_j));
     let without_losses = work.zip(lost).map(|(work, lost)| work - lost);
     vec![
@@ -217,27 +213,27 @@ pub fn liquid() -> Vec<VerificationRow> {
             "p of a muscle on a syringe (MPa)",
             STATIC,
             still(&|r| r.pressure_mpa),
-            pressure,
+            last(&|m| first(m)?.pressure_mpa.last().copied()),
             1e-6,
         ),
         row(
             "its contraction",
             STATIC,
             still(&|r| r.contraction),
-            contraction,
+            last(&|m| first(m)?.contraction.last().copied()),
             1e-6,
         ),
         row(
             "work of its piston less what the damper took (J)",
             STATIC,
-            stored,
+            at(&|f| f.pump_work_j),
             without_losses,
             1e-4,
         ),
         row(
             "10 kg on the muscle with the liquid shut in (Hz)",
             STATIC,
-            shut,
+            at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU),
             hertz,
             1e-4,
         ),

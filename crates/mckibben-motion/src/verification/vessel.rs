@@ -11,6 +11,7 @@ use crate::{
     Valve,
 };
 use mckibben::{
+    extremes::peak,
     model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace},
     muscle::Muscle,
     verification::VerificationRow,
@@ -188,7 +189,7 @@ fn balances() -> [VerificationRow; 2] {
     let motions: Option<Vec<Motion>> = motions.collect();
     let largest = |value: fn(&Motion) -> f64| {
         let values = motions.as_ref()?.iter().map(value);
-        Some(values.map(f64::abs).fold(0.0, f64::max))
+        Some(peak(values.map(f64::abs)))
     };
     let energy = largest(|m| {
         let e = m.energies;
