@@ -137,7 +137,7 @@ fn bench(c: &mut Criterion) {
     let discretisation = || {
         Discretisation::new(
             Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)),
-            Problem::from_muscle(&muscle),
+            Problem::from_parts(muscle.parts()),
         )
         .unwrap()
     };

@@ -41,6 +41,7 @@ fn grids(c: &mut Criterion) {
             }]
             .into(),
             count: 1,
+            pitch_mm: None,
             direction: Direction::Mean,
             max_pressure_mpa: 0.25,
             base: Muscle::prototype(),

@@ -78,8 +78,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             let pulls = here.clone().step_by(2).map(|p| (p.pressure_mpa, p.force_n));
             let name = if turn == 0 { *name } else { "" };
             pull = pull.series(Series::scatter(name, pulls).colour(3 + number));
-            let differences = here
-                .filter_map(|p| Some((p.pressure_mpa, p.force_n - reference(p.pressure_mpa).ok()?)));
+            let differences = here.filter_map(|p| {
+                Some((p.pressure_mpa, p.force_n - reference(p.pressure_mpa).ok()?))
+            });
             off = off.series(Series::scatter(name, differences).colour(3 + number));
         }
     }
