@@ -505,7 +505,7 @@ fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFind
 impl CheckAnswer {
     /// The findings of a kind, in sentences with units; warnings are of the implausible, but for
     /// those of the burst pressure.
-    pub fn said(&self, kind: FindingKind, u: &Units) -> Vec<String> {
+    pub fn sentences(&self, kind: FindingKind, u: &Units) -> Vec<String> {
         let words = self.characteristics.as_ref().map(|c| &c.uncertainty_words);
         let warnings = self
             .warnings

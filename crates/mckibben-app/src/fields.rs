@@ -111,10 +111,11 @@ impl DataFields {
             Problem::refuse_unused(&used, "it belongs to tables, and no `data` are given")?;
         }
         let one = |(place, file): (usize, &TextFile)| {
-            let columns =
-                self.columns
-                    .clone()
-                    .with(&self.set, (place, self.data.len()), &file.name);
+            let columns = self.columns.clone().with_constants(
+                &self.set,
+                (place, self.data.len()),
+                &file.name,
+            );
             let (data, table) = columns
                 .and_then(|columns| read(&file.text, columns))
                 .map_err(|error| Problem::of_table(&file.name, &error))?;

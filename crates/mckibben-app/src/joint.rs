@@ -64,7 +64,7 @@ impl JointFields {
             MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
-        file.with(muscles)
+        file.with_muscles(muscles)
             .map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
     }
 }
@@ -347,7 +347,7 @@ impl Solver<'_> {
                 let angle_deg = rest.angle_deg();
                 let point = self
                     .model
-                    .at(workspaces, pressures, angle_deg, Turning::Mean)?;
+                    .point_at(workspaces, pressures, angle_deg, Turning::Mean)?;
                 let balance = matches!(rest, Rest::Balance { .. });
                 let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
                 rows.push(JointRow {
@@ -365,7 +365,7 @@ impl Solver<'_> {
             if !known {
                 return Ok(None);
             }
-            let there = self.model.at(
+            let there = self.model.point_at(
                 &mut self.workspaces,
                 &point.pressures_mpa,
                 point.angle_deg,

@@ -196,7 +196,7 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
     let plane = 0.5 * half;
     for sign in [-1.0, 1.0] {
         let edge = sign * body.sleeve;
-        let [x, y] = v.at(plane, edge);
+        let [x, y] = v.on_sheet(plane, edge);
         v.sheet
             .line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
         v.sheet
@@ -226,7 +226,7 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
             5 => 1.0,
             _ => 5.0,
         };
-        let x = v.at(to[0], to[1])[0] + beside;
+        let x = v.on_sheet(to[0], to[1])[0] + beside;
         v.balloon(to, [x, low], number);
     }
 }
@@ -438,7 +438,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
             &diameter(d),
         );
     }
-    let [x, y] = v.at(0.0, 0.5 * over);
+    let [x, y] = v.on_sheet(0.0, 0.5 * over);
     let text = format!("A–A  ({})", ratio(v.scale));
     v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
 }

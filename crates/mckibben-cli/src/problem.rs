@@ -2,10 +2,9 @@
 //! of the command line.
 
 use crate::{
-    clean,
+    clean, display_units,
     output::plain,
     quantities::unit_hint,
-    shown,
     typed::{flag_of, in_flags},
 };
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -129,7 +128,8 @@ pub fn in_words(mut problem: Problem) -> Problem {
 
 /// `error: …`, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem) -> String {
-    let [message, hint] = [&problem.message, &problem.hint].map(|text| shown::sentence(text));
+    let [message, hint] =
+        [&problem.message, &problem.hint].map(|text| display_units::sentence(text));
     let message = clean::line(&message);
     let hint = clean::line(&hint);
     if hint.is_empty() {

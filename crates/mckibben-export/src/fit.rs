@@ -251,7 +251,7 @@ impl Spline {
     }
 
     /// The value of each summand at ε, and its slope.
-    fn at(&self, e: f64) -> Vec<(f64, f64)> {
+    fn weights_at(&self, e: f64) -> Vec<(f64, f64)> {
         let x = e / self.high;
         let mut out: Vec<(f64, f64)> = (0..4)
             .map(|j| {
@@ -280,7 +280,7 @@ impl Spline {
 
 /// The row of a point: the factor of each coefficient in the pull, and in its slope in ε.
 fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
-    let at = spline.at(e);
+    let at = spline.weights_at(e);
     functions(q)
         .0
         .iter()
@@ -340,7 +340,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         }
         for (i, coefficients) in all.chunks(spline.len()).enumerate() {
             let at_nodes = |e: &f64| {
-                let sums = spline.at(*e).into_iter().zip(coefficients);
+                let sums = spline.weights_at(*e).into_iter().zip(coefficients);
                 sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| {
                     (value + c * v, slope + c * s)
                 })
@@ -479,7 +479,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
 
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
     let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
-    let here = |p: &Sample| form.at(p.q * form.supply_pa, p.contraction);
+    let here = |p: &Sample| form.point_at(p.q * form.supply_pa, p.contraction);
     let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
     let volume = |p: &Sample| {
         let volume_m3 = p

@@ -280,7 +280,7 @@ fn stiffness_error(
     {
         for k in 1..=STATES[1] {
             let pressure_mpa = 1e-6 * muscle.form.supply_pa * f64::from(k) / f64::from(STATES[1]);
-            let point = muscle.form.at(1e6 * pressure_mpa, contraction);
+            let point = muscle.form.point_at(1e6 * pressure_mpa, contraction);
             let Ok(r) = evaluation.response(pressure_mpa, contraction) else {
                 continue;
             };

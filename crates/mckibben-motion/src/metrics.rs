@@ -25,7 +25,7 @@ struct Track(Vec<Spot>);
 
 impl Track {
     /// The last value up to a time.
-    fn at(&self, t: f64) -> f64 {
+    fn value_at(&self, t: f64) -> f64 {
         let i = self
             .0
             .partition_point(|spot| spot.time <= t)
@@ -134,8 +134,8 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
     ends.push(drive.until_s);
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
         let piece = (begin, end);
-        let from = positions.at(begin);
-        let to = positions.at(end);
+        let from = positions.value_at(begin);
+        let to = positions.value_at(end);
         let step = to - from;
         if step.abs()
             > 1e-9
@@ -165,8 +165,8 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }
-        let p = pressures.at(begin);
-        let r = pressures.at(end);
+        let p = pressures.value_at(begin);
+        let r = pressures.value_at(end);
         let slot = if r > p {
             &mut motion.fill_time_s
         } else {

@@ -214,7 +214,7 @@ impl<'a> System<'a> {
 
     /// What a muscle answers.
     fn answer_at(&self, t: f64, i: usize, mode: &Mode, p: f64, e: f64) -> Result<Answer> {
-        let answer = self.members[i].at(mode.slack, p, e);
+        let answer = self.members[i].answer_or_slack(mode.slack, p, e);
         answer.map_err(|error| MotionError::model(error, t, i, p, e))
     }
 

@@ -10,7 +10,6 @@ use std::fmt::Write as _;
 /// A report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
-    /// Its title.
     pub title: String,
     /// Its title block: names and texts of fields; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
@@ -25,20 +24,16 @@ pub struct Document {
 /// A part of a report.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
-    /// A heading.
     Heading(String),
     /// A paragraph.
     Text(String),
     /// Sentences, one below the other.
     List(Vec<String>),
-    /// A table.
     Table {
         /// Its head; empty for pairs of names and values.
         head: Vec<String>,
-        /// Its rows.
         rows: Vec<Vec<String>>,
     },
-    /// A figure.
     Figure(Box<Figure>),
     /// A drawing as SVG, on a separate page.
     Drawing(String),

@@ -82,7 +82,7 @@ enum Origin {
 
 impl Sources {
     /// The source that a row names, or what the row itself says; and the terms of its use.
-    pub fn of<'s>(&'s self, source: Option<&'s str>) -> (&'s str, &'s str) {
+    pub fn source_and_terms<'s>(&'s self, source: Option<&'s str>) -> (&'s str, &'s str) {
         const NOT_STATED: &str = "not stated";
         let name = source.unwrap_or(NOT_STATED);
         match self.0.get(name) {

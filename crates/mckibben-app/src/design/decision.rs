@@ -27,15 +27,15 @@ impl Decision<'_> {
             return vec![];
         };
         vec![
-            self.take(first),
-            set(first),
+            self.what_to_take(first),
+            pressures_to_set(first),
             self.pulls(first),
             self.sure(first),
             limit(first),
         ]
     }
 
-    fn take(&self, first: &Candidate) -> String {
+    fn what_to_take(&self, first: &Candidate) -> String {
         let many = if self.spec.count > 1 {
             format!("{} muscles side by side, each of ", self.spec.count)
         } else {
@@ -153,7 +153,7 @@ fn parts(c: &Candidate) -> String {
 }
 
 /// The pressures: to set, of the relief valve, and why no more.
-fn set(first: &Candidate) -> String {
+fn pressures_to_set(first: &Candidate) -> String {
     let set_mpa = first.pressure_mpa;
     let highest_mpa = first.highest_pressure_mpa;
     // What is typed as printed is allowed.

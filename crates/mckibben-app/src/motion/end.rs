@@ -129,7 +129,7 @@ impl Moved {
         let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
         let point = model
-            .at(
+            .point_at(
                 workspaces,
                 pressures_mpa,
                 angle_deg.clamp(low, high),

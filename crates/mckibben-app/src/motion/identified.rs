@@ -227,7 +227,7 @@ impl Fit<'_> {
         let mut file = self.request.parsed(text, self.moved.length_mm())?;
         file.until_s = until_s;
         file.output_step_s = file.output_step_s.min(until_s / POINTS);
-        let series = self.moved.with(&file, |drive| {
+        let series = self.moved.with_drive(&file, |drive| {
             let drive = Drive {
                 tolerance: TOLERANCE,
                 ..drive

@@ -134,7 +134,8 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut runs = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) = moved.with(drive, |drive| go(&drive, rise_time_s, progress))?;
+        let (motion, conductance) =
+            moved.with_drive(drive, |drive| go(&drive, rise_time_s, progress))?;
         sized = sized.or(conductance);
         let mut run = MotionRun {
             value: value.clone(),

@@ -216,7 +216,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         limits: (&burst).into(),
         figure,
         deck,
-        files: files.map_or_else(Vec::new, ShapeFiles::all),
+        files: files.map_or_else(Vec::new, ShapeFiles::into_files),
         problem,
         simulated,
     })

@@ -8,7 +8,7 @@ use mckibben_app::print::{Block, Column, Page};
 use std::path::Path;
 
 /// The name of a file.
-pub fn place(path: &Path) -> String {
+pub fn path_on_one_line(path: &Path) -> String {
     line(&path.display().to_string()).into_owned()
 }
 

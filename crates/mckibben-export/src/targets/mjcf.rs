@@ -68,7 +68,9 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
             let x = 1.0 - p.contraction;
             let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
             let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
-            let stiffness = form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m;
+            let stiffness = form
+                .point_at(q * form.supply_pa, p.contraction)
+                .stiffness_n_per_m;
             pulls.then_some((slope - stiffness * form.length_m / blocked_n) * form.contraction_high)
         })
         .collect();

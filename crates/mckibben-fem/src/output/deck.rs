@@ -219,7 +219,7 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     let card = law.card().ok_or_else(|| {
         FemError::Refused(format!(
             "an input deck cannot describe the law \"{law}\"; it can describe {}",
-            known(),
+            laws_of_decks(),
             law = law.name()
         ))
     })?;
@@ -240,7 +240,7 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
 }
 
 /// Names of the laws that decks know.
-fn known() -> String {
+fn laws_of_decks() -> String {
     let laws = Law::examples();
     let mut names: Vec<&str> = laws
         .iter()

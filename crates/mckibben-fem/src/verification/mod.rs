@@ -61,7 +61,7 @@ impl Rows {
     }
 
     /// A row for each of the values that one computation gives, with what is exact.
-    fn each<const N: usize>(
+    fn add_each<const N: usize>(
         &mut self,
         begins: &str,
         exact: [(&str, f64); N],

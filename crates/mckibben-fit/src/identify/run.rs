@@ -365,7 +365,7 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         x[i] += 0.1 * unknowns[i].scale;
         let change = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-9 * (1.0 + b.abs());
         let moves = |r: Vec<f64>| r.iter().zip(&estimate.residuals).any(change);
-        estimate.standard_errors[i].is_finite() || problem.at(&x).is_none_or(moves)
+        estimate.standard_errors[i].is_finite() || problem.residuals_at(&x).is_none_or(moves)
     };
     let one = |i: usize| {
         let target = request.free[i].target;

@@ -112,7 +112,7 @@ fn pressures_by_log(table: &mut Table, log: Option<&PressureLog>) -> Result<(Vec
     };
     let times = table.numbers(table.needed(TIME)?)?;
     let pulls = table.numbers(table.needed(FORCE)?)?;
-    let (pressures, joined) = log.at(&times, &pulls);
+    let (pressures, joined) = log.pressures_at(&times, &pulls);
     table.retain(|row| pressures[row].is_some());
     let outside = pressures.len() - table.lines().len();
     let note = format!("{joined}; {outside} rows outside of it");

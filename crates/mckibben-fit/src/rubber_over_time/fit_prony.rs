@@ -190,7 +190,7 @@ impl Relaxing<'_> {
 }
 
 impl Residuals for Relaxing<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         let (instantaneous, prony) = self.unpack(x);
         Bar::new(&instantaneous, None, &prony).differences(self.history)
     }

@@ -118,7 +118,7 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredF
         ..fitter
     };
     let one = |(case, training): &(usize, Training<'_>)| {
-        let result = run(*case, training, by);
+        let result = fit_case(*case, training, by);
         fitter
             .progress
             .report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
@@ -127,7 +127,11 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredF
     threads::map(&tasks, one).into_iter().collect()
 }
 
-fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<MeasuredFit, ReportError> {
+fn fit_case(
+    number: usize,
+    training: &Training<'_>,
+    by: Fitter<'_>,
+) -> Result<MeasuredFit, ReportError> {
     by.progress.check()?;
     let &Training {
         case, fit, means, ..

@@ -62,7 +62,7 @@ impl Columns {
 
     /// With the constants of one of several tables: `pressure=3bar`, once for all of them or once
     /// for each; `{pressure}bar` is the number before `bar` in the name of its file.
-    pub fn with(
+    pub fn with_constants(
         mut self,
         set: &[String],
         (place, tables): (usize, usize),

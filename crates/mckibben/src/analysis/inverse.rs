@@ -155,7 +155,7 @@ impl Evaluation<'_> {
         if let Some(p) = sweep.first(upwards, false, f64::NEG_INFINITY)? {
             return Ok(p);
         }
-        if let Some(zero) = sweep.all()?.first() {
+        if let Some(zero) = sweep.all_zeros()?.first() {
             return Ok(zero.at);
         }
         let (nearest_pressure_mpa, nearest_force_n) = nearest(sweep, options, force_n, lowest)?;

@@ -159,14 +159,14 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 (zero.at - start).abs(),
             )
         };
-        let zeros = self.all()?.into_iter();
+        let zeros = self.all_zeros()?.into_iter();
         let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
         Ok(best.map(|zero| zero.at))
     }
 
     /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema
     /// and, of a function that is cheap, beside the ends and where it is curved.
-    pub fn all(&mut self) -> Result<Vec<Zero>, E> {
+    pub fn all_zeros(&mut self) -> Result<Vec<Zero>, E> {
         if let [first, second, .., last_but_one, last] = self.samples[..]
             && !self.costly
         {
@@ -323,7 +323,7 @@ mod tests {
     fn swept(f: impl Fn(f64) -> Option<f64>, parts: usize) -> (Vec<Zero>, (f64, f64)) {
         let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), parts).unwrap();
-        let zeros = sweep.all().unwrap();
+        let zeros = sweep.all_zeros().unwrap();
         (zeros, sweep.least(f64::abs).unwrap())
     }
 
@@ -362,7 +362,7 @@ mod tests {
         let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), 20).unwrap();
         assert!(sweep.zeros(0).unwrap().is_empty());
-        let zeros = sweep.all().unwrap();
+        let zeros = sweep.all_zeros().unwrap();
         assert_eq!(
             zeros.iter().map(|z| z.falls).collect::<Vec<_>>(),
             [true, false]

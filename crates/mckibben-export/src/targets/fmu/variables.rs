@@ -90,7 +90,7 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         Kind::Joint(1) => (["any", "joint", ""], "pressure_1 angle"),
         Kind::Joint(_) => (["any", "joint", "second"], "pressure_1 pressure_2 angle"),
     };
-    let volume_m3 = form.at(0.0, 0.0).volume_m3;
+    let volume_m3 = form.point_at(0.0, 0.0).volume_m3;
     let value = |text: &str| match text {
         "max" => f64::MAX,
         "-max" => -f64::MAX,

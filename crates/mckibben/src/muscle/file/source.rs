@@ -18,7 +18,7 @@ use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 pub const MAX_BYTES: usize = 1 << 20;
 
 /// Where a byte offset lies in a text.
-pub fn place(text: &str, offset: usize) -> TextPosition {
+pub fn position_at(text: &str, offset: usize) -> TextPosition {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
     TextPosition {
@@ -155,7 +155,7 @@ impl<'t> Source<'t> {
         span: Option<Range<usize>>,
         problem: impl Into<String>,
     ) -> FileError {
-        let place = span.map(|span| place(self.text, span.start));
+        let place = span.map(|span| position_at(self.text, span.start));
         FileError {
             place,
             key: Some(dotted.to_owned()),
@@ -200,7 +200,7 @@ fn syntax(text: &str, error: &TomlError) -> FileError {
     };
     let problem = format!("not valid TOML: {message} in `{line}`{hint}");
     FileError {
-        place: Some(place(text, span.start)),
+        place: Some(position_at(text, span.start)),
         ..FileError::new(problem)
     }
 }
