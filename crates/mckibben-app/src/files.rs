@@ -1,4 +1,4 @@
-//! Files that users name, with those that they name, as requests hold them.
+//! Files that users name, together with the files named in them, as requests hold them.
 
 use crate::{
     ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,

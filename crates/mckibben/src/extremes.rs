@@ -1,4 +1,4 @@
-//! The ends of values.
+//! The smallest and the largest of several values.
 
 /// The smallest and the largest; infinite of none.
 pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {

@@ -1,4 +1,4 @@
-//! The end of a motion: its ±, and whether it rests.
+//! The end of a motion: the ± of its position, and whether the load is at rest.
 
 use super::{EndUncertainty, MotionRun, moved::Moved};
 use crate::{

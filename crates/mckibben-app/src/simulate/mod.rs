@@ -1,4 +1,4 @@
-//! `simulate`: one finite-element test with everything it knows.
+//! `simulate`: one finite-element test with all its results.
 
 mod answer;
 mod files;

@@ -1,4 +1,5 @@
-//! What a bench says of the muscle whose constants were identified from its points.
+//! The bench: the range and the scatter of the measured points that a muscle's constants were
+//! identified from.
 
 use super::{
     BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube,

@@ -1,6 +1,6 @@
-//! The muscle and its words: tube, braid, terminals, and what is derived from them.
+//! The muscle and its parts: tube, braid, terminals, and what is derived from them.
 //!
-//! Everything is checked once, in [`Muscle::new`]; whoever holds a [`Muscle`] may rely on it.
+//! All values are checked once, in [`Muscle::new`]; a [`Muscle`] is therefore always valid.
 
 mod bench;
 mod braid;

@@ -1,4 +1,4 @@
-//! A parsed file that knows the place of everything, and its values in the units used inside.
+//! A parsed file with the position of each key, and its values in the units used inside.
 
 use super::{
     error::{FileError, TextPosition},
