@@ -20,20 +20,15 @@ pub fn increment<B: Body>(
     terminal: f64,
 ) -> Result<(), Interrupted> {
     let now = c.body.state();
-    let along = if now.terminal == terminal {
-        Along::Pressure
+    let (along, value) = if now.terminal == terminal {
+        (Along::Pressure, pressure)
     } else {
-        Along::Length
+        (Along::Length, terminal)
     };
     if trail.last() != Some(now) {
         *trail = Trail::default();
         trail.push(now);
     }
-    let value = if along == Along::Pressure {
-        pressure
-    } else {
-        terminal
-    };
     if trail.predict(along, value, c.body.state_mut()) {
         c.body.state_mut().pressure = pressure;
         if c.solve(Control::Length(terminal)).is_ok() {

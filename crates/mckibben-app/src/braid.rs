@@ -1,4 +1,4 @@
-//! Sleeves of the library, and what each is on a tube.
+//! Sleeves of the library, and the braid that each becomes on a tube.
 
 use crate::{Problem, TextFile, parts::sleeve_entries};
 use mckibben::{

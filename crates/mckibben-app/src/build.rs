@@ -17,6 +17,7 @@ use mckibben::{
     analysis::{Burst, Evaluation},
     answer::Options,
     cancel,
+    extremes::peak,
     model::Workspace,
     progress::Progress,
     units::typed::{Length, Pressure},
@@ -331,7 +332,7 @@ fn operating(
     let across = shape.across.max(1);
     let outer = r.iter().zip(z).skip(across - 1).step_by(across);
     let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
-    let widest = 2.0 * contour_mm.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let widest = 2.0 * peak(contour_mm.iter().map(|p| p[1]));
     let response = &shape.point.response;
     let volume_mm3 = response
         .volume_mm3

@@ -13,6 +13,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Burst, FailurePressure},
+    extremes::peak,
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     uncertainty::UncertaintyParts,
@@ -165,17 +166,14 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
         let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
-            question
-                .evaluation()
-                .point(0.0, 0.0)
-                .ok()?
-                .response
-                .volume_mm3
+            let at_rest = question.evaluation().point(0.0, 0.0).ok()?;
+            at_rest.response.volume_mm3
         });
         (question.muscle, rest_volume_mm3, at_pressure)
     };
     let rubber = &muscle.tube().rubber;
     let law = &rubber.law;
+    let constants = law.constants().into_iter();
     let reach = muscle.reach();
     let beyond = rubber
         .fitted_to_stretch
@@ -190,14 +188,10 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
-        constants_mpa: law
-            .constants()
-            .into_iter()
-            .map(|c| (c.name, c.value))
-            .collect(),
+        constants_mpa: constants.map(|c| (c.name, c.value)).collect(),
         shear_modulus_mpa: law.shear_modulus_mpa(),
         fitted_to_stretch: rubber.fitted_to_stretch,
-        bulk_modulus_mpa: match muscle.tube().rubber.bulk {
+        bulk_modulus_mpa: match rubber.bulk {
             Bulk::Incompressible => None,
             Bulk::Modulus(k) => Some(k),
         },
@@ -428,11 +422,12 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
             .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
     });
     let measured: Vec<[f64; 4]> = built.map(|m| sizes(&m)).collect();
-    let highest_mpa = cases
-        .iter()
-        .flat_map(|case| &case.points)
-        .map(|p| p.at.pressure_mpa)
-        .fold(0.0, f64::max);
+    let highest_mpa = peak(
+        cases
+            .iter()
+            .flat_map(|case| &case.points)
+            .map(|p| p.at.pressure_mpa),
+    );
     let mut outside = vec![];
     for (i, (name, unit)) in SIZES.into_iter().enumerate() {
         let among = measured.iter().map(|sizes| sizes[i]);
@@ -510,7 +505,7 @@ fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFind
 impl CheckAnswer {
     /// The findings of a kind, in sentences with units; warnings are of the implausible, but for
     /// those of the burst pressure.
-    pub fn said(&self, kind: FindingKind, u: &Units) -> Vec<String> {
+    pub fn sentences(&self, kind: FindingKind, u: &Units) -> Vec<String> {
         let words = self.characteristics.as_ref().map(|c| &c.uncertainty_words);
         let warnings = self
             .warnings

@@ -11,6 +11,8 @@ use crate::{
 use mckibben::{
     analysis::Evaluation,
     answer::Options,
+    extremes::peak,
+    joined,
     model::{ForceModel, ModelError, Workspace},
     muscle::{Muscle, measures::END_FACTOR},
     progress::Progress,
@@ -159,11 +161,7 @@ impl ComparedModel {
         let stiffness = self
             .fitted_stiffness_n_per_mm
             .map(|v| format!("stiffness {} N/mm", number(v, 4)));
-        [modulus, end, stiffness]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join(", ")
+        joined([modulus, end, stiffness].into_iter().flatten(), ", ")
     }
 }
 
@@ -268,7 +266,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
             compared[0].row.errors.model.clone()
         },
         points: points.len(),
-        largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
+        largest_force_n: peak(points.iter().map(|p| p.force_n)),
         muscle: (&muscle).into(),
         understood,
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),

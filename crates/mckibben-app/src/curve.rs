@@ -15,6 +15,7 @@ use mckibben::{
     answer::{Answer, Options},
     cancel,
     curve::{Curve, CurvePoint, Test},
+    extremes::peak,
     muscle::{
         Direction, Muscle,
         measures::{LENGTH, OUTER_DIAMETER, WALL, fields},
@@ -92,7 +93,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
             steps(26, 0.0, 0.25)
         }
     })?;
-    let highest_mpa = pressures.iter().copied().fold(0.0, f64::max);
+    let highest_mpa = peak(pressures.iter().copied());
     let (fixed, along) = request.grid(&mut question, pressures)?;
     let branches: &[Direction] = if request.both {
         check_both(question.options, &question.muscle)?;
@@ -206,7 +207,7 @@ pub fn reach(
     closed: bool,
 ) -> Vec<f64> {
     const UNKNOWN: f64 = 0.2;
-    let highest = pressures.iter().copied().fold(0.0, f64::max);
+    let highest = peak(pressures.iter().copied());
     let model = evaluation.model;
     let (sign, range) = match (
         model.muscle().is_extensile(),

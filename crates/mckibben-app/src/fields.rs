@@ -5,6 +5,7 @@ use crate::{
     Problem,
     flags::{self, Args},
 };
+use mckibben::joined;
 pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
 use mckibben_fem::three_dimensional::{Match, Plug};
@@ -110,10 +111,11 @@ impl DataFields {
             Problem::refuse_unused(&used, "it belongs to tables, and no `data` are given")?;
         }
         let one = |(place, file): (usize, &TextFile)| {
-            let columns =
-                self.columns
-                    .clone()
-                    .with(&self.set, (place, self.data.len()), &file.name);
+            let columns = self.columns.clone().with_constants(
+                &self.set,
+                (place, self.data.len()),
+                &file.name,
+            );
             let (data, table) = columns
                 .and_then(|columns| read(&file.text, columns))
                 .map_err(|error| Problem::of_table(&file.name, &error))?;
@@ -130,11 +132,7 @@ impl DataFields {
 
     /// The tables by their names.
     pub fn names(&self) -> String {
-        self.data
-            .iter()
-            .map(|file| file.name.as_str())
-            .collect::<Vec<_>>()
-            .join(", ")
+        joined(self.data.iter().map(|file| file.name.as_str()), ", ")
     }
 }
 

@@ -5,6 +5,7 @@
 
 use crate::problem::{Problem, ProblemKind};
 use mckibben::{
+    joined,
     joint::JointKeys,
     muscle::file::{MuscleFile, schema_of},
     nearest::nearest,
@@ -39,12 +40,11 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
 /// ```
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
     let Some((name, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
-        let names: Vec<&str> = file_kinds().collect();
         let hint = nearest(kind, file_kinds())
             .map_or_else(String::new, |name| format!("did you mean {name}?"));
         let message = format!(
             "there is no file of kind \"{kind}\"; the kinds are {}",
-            names.join(", ")
+            joined(file_kinds(), ", ")
         );
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     };

@@ -1,4 +1,4 @@
-//! Files that users name, with those that they name, as requests hold them.
+//! Files that users name, together with the files named in them, as requests hold them.
 
 use crate::{
     ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,
@@ -19,12 +19,12 @@ impl TextFile {
         match field {
             "muscle" | "muscles" => Self::muscle(path),
             "data" | "table" | "tables" | "load_tables" | "log" => Self::table(path),
-            _ => Self::at(path),
+            _ => Self::read(path),
         }
     }
 
     /// A file written by hand: a joint, a plan.
-    pub fn at(path: &Path) -> Result<Self> {
+    pub fn read(path: &Path) -> Result<Self> {
         let text = file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
         Ok(Self {
             name: path.display().to_string(),
@@ -53,7 +53,7 @@ impl TextFile {
                 text: String::new(),
             });
         }
-        Self::at(path)
+        Self::read(path)
     }
 
     /// A muscle file that another file names: relative to that file, or of the library.
@@ -99,8 +99,8 @@ impl TextFile {
 
 impl JointFields {
     /// A joint file with its muscle files, which lie relative to it.
-    pub fn at(path: &Path) -> Result<Self> {
-        let joint = TextFile::at(path)?;
+    pub fn read(path: &Path) -> Result<Self> {
+        let joint = TextFile::read(path)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let mut names = Self::files_of(&joint)?;
         names.dedup();
@@ -118,7 +118,7 @@ impl JointFields {
 impl MotionRequest {
     /// With a drive file and the files that it names, which lie relative to it.
     pub fn with_drive(self, path: &Path) -> Result<Self> {
-        let drive = TextFile::at(path)?;
+        let drive = TextFile::read(path)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let names = Self::names_of(&drive)?;
         let table = |name: String| {
@@ -128,7 +128,7 @@ impl MotionRequest {
         let (muscle, joint) = match names.subject {
             Subject::Muscle(name) => (Some(TextFile::muscle_beside(folder, &name)?), self.joint),
             Subject::Joint(name) => {
-                let fields = JointFields::at(&folder.join(&name))?;
+                let fields = JointFields::read(&folder.join(&name))?;
                 (
                     None,
                     JointFields {
@@ -152,7 +152,7 @@ impl MotionRequest {
 /// library no identified one.
 pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
     let if_there = |name: &str| match folder.join(name) {
-        path if path.is_file() => TextFile::at(&path).map(|file| file.text),
+        path if path.is_file() => TextFile::read(&path).map(|file| file.text),
         _ => Ok(String::new()),
     };
     let name = std::fs::canonicalize(folder).ok();
@@ -161,7 +161,7 @@ pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
         name: name
             .map(|n| n.to_string_lossy().into_owned())
             .unwrap_or_default(),
-        case: TextFile::at(&folder.join("case.toml"))?.text,
+        case: TextFile::read(&folder.join("case.toml"))?.text,
         muscle: if_there("muscle.toml")?,
         points: TextFile::table(&folder.join("points.csv"))?.text,
         identified: if_there("identified.toml")?,
@@ -202,7 +202,7 @@ impl ExportRequest {
             "it belongs to a muscle, and the file is that of a joint",
         )?;
         Ok(ExportJointRequest {
-            joint: JointFields::at(path)?,
+            joint: JointFields::read(path)?,
             model: self.model.clone(),
             target: self.target.clone(),
             pressure_mpa: self.pressure_mpa,

@@ -151,7 +151,7 @@ mod parsers {
     pub fn rubber() -> Names<NameOrFile> {
         let read = |text: &str| {
             Ok(if text.to_lowercase().ends_with(".toml") {
-                NameOrFile::File(TextFile::at(Path::new(text))?)
+                NameOrFile::File(TextFile::read(Path::new(text))?)
             } else {
                 NameOrFile::Name(text.to_owned())
             })
@@ -193,7 +193,7 @@ mod parsers {
 
     /// A file written by hand.
     pub fn file(path: &str) -> Result<TextFile, Problem> {
-        TextFile::at(Path::new(path))
+        TextFile::read(Path::new(path))
     }
 
     /// A muscle file, or the name of a muscle.

@@ -12,6 +12,7 @@ use crate::{
 use mckibben::{
     analysis::{Evaluation, Options},
     clean::line,
+    joined,
     model::Workspace,
     muscle::{
         Muscle,
@@ -339,11 +340,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
-    let beyond = if kept {
-        beyond_data(&identified, &model)
-    } else {
-        None
-    };
+    let beyond = kept.then(|| beyond_data(&identified, &model)).flatten();
     let summary = MuscleSummary::from(&identified.muscle);
     let figure = request.figure.as_ref().map(|unit| {
         let about = format!(
@@ -545,7 +542,7 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
         };
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
-    parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+    joined(parameters.iter().map(one), ", ")
 }
 
 /// Where the points stretch the rubber beyond the data of its constants.

@@ -64,7 +64,7 @@ impl JointFields {
             MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
-        file.with(muscles)
+        file.with_muscles(muscles)
             .map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
     }
 }
@@ -144,21 +144,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         cancel::check()?;
     }
     let map = match request.map {
+        Some(count) => Some(solver.map(supply(request)?, count, progress)?),
         None => None,
-        Some(count) => {
-            let points = (count as f64).powi(joint.muscles().len() as i32);
-            size::points("map", points)?;
-            size::bytes("map", MAP_POINT_BYTES * points)?;
-            let supply = supply(request)?;
-            solver
-                .warnings
-                .extend(model.outside(supply)?.into_iter().map(Warning::from));
-            let map = model.map(supply, count, progress)?;
-            let gap = map.gaps.first();
-            let gap = gap.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason));
-            solver.warnings.extend(gap);
-            Some(map)
-        }
     };
     if rows.is_empty() && map.is_none() {
         let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
@@ -173,14 +160,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         .collect::<Result<Vec<_>, _>>()?;
     let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
-        let of = |row: &JointRow| {
-            if i == 0 {
-                Some(row.pressure_1_mpa)
-            } else {
-                row.pressure_2_mpa
-            }
-        };
-        rows.iter().filter_map(of).fold(supplied, f64::max)
+        rows.iter()
+            .filter_map(|row| [Some(row.pressure_1_mpa), row.pressure_2_mpa][i])
+            .fold(supplied, f64::max)
     };
     let said: Vec<Warning> = bursts
         .iter()
@@ -269,6 +251,19 @@ impl JointRequest {
 }
 
 impl Solver<'_> {
+    fn map(&mut self, supply_mpa: f64, count: usize, progress: &dyn Progress) -> Result<JointMap> {
+        let points = (count as f64).powi(self.workspaces.len() as i32);
+        size::points("map", points)?;
+        size::bytes("map", MAP_POINT_BYTES * points)?;
+        let outside = self.model.outside(supply_mpa)?;
+        self.warnings.extend(outside.into_iter().map(Warning::from));
+        let map = self.model.map(supply_mpa, count, progress)?;
+        let gap = map.gaps.first();
+        let gap = gap.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason));
+        self.warnings.extend(gap);
+        Ok(map)
+    }
+
     fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>> {
         request.validate()?;
         let families = &request.pressures_mpa;
@@ -352,7 +347,7 @@ impl Solver<'_> {
                 let angle_deg = rest.angle_deg();
                 let point = self
                     .model
-                    .at(workspaces, pressures, angle_deg, Turning::Mean)?;
+                    .point_at(workspaces, pressures, angle_deg, Turning::Mean)?;
                 let balance = matches!(rest, Rest::Balance { .. });
                 let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
                 rows.push(JointRow {
@@ -370,7 +365,7 @@ impl Solver<'_> {
             if !known {
                 return Ok(None);
             }
-            let there = self.model.at(
+            let there = self.model.point_at(
                 &mut self.workspaces,
                 &point.pressures_mpa,
                 point.angle_deg,

@@ -32,6 +32,7 @@
 #![cfg_attr(not(feature = "clap"), allow(unused_imports))]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod batch;
 mod braid;
 mod build;
 mod burst;
@@ -57,7 +58,6 @@ mod identify;
 mod joint;
 mod library;
 mod load;
-mod many;
 mod measured;
 mod model;
 mod motion;
@@ -82,6 +82,7 @@ mod validate;
 mod warnings;
 pub mod words;
 
+pub use batch::{ArrayError, BoundModel, Many, PointQuantity, with_parameters};
 pub use braid::*;
 pub use build::*;
 pub use burst::*;
@@ -108,7 +109,6 @@ pub use identify::*;
 pub use joint::*;
 pub use library::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
-pub use many::{ArrayError, BoundModel, Many, PointQuantity, with_parameters};
 pub use mckibben::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};

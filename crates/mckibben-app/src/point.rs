@@ -11,6 +11,7 @@ use crate::{
 use mckibben::{
     analysis::{Burst, Evaluation, source_of},
     answer::{Answer, Options},
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
     uncertainty::basis_of,
@@ -231,7 +232,7 @@ fn answered(
         })
         .collect::<Result<_>>()?;
     let all = std::iter::once(&point).chain(&branches);
-    let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
+    let highest_mpa = peak(all.map(|a| a.response.pressure_mpa));
     let background = question.background(&mut point, highest_mpa)?;
     Ok(PointAnswer {
         point,

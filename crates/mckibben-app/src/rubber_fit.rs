@@ -253,9 +253,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let softens = || form().and_then(|form| Ok(fit_softening(&history()?, form)?));
     let softening = request.softening.then(softens).transpose()?;
     let mut warnings = fit.warnings.clone();
-    if relaxation.is_some() && softening.is_some() {
-        warnings.push(APART.into());
-    }
+    let both = relaxation.as_ref().zip(softening.as_ref());
+    warnings.extend(both.map(|_| APART.into()));
     let mut answer = RubberFitAnswer {
         understood,
         points: fit.points.len(),

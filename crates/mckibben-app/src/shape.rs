@@ -92,7 +92,8 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let workspace = &mut Workspace::new();
-    let (point, shape_contraction, section) = at((&fe, &muscle), workspace, pressure_mpa, request)?;
+    let (point, shape_contraction, section) =
+        point_and_shape((&fe, &muscle), workspace, pressure_mpa, request)?;
     let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
     let arrays = stations.nodes.into_iter().chain(stations.strands);
@@ -109,7 +110,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
 }
 
 /// The point, and the shape there; that of a slack muscle at its free contraction.
-fn at(
+fn point_and_shape(
     (fe, muscle): (&Axisymmetric, &Muscle),
     workspace: &mut Workspace,
     pressure_mpa: f64,

@@ -1,7 +1,10 @@
 //! Units in which people are shown what is in mm, MPa and N inside.
 
 use crate::words::{aligned, half_width, number};
-use mckibben::units::{Dimension, Unit};
+use mckibben::{
+    joined,
+    units::{Dimension, Unit},
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::{borrow::Cow, fmt, str::FromStr};
@@ -230,8 +233,9 @@ impl Units {
                 units[i].get_or_insert(name);
             }
         }
-        let list: Vec<&str> = units.into_iter().flatten().collect();
-        list.join(",").parse().unwrap_or_default()
+        joined(units.into_iter().flatten(), ",")
+            .parse()
+            .unwrap_or_default()
     }
 
     /// A sentence of the layers below in these units: its quantities are those whose number a
@@ -306,12 +310,11 @@ impl FromStr for Units {
             .filter(|word| !word.is_empty())
         {
             let Some((i, unit)) = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?))) else {
-                let names: Vec<&str> = kinds.into_iter().flat_map(Dimension::unit_names).collect();
                 let word: String = word.chars().take(40).collect();
                 return Err(format!(
                     "\"{word}\" is not a unit of pressure, force or length; one of {}, or several \
                      with commas: psi,lbf,in",
-                    names.join(", ")
+                    joined(kinds.into_iter().flat_map(Dimension::unit_names), ", ")
                 ));
             };
             units[i] = unit;

@@ -1,4 +1,4 @@
-//! Sentences for a whole answer, once each, in place of one a point.
+//! Warnings of a whole answer: each once, not once for each point.
 
 use mckibben::{
     analysis::Evaluation,

@@ -1,6 +1,7 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
 use mckibben::{
+    joined,
     muscle::{BraidStiffness, Muscle},
     rubber::Law,
     units::trimmed,
@@ -25,7 +26,7 @@ pub fn within(v: f64, uncertainty: f64) -> String {
     const NO_UNCERTAINTY: i32 = -4;
     to_place(
         v,
-        if known(uncertainty) {
+        if is_known(uncertainty) {
             last_place(uncertainty)
         } else {
             NO_UNCERTAINTY
@@ -35,7 +36,7 @@ pub fn within(v: f64, uncertainty: f64) -> String {
 
 /// A ±: two digits.
 pub fn half_width(uncertainty: f64) -> String {
-    if known(uncertainty) {
+    if is_known(uncertainty) {
         to_place(uncertainty, last_place(uncertainty))
     } else {
         number(uncertainty, 2)
@@ -44,14 +45,14 @@ pub fn half_width(uncertainty: f64) -> String {
 
 /// A part of a ±: two digits, but none beyond a tenth of the last digit of the whole.
 pub fn part(v: f64, whole: f64) -> String {
-    if known(v) && known(whole) {
+    if is_known(v) && is_known(whole) {
         to_place(v, last_place(v).max(last_place(whole) - 1))
     } else {
         number(v, 2)
     }
 }
 
-fn known(uncertainty: f64) -> bool {
+fn is_known(uncertainty: f64) -> bool {
     uncertainty > 0.0 && uncertainty.is_finite()
 }
 
@@ -101,11 +102,11 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
 
 /// Texts with commas between.
 pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
-    texts.into_iter().collect::<Vec<_>>().join(", ")
+    joined(texts, ", ")
 }
 
 /// The name of a file, on one line.
-pub fn place(path: &Path) -> String {
+pub fn path_on_one_line(path: &Path) -> String {
     path.display().to_string().replace('\n', "\\n")
 }
 
@@ -132,16 +133,12 @@ pub fn rubber_name(m: &Muscle) -> String {
 
 /// A law with its constants.
 pub fn law_text(law: &Law) -> String {
-    let constants: Vec<String> = law
-        .constants()
-        .into_iter()
-        .map(|c| {
-            format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit())
-                .trim_end()
-                .to_owned()
-        })
-        .collect();
-    format!("{} ({})", law.name(), constants.join(", "))
+    let constants = law.constants().into_iter().map(|c| {
+        format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit())
+            .trim_end()
+            .to_owned()
+    });
+    format!("{} ({})", law.name(), joined(constants, ", "))
 }
 
 /// The braid in one word or figure.

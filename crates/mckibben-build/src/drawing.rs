@@ -7,6 +7,7 @@ use crate::{
     text::{mm, percent, significant, trimmed},
     view::{View, diameter},
 };
+use mckibben::extremes::peak;
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -22,7 +23,10 @@ struct Body<'a> {
     plan: &'a Plan,
     /// Half of the free length.
     half: f64,
-    /// Radius over the sleeve, and over clamps or collar.
+    /// The same to the end of the clamped length.
+    end: f64,
+    /// Radius over the clamped sleeve, the free one, and clamps or collar.
+    clamped: f64,
     sleeve: f64,
     widest: f64,
     /// From the ends of the free length to the ends of the plugs.
@@ -32,18 +36,17 @@ struct Body<'a> {
 
 impl<'a> Body<'a> {
     fn new(plan: &'a Plan) -> Self {
-        let head = plan
-            .air_plug
-            .head()
-            .iter()
-            .map(|p| p[0])
-            .fold(0.0, f64::max);
+        let head = peak(plan.air_plug.head().iter().map(|p| p[0]));
         let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
+        let half = 0.5 * plan.muscle.length_mm();
+        let clamped = 0.5 * plan.clamped_diameter_mm;
         Self {
             plan,
-            half: 0.5 * plan.muscle.length_mm(),
+            half,
+            end: half + plan.air_plug.stem.length_mm,
+            clamped,
             sleeve: 0.5 * plan.over_sleeve_mm,
-            widest: (0.5 * plan.clamped_diameter_mm + 1.5).max(collar).max(head),
+            widest: (clamped + 1.5).max(collar).max(head),
             left: plan.air_plug.length_mm(),
             right: plan.eye_plug.length_mm(),
         }
@@ -109,16 +112,14 @@ pub fn on_paper(plan: &Plan) -> Sheet {
 
 /// The muscle at rest: above the axis in section, below it from outside.
 fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
-    let plan = body.plan;
-    let half = body.half;
-    let cut = &plan.cut;
-    let stem = &plan.air_plug.stem;
+    let Body {
+        plan, half, end, ..
+    } = *body;
     let ro = 0.5 * plan.muscle.outer_diameter_mm();
     let ri = 0.5 * plan.muscle.inner_diameter_mm();
-    let inner = 0.5 * stem.diameter_mm;
-    let wall = cut.tube_wall_mm;
-    let outer = 0.5 * plan.clamped_diameter_mm;
-    let end = half + stem.length_mm;
+    let inner = 0.5 * plan.air_plug.stem.diameter_mm;
+    let wall = plan.cut.tube_wall_mm;
+    let outer = body.clamped;
     axis(v, half + body.left, half + body.right);
     v.cut((-half, half), (ri, ro), true);
     v.cut((-half, half), (ro, body.sleeve), false);
@@ -159,7 +160,20 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     strands(body, v);
     clamps(body, v, false);
     heads(body, v, 0.0, true);
-    // Dimensions.
+    measures_at_rest(body, v, (ri, ro));
+    label(v, body.widest, 15.5, "At rest, without pressure");
+}
+
+/// Dimensions, the plane of the section, and the numbers of the parts.
+fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
+    let Body {
+        plan,
+        half,
+        end,
+        clamped: outer,
+        ..
+    } = *body;
+    let stem = &plan.air_plug.stem;
     let row = v.scale * body.widest + 5.0;
     let clamped = mm(stem.length_mm);
     v.across(
@@ -182,7 +196,7 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     let plane = 0.5 * half;
     for sign in [-1.0, 1.0] {
         let edge = sign * body.sleeve;
-        let [x, y] = v.at(plane, edge);
+        let [x, y] = v.on_sheet(plane, edge);
         v.sheet
             .line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
         v.sheet
@@ -212,10 +226,9 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
             5 => 1.0,
             _ => 5.0,
         };
-        let x = v.at(to[0], to[1])[0] + beside;
+        let x = v.on_sheet(to[0], to[1])[0] + beside;
         v.balloon(to, [x, low], number);
     }
-    label(v, body.widest, 15.5, "At rest, without pressure");
 }
 
 /// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end
@@ -224,7 +237,7 @@ fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
     let half = body.half;
     let stem = &body.plan.air_plug.stem;
     let collar = 0.5 * stem.collar_diameter_mm;
-    let from = half + stem.length_mm;
+    let from = body.end;
     let top = half + stem.top_mm();
     let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
     let head = body.plan.air_plug.head();
@@ -264,7 +277,7 @@ fn axis(v: &mut View<'_>, left: f64, right: f64) {
 /// Ties in their grooves, or ferrules, on one side of the axis.
 fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
     let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
-    let outer = 0.5 * plan.clamped_diameter_mm;
+    let outer = body.clamped;
     let bands: Vec<(f64, f64)> = match plan.clamps {
         Clamps::Ties { width_mm, .. } => {
             let start = |s: f64| s + 0.5 * (stem.groove_width_mm - width_mm);
@@ -352,8 +365,8 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
             .iter()
             .rev()
             .map(|[z, r]| [middle - z.abs(), sign * (r + thickness)]);
-        let outer = sign * 0.5 * plan.clamped_diameter_mm;
-        let end = half + plan.air_plug.stem.length_mm;
+        let outer = sign * body.clamped;
+        let end = body.end;
         let all: Vec<[f64; 2]> = [[-end, outer], [-half, outer]]
             .into_iter()
             .chain(left)
@@ -370,7 +383,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
         &diameter(2.0 * widest),
     );
     let row = -(v.scale * widest.max(body.widest) + 6.0);
-    let clamp = -0.5 * plan.clamped_diameter_mm;
+    let clamp = -body.clamped;
     v.across(
         (-half, half - stroke),
         (clamp, clamp),
@@ -425,7 +438,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
             &diameter(d),
         );
     }
-    let [x, y] = v.at(0.0, 0.5 * over);
+    let [x, y] = v.on_sheet(0.0, 0.5 * over);
     let text = format!("A–A  ({})", ratio(v.scale));
     v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
 }

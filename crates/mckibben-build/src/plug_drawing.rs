@@ -29,82 +29,18 @@ pub fn on_paper(plan: &Plan) -> Sheet {
     let gap = (right - left - widths[0] - widths[1]) / 3.0;
     let places = [left + gap, left + 2.0 * gap + widths[0]];
 
-    let mut v = View {
-        sheet: &mut sheet,
-        origin: [places[0], y],
-        scale,
-    };
-    let across = |profile: Vec<[f64; 2]>, sign: f64| -> Vec<[f64; 2]> {
-        profile.into_iter().map(|[r, z]| [z, sign * r]).collect()
-    };
-    for sign in [-1.0, 1.0] {
-        let section = across(air.profile(), sign);
-        v.outline(Pen::Outline, &section);
-        v.hatch(&[section], sign > 0.0);
-    }
-    // Edges that one sees behind the section.
-    let mut behind = vec![0.0, air.length_mm()];
-    behind.extend(air.head().iter().skip(2).map(|p| p[1]));
-    for x in behind {
-        let inner = if x == 0.0 {
-            0.5 * air.passage_mm
-        } else {
-            hole_at(plan, x)
+    let plugs = ["3  air plug", "4  eye plug"]
+        .into_iter()
+        .zip([air_plug, eye_plug]);
+    for (x, (name, draw)) in places.into_iter().zip(plugs) {
+        let mut view = View {
+            sheet: &mut sheet,
+            origin: [x, y],
+            scale,
         };
-        v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
+        let about = draw(plan, &mut view);
+        names(&mut view, head, &[name, &about]);
     }
-    stem(&mut v, &air.stem, air.length_mm());
-    let what = match (air.fitting, air.fitting.thread_mm()) {
-        (thread, Some((drill, depth, boss))) => {
-            format!(
-                "{thread}: hole {}, {} deep; boss {}; passage {}",
-                diameter(drill),
-                mm(depth),
-                diameter(boss),
-                diameter(air.passage_mm)
-            )
-        }
-        (Fitting::Barb { bore_mm }, _) => {
-            format!(
-                "barb {} for a hose with a bore of {}; passage {}",
-                diameter(1.2 * bore_mm),
-                mm(bore_mm),
-                diameter(air.passage_mm)
-            )
-        }
-        // Threads are above.
-        _ => String::new(),
-    };
-    names(&mut v, head, &["3  air plug", &what]);
-
-    let mut v = View {
-        sheet: &mut sheet,
-        origin: [places[1], y],
-        scale,
-    };
-    let top = eye.stem.top_mm();
-    let mut all = across(eye.stem.profile(), 1.0);
-    all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
-    v.outline(Pen::Outline, &all);
-    v.hatch(&[all], true);
-    v.eye(eye, top, 0.7);
-    stem(&mut v, &eye.stem, eye.length_mm());
-    let half = 0.5 * eye.stem.collar_diameter_mm;
-    v.across(
-        (top, top + eye.centre_mm),
-        (-half, -0.5 * eye.width_mm),
-        -(scale * half + 6.0),
-        &mm(eye.centre_mm),
-    );
-    let text = format!(
-        "eye for M{}: hole {}, {} wide, {} thick",
-        mm(eye.bolt_mm),
-        diameter(eye.hole_mm),
-        mm(eye.width_mm),
-        mm(eye.thickness_mm)
-    );
-    names(&mut v, head, &["4  eye plug", &text]);
-
     let stem = &air.stem;
     let notes = [
         format!(
@@ -133,6 +69,79 @@ pub fn on_paper(plan: &Plan) -> Sheet {
         );
     }
     sheet
+}
+
+/// Draws the air plug, and says what it has.
+fn air_plug(plan: &Plan, v: &mut View<'_>) -> String {
+    let air = &plan.air_plug;
+    for sign in [-1.0, 1.0] {
+        let section = across(air.profile(), sign);
+        v.outline(Pen::Outline, &section);
+        v.hatch(&[section], sign > 0.0);
+    }
+    // Edges that one sees behind the section.
+    let mut behind = vec![0.0, air.length_mm()];
+    behind.extend(air.head().iter().skip(2).map(|p| p[1]));
+    for x in behind {
+        let inner = if x == 0.0 {
+            0.5 * air.passage_mm
+        } else {
+            hole_at(plan, x)
+        };
+        v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
+    }
+    stem(v, &air.stem, air.length_mm());
+    let passage = diameter(air.passage_mm);
+    match (air.fitting, air.fitting.thread_mm()) {
+        (thread, Some((drill, depth, boss))) => {
+            format!(
+                "{thread}: hole {}, {} deep; boss {}; passage {passage}",
+                diameter(drill),
+                mm(depth),
+                diameter(boss),
+            )
+        }
+        (Fitting::Barb { bore_mm }, _) => {
+            format!(
+                "barb {} for a hose with a bore of {}; passage {passage}",
+                diameter(1.2 * bore_mm),
+                mm(bore_mm),
+            )
+        }
+        // Threads are above.
+        _ => String::new(),
+    }
+}
+
+/// Draws the eye plug, and says what it has.
+fn eye_plug(plan: &Plan, v: &mut View<'_>) -> String {
+    let eye = &plan.eye_plug;
+    let top = eye.stem.top_mm();
+    let mut all = across(eye.stem.profile(), 1.0);
+    all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
+    v.outline(Pen::Outline, &all);
+    v.hatch(&[all], true);
+    v.eye(eye, top, 0.7);
+    stem(v, &eye.stem, eye.length_mm());
+    let half = 0.5 * eye.stem.collar_diameter_mm;
+    v.across(
+        (top, top + eye.centre_mm),
+        (-half, -0.5 * eye.width_mm),
+        -(v.scale * half + 6.0),
+        &mm(eye.centre_mm),
+    );
+    format!(
+        "eye for M{}: hole {}, {} wide, {} thick",
+        mm(eye.bolt_mm),
+        diameter(eye.hole_mm),
+        mm(eye.width_mm),
+        mm(eye.thickness_mm)
+    )
+}
+
+/// A profile of radius and height on one side of the horizontal axis of the sheet.
+fn across(profile: Vec<[f64; 2]>, sign: f64) -> Vec<[f64; 2]> {
+    profile.into_iter().map(|[r, z]| [z, sign * r]).collect()
 }
 
 /// Radius of the hole of the air plug at the edges of its section, in mm.

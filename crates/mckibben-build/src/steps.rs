@@ -5,7 +5,7 @@ use crate::{
     safety::relief_mpa,
     text::{mm, percent, significant, trimmed},
 };
-use mckibben::clean;
+use mckibben::{clean, joined};
 use mckibben_io::{files::File, template::render};
 
 type Values = Vec<(&'static str, String)>;
@@ -55,10 +55,8 @@ pub fn markdown(plan: &Plan, files: &[File]) -> String {
 
 fn cut_list(plan: &Plan) -> Values {
     let (cut, sleeve) = (&plan.cut, &plan.cut.sleeve);
-    let row = |cell: &dyn Fn(&SleeveLength) -> String| {
-        let cells: Vec<String> = sleeve.by_diameter.iter().map(cell).collect();
-        cells.join(" | ")
-    };
+    let row =
+        |cell: &dyn Fn(&SleeveLength) -> String| joined(sleeve.by_diameter.iter().map(cell), " | ");
     let stretch = plan.muscle.tube().prestretch;
     let mut values = vec![
         ("tube", mm(cut.tube_mm)),
@@ -110,14 +108,13 @@ fn bill(plan: &Plan) -> Values {
                 .map_or_else(dash, |price| clean::markdown(price))
         )
     };
-    let rows: Vec<String> = plan.parts.iter().map(row).collect();
     let sources = plan.parts.iter().filter_map(|p| p.source.as_ref());
     let sources: Vec<String> = sources
         .map(|source| format!("- {}", clean::markdown(source)))
         .collect();
     let mut values = vec![
         ("mass", significant(plan.mass_g(), 3)),
-        ("parts", rows.join("\n")),
+        ("parts", joined(plan.parts.iter().map(row), "\n")),
     ];
     values.extend((!sources.is_empty()).then(|| ("sources", sources.join("\n"))));
     values

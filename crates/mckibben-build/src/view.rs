@@ -25,7 +25,7 @@ pub struct View<'a> {
 
 impl View<'_> {
     /// Where a point of the body lies on the sheet.
-    pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub fn on_sheet(&self, x: f64, y: f64) -> [f64; 2] {
         [
             self.origin[0] + self.scale * x,
             self.origin[1] + self.scale * y,
@@ -33,12 +33,12 @@ impl View<'_> {
     }
 
     pub fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
-        let points: Vec<_> = points.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        let points: Vec<_> = points.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
         self.sheet.line(pen, points);
     }
 
     pub fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
-        let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
+        let corners: Vec<_> = corners.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
         self.sheet.outline(pen, corners);
     }
 
@@ -57,7 +57,7 @@ impl View<'_> {
         let x = foot + eye.centre_mm;
         self.sheet.circle(
             Pen::Outline,
-            self.at(x, 0.0),
+            self.on_sheet(x, 0.0),
             0.5 * eye.hole_mm * self.scale,
         );
         self.line(
@@ -70,7 +70,7 @@ impl View<'_> {
     pub fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
         let corners = [[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]];
         if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
-            let corners: Vec<_> = corners.iter().map(|[x, y]| self.at(*x, *y)).collect();
+            let corners: Vec<_> = corners.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
             return self.sheet.fill(corners);
         }
         self.outline(Pen::Outline, &corners);
@@ -82,7 +82,7 @@ impl View<'_> {
         let edges: Vec<[[f64; 2]; 2]> = loops
             .iter()
             .flat_map(|l| (0..l.len()).map(move |i| [l[i], l[(i + 1) % l.len()]]))
-            .map(|edge| edge.map(|[x, y]| self.at(x, y)))
+            .map(|edge| edge.map(|[x, y]| self.on_sheet(x, y)))
             .collect();
         let sign = if rising { 1.0 } else { -1.0 };
         // Lines y − sign x = c.
@@ -112,20 +112,30 @@ impl View<'_> {
     /// A horizontal dimension between x of the body; its line lies at `row`, in mm on paper from
     /// the axis. Extension lines begin at `from` of the body.
     pub fn across(&mut self, x: (f64, f64), from: (f64, f64), row: f64, text: &str) {
-        self.extended([self.at(x.0, from.0), self.at(x.1, from.1)], 1, row, text);
+        self.extended(
+            [self.on_sheet(x.0, from.0), self.on_sheet(x.1, from.1)],
+            1,
+            row,
+            text,
+        );
     }
 
     /// A vertical dimension between y of the body at a place x of the body, inside of it.
     pub fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
-        let a = self.at(x, y.0);
-        let b = self.at(x, y.1);
+        let a = self.on_sheet(x, y.0);
+        let b = self.on_sheet(x, y.1);
         dimension(self.sheet, a, b, text);
     }
 
     /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the
     /// origin.
     pub fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
-        self.extended([self.at(from, y.0), self.at(from, y.1)], 0, column, text);
+        self.extended(
+            [self.on_sheet(from, y.0), self.on_sheet(from, y.1)],
+            0,
+            column,
+            text,
+        );
     }
 
     /// A dimension whose line lies at `offset` from the origin along a coordinate, with extension
@@ -151,7 +161,7 @@ impl View<'_> {
 
     /// A number in a circle with a line to a point of the body.
     pub fn balloon(&mut self, to: [f64; 2], at: [f64; 2], number: u32) {
-        let to = self.at(to[0], to[1]);
+        let to = self.on_sheet(to[0], to[1]);
         let radius = 3.0;
         let length = (to[0] - at[0]).hypot(to[1] - at[1]).max(1e-9);
         let edge = [0, 1].map(|k| at[k] + radius * (to[k] - at[k]) / length);

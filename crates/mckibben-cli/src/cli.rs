@@ -8,7 +8,7 @@ use crate::{
     },
 };
 use clap::{Arg, ArgAction, ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
-use mckibben::units::NamedUnit;
+use mckibben::{joined, units::NamedUnit};
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the \
     computation did not converge; 130 ended by a signal.";
@@ -298,7 +298,7 @@ fn first_example(all: &str) -> String {
         seen += usize::from(starts(line));
         seen < 2
     });
-    let first = lines.collect::<Vec<_>>().join("\n");
+    let first = joined(lines, "\n");
     first.replacen("Examples:", "Example:", 1)
 }
 

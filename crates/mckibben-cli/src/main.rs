@@ -6,6 +6,7 @@
 mod clean;
 mod cli;
 mod commands;
+mod display_units;
 mod format;
 mod output;
 mod plot;
@@ -13,7 +14,6 @@ mod problem;
 mod progress;
 mod quantities;
 mod quotes;
-mod shown;
 mod typed;
 
 use clap::FromArgMatches;
@@ -22,7 +22,7 @@ use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use output::{
     Output, check_ending, emit, ending, overwrite, print_page, save, save_all, save_inside,
-    text::place, warn,
+    text::path_on_one_line, warn,
 };
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
@@ -53,7 +53,7 @@ fn main() -> ExitCode {
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
         typed::take(&root, Some(&matches));
-        shown::take();
+        display_units::take();
         // A server ends by itself, when its requests have ended.
         if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();

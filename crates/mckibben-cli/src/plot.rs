@@ -51,7 +51,7 @@ fn width(text: &str) -> Result<Length, Problem> {
 impl Plot {
     /// The units of the figure, where one is to be written.
     pub fn wanted(&self) -> Option<Units> {
-        self.plot.as_ref().map(|_| crate::shown::units())
+        self.plot.as_ref().map(|_| crate::display_units::units())
     }
 
     /// Writes the figure of an answer, where a file is named for it.

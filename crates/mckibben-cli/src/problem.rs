@@ -2,14 +2,14 @@
 //! of the command line.
 
 use crate::{
-    clean,
+    clean, display_units,
     output::plain,
     quantities::unit_hint,
-    shown,
     typed::{flag_of, in_flags},
 };
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use mckibben::{
+    joined,
     muscle::measures::MEASURES,
     units::{QuantityError, RangeError},
 };
@@ -71,12 +71,12 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
     // The sentence and the indented lines below it; usage follows after an empty line.
-    let lines: Vec<&str> = text
-        .lines()
-        .take_while(|l| !l.trim().is_empty())
-        .map(str::trim)
-        .collect();
-    let message = lines.join(" ");
+    let message = joined(
+        text.lines()
+            .take_while(|l| !l.trim().is_empty())
+            .map(str::trim),
+        " ",
+    );
     Problem::new(
         ProblemKind::Usage,
         message.trim_start_matches("error: "),
@@ -128,7 +128,8 @@ pub fn in_words(mut problem: Problem) -> Problem {
 
 /// `error: …`, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem) -> String {
-    let [message, hint] = [&problem.message, &problem.hint].map(|text| shown::sentence(text));
+    let [message, hint] =
+        [&problem.message, &problem.hint].map(|text| display_units::sentence(text));
     let message = clean::line(&message);
     let hint = clean::line(&hint);
     if hint.is_empty() {

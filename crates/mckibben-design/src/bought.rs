@@ -45,7 +45,6 @@ pub struct Bought {
 /// A muscle as sold.
 #[derive(Debug, Clone)]
 pub struct Product<'a> {
-    /// Its name.
     pub name: String,
     /// What its seller calls it.
     pub product: &'a str,

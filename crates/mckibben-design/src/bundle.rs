@@ -10,6 +10,7 @@
 use crate::{Build, Candidate, CandidatePoint, OperatingPoint, Spec};
 use mckibben::{
     analysis::{Evaluation, Options, bisect},
+    extremes::peak,
     model::{ForceModel, ThickWall, Workspace},
 };
 use serde::Serialize;
@@ -61,11 +62,7 @@ impl Bundle {
     /// The contraction at which neighbours touch, and the largest that is wanted, where that is
     /// beyond.
     pub fn touches_before(&self) -> Option<(f64, f64)> {
-        let largest = self
-            .points
-            .iter()
-            .map(|q| q.wanted.contraction)
-            .fold(0.0, f64::max);
+        let largest = peak(self.points.iter().map(|q| q.wanted.contraction));
         let touch = self.touch_contraction?;
         (touch < largest - 1e-6).then_some((touch, largest))
     }

@@ -7,6 +7,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Burst, Evaluation, burst},
+    extremes::peak,
     model::{ModelError, Response},
     muscle::Muscle,
 };
@@ -93,42 +94,51 @@ impl Candidate {
     }
 }
 
+/// The muscle at an operating point; adds the quantities that the thick-wall model gave.
+fn point_of(
+    trial: &mut Trial<'_>,
+    wanted: OperatingPoint,
+    from_thick_wall: &mut Vec<&'static str>,
+) -> Result<CandidatePoint, ModelError> {
+    let spec = trial.spec;
+    let contraction = wanted.contraction;
+    let available_n = trial.strongest_n(contraction)?;
+    let pressure_mpa = trial.need(&wanted)?;
+    let (mut response, filled) = trial.full_response(pressure_mpa, contraction)?;
+    response.pressure_mpa = pressure_mpa;
+    response.force_n = match spec.guaranteed {
+        None => wanted.force_n,
+        Some(_) => trial.evaluation().force_n(pressure_mpa, contraction)?,
+    };
+    from_thick_wall.extend(filled);
+    let (stroke, helped) = trial.stroke(pressure_mpa, contraction);
+    if helped {
+        from_thick_wall.push(if spec.liquid.is_some() {
+            "liquid volume"
+        } else {
+            "air"
+        });
+    }
+    Ok(CandidatePoint {
+        force_at_max_pressure_n: available_n,
+        margin: available_n / wanted.force_n - 1.0,
+        response,
+        wanted,
+        air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
+        liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
+        uncertainty_n: trial.uncertainty_n((pressure_mpa, contraction), response.force_n),
+    })
+}
+
 /// Everything about a muscle that fits, as its probe says.
 pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
     let Trial { spec, muscle, .. } = trial;
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let wanted = spec.points(muscle);
-    let mut points = Vec::with_capacity(wanted.len());
-    for point in wanted.iter() {
-        let available_n = trial.strongest_n(point.contraction)?;
-        let pressure_mpa = trial.need(point)?;
-        let (mut response, filled) = trial.full_response(pressure_mpa, point.contraction)?;
-        response.pressure_mpa = pressure_mpa;
-        response.force_n = match spec.guaranteed {
-            None => point.force_n,
-            Some(_) => trial
-                .evaluation()
-                .force_n(pressure_mpa, point.contraction)?,
-        };
-        from_thick_wall.extend(filled);
-        let (stroke, helped) = trial.stroke(pressure_mpa, point.contraction);
-        if helped {
-            from_thick_wall.push(if spec.liquid.is_some() {
-                "liquid volume"
-            } else {
-                "air"
-            });
-        }
-        points.push(CandidatePoint {
-            force_at_max_pressure_n: available_n,
-            margin: available_n / point.force_n - 1.0,
-            response,
-            wanted: *point,
-            air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
-            liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
-            uncertainty_n: trial.uncertainty_n((pressure_mpa, point.contraction), response.force_n),
-        });
-    }
+    let points = wanted
+        .iter()
+        .map(|point| point_of(&mut trial, *point, &mut from_thick_wall))
+        .collect::<Result<Vec<_>, _>>()?;
     let blocked_force_n = trial.strongest_n(0.0)?;
     let max = trial.highest_mpa;
     let free = trial.evaluation().free_contraction(max).ok().or_else(|| {
@@ -143,10 +153,7 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
-    let pressure_mpa = points
-        .iter()
-        .map(|p| p.response.pressure_mpa)
-        .fold(0.0, f64::max);
+    let pressure_mpa = peak(points.iter().map(|p| p.response.pressure_mpa));
     let mut spare: Vec<(Limit, f64)> = probe
         .checks
         .iter()

@@ -32,6 +32,12 @@ const BEST: usize = 8;
 const SETTLED: usize = 5;
 const CLOSE: f64 = 1.06;
 
+/// The infinitely long muscle alone.
+const ROUGH: Models<'static> = Models {
+    search: THICK_WALL,
+    settle: None,
+};
+
 /// A radius with what it gave.
 type Tried = (f64, Merit);
 
@@ -54,20 +60,17 @@ pub fn design_joint(
     };
     let by_parts = !spec.tubes.is_empty() && sections > 0;
     let quiet = &CancelOnly(progress);
+    let found_on = |radius_mm: f64| {
+        let spec = with(radius_mm);
+        design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
+    };
     let coarse = models.settle.is_some() && sections > 0;
     let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;
     let mut first_error = None;
     // The best radius hardly depends on the model: where another one settles, the infinitely long
     // muscle says about where it lies.
-    let roughly = if coarse {
-        Models {
-            search: THICK_WALL,
-            settle: None,
-        }
-    } else {
-        models
-    };
+    let roughly = if coarse { ROUGH } else { models };
     let mut tried = |radius_mm: f64, models: Models<'_>| -> (Merit, Vec<Pick>) {
         progress.report(done, total);
         done += 1;
@@ -91,34 +94,25 @@ pub fn design_joint(
             }
         }
     };
-    let looked: Vec<(Merit, Vec<Pick>)> = places.iter().map(|&r| tried(r, roughly)).collect();
-    let samples: Vec<Tried> = places
-        .iter()
-        .zip(&looked)
-        .map(|(&r, look)| (r, look.0))
-        .collect();
+    let sample = |&radius_mm: &f64| {
+        let (merit, near) = tried(radius_mm, roughly);
+        ((radius_mm, merit), near)
+    };
+    let (samples, near): (Vec<Tried>, Vec<Vec<Pick>>) = places.iter().map(sample).unzip();
     let best = least(&samples, |t| t.1).filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
             _ if progress.cancelled() => Err(Cancelled.into()),
             Some(error) => Err(error),
             // No muscle at all: the search of the first radius says why.
-            None => {
-                let spec = with(places.first().copied().unwrap_or_default());
-                design_with(&spec, models, progress).map(|outcome| (spec, outcome))
-            }
+            None => found_on(places.first().copied().unwrap_or_default()),
         };
     };
     let mut chosen = samples[i];
     let mut tried = |r: f64, models: Models<'_>| (r, tried(r, models).0);
     if by_parts {
-        let mut picks: Vec<Pick> = vec![];
-        for pick in looked.into_iter().flat_map(|look| look.1) {
-            if !picks.contains(&pick) {
-                picks.push(pick);
-            }
-        }
-        chosen = along_radius(&picks, radius_mm.bounds(), spec, models, quiet).unwrap_or(chosen);
+        let near = near.concat();
+        chosen = along_radius(&near, radius_mm.bounds(), spec, models, quiet).unwrap_or(chosen);
     }
     // Where nothing fits the remedies are those of the radius at which all limits together are
     // missed by least.
@@ -141,8 +135,7 @@ pub fn design_joint(
             found
         };
     }
-    let spec = with(chosen.0);
-    design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
+    found_on(chosen.0)
 }
 
 fn on_radius(spec: &Spec, radius_mm: f64) -> Spec {
@@ -156,12 +149,18 @@ fn on_radius(spec: &Spec, radius_mm: f64) -> Spec {
 /// Each muscle alone over all radii, as its windows may be narrower than the step from sample to
 /// sample: the radius of the best one.
 fn along_radius(
-    picks: &[Pick],
+    near: &[Pick],
     (low, high): (f64, f64),
     spec: &Spec,
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Option<Tried> {
+    let mut picks: Vec<Pick> = vec![];
+    for pick in near {
+        if !picks.contains(pick) {
+            picks.push(*pick);
+        }
+    }
     let search = Search::new(spec, models, progress);
     let held = searched(&spec.without_parts(), models);
     let at = |radius_mm: f64, build: &Build<'_>, muscle: &Muscle| {
@@ -184,7 +183,7 @@ fn along_radius(
         Some((merit(best), best.x, muscle))
     };
     let mut all: Vec<(Merit, f64, Muscle)> =
-        threads::map(picks, about).into_iter().flatten().collect();
+        threads::map(&picks, about).into_iter().flatten().collect();
     all.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
     all.truncate(SETTLED);
     let settled = |(_, radius_mm, muscle): &(Merit, f64, Muscle)| {

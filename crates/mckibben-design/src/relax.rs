@@ -97,7 +97,7 @@ impl<'a> Misses<'a> {
                 muscle: &muscle,
                 proven,
             };
-            let (mut trial, probe) = miss.held()?;
+            let (mut trial, probe) = miss.probed()?;
             let (ask, mut changes) = miss.together(&mut trial, &probe)?;
             if share < 1.0 {
                 let points = spec.points(&muscle).into_owned();
@@ -136,7 +136,7 @@ impl<'a> Misses<'a> {
                 muscle: &muscle,
                 proven: false,
             };
-            let (mut trial, probe) = miss.held()?;
+            let (mut trial, probe) = miss.probed()?;
             let kinds = miss
                 .kinds(&trial, &probe, *place < NEAREST)
                 .into_iter()
@@ -203,7 +203,7 @@ impl<'a> Misses<'a> {
             muscle: &muscle,
             proven: true,
         };
-        let (mut trial, probe) = miss.held()?;
+        let (mut trial, probe) = miss.probed()?;
         change(&miss, &mut trial, &probe)
     }
 }
@@ -219,7 +219,7 @@ struct Miss<'a> {
 }
 
 impl Miss<'_> {
-    fn held(&self) -> Option<(Trial<'_>, Probe)> {
+    fn probed(&self) -> Option<(Trial<'_>, Probe)> {
         let mut trial = Trial::new(self.spec, self.build, self.muscle).ok()?;
         let probe = probe_with(&mut trial, false).ok()?;
         Some((trial, probe))

@@ -1,7 +1,10 @@
 //! A change of a specification: what it does, and how it is said.
 
 use crate::{Demand, Lift, OperatingPoint, Spec, bundle::envelope_ratio, limits::check::Show};
-use mckibben::units::{Dimension, Values, rounded, tidy};
+use mckibben::{
+    joined,
+    units::{Dimension, Values, rounded, tidy},
+};
 use serde::Serialize;
 
 /// A change of the specification with which a muscle fits.
@@ -114,18 +117,6 @@ impl Relaxation {
     /// The sentence, with pressures, forces and lengths written by `show`. `spec` is the one that
     /// it changes.
     pub fn describe(&self, spec: &Spec, show: Show<'_>) -> String {
-        let wanted = &spec.wanted;
-        let count = f64::from(spec.count);
-        let points = |points: &[OperatingPoint]| {
-            let one = |q: &OperatingPoint| {
-                format!(
-                    "{} at {}",
-                    show(Dimension::Force, count * q.force_n),
-                    percent(q.contraction)
-                )
-            };
-            points.iter().map(one).collect::<Vec<_>>().join(" and ")
-        };
         match self {
             Self::MaxPressure {
                 pressure_mpa,
@@ -141,40 +132,16 @@ impl Relaxation {
                     show(Dimension::Pressure, *pressure_mpa)
                 )
             }
-            Self::Force {
-                points: list,
-                share,
-            } => match wanted {
-                Demand::Points(_) => format!("reduce the pull to {}", points(list)),
-                Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
-                Demand::Joint(joint) => {
-                    let torques = joint.torques.iter().map(|t| {
-                        format!(
-                            "{} N m at ±{}°",
-                            tidy(count * share * t.torque_nm, 5),
-                            tidy(t.angle_deg, 4)
-                        )
-                    });
-                    format!(
-                        "reduce the torque to {}",
-                        torques.collect::<Vec<_>>().join(" and ")
-                    )
-                }
-            },
-            Self::Contraction {
-                points: list,
-                share,
-            } => match wanted {
+            Self::Force { points, share } => less_pull(spec, points, *share, show),
+            Self::Contraction { points, share } => match spec.wanted {
                 Demand::Load {
                     way: Lift::Stroke(stroke_mm),
                     ..
-                } => {
-                    format!(
-                        "reduce the stroke to {}",
-                        show(Dimension::Length, share * stroke_mm)
-                    )
-                }
-                _ => format!("reduce the contraction: {}", points(list)),
+                } => format!(
+                    "reduce the stroke to {}",
+                    show(Dimension::Length, share * stroke_mm)
+                ),
+                _ => format!("reduce the contraction: {}", listed(spec, points, show)),
             },
             Self::OuterDiameter { outer_diameter_mm } => {
                 format!(
@@ -183,15 +150,11 @@ impl Relaxation {
                 )
             }
             Self::MaxBulgedDiameter { bulged_diameter_mm } => {
-                let envelope = |ratio| {
-                    let mm = rounded(ratio * bulged_diameter_mm, 4, f64::ceil);
+                let envelope = spec.limits.envelope_mm.map_or_else(String::new, |_| {
+                    let mm = envelope_ratio(spec.count) * bulged_diameter_mm;
+                    let mm = rounded(mm, 4, f64::ceil);
                     format!(" (an envelope of {})", show(Dimension::Length, mm))
-                };
-                let envelope = spec
-                    .limits
-                    .envelope_mm
-                    .map(|_| envelope(envelope_ratio(spec.count)));
-                let envelope = envelope.unwrap_or_default();
+                });
                 format!(
                     "allow a bulged diameter of {}{envelope}",
                     show(Dimension::Length, *bulged_diameter_mm)
@@ -229,10 +192,37 @@ impl Relaxation {
             }
             Self::Together { changes } => {
                 let all = changes.iter().map(|change| change.describe(spec, show));
-                all.collect::<Vec<_>>().join(", and together with that ")
+                joined(all, ", and together with that ")
             }
         }
     }
+}
+
+/// A smaller share of the pulls, the load or the torques.
+fn less_pull(spec: &Spec, points: &[OperatingPoint], share: f64, show: Show<'_>) -> String {
+    match &spec.wanted {
+        Demand::Points(_) => format!("reduce the pull to {}", listed(spec, points, show)),
+        Demand::Load { .. } => format!("reduce the load to {} of it", percent(share)),
+        Demand::Joint(joint) => {
+            let torques = joint.torques.iter().map(|t| {
+                format!(
+                    "{} N m at ±{}°",
+                    tidy(f64::from(spec.count) * share * t.torque_nm, 5),
+                    tidy(t.angle_deg, 4)
+                )
+            });
+            format!("reduce the torque to {}", joined(torques, " and "))
+        }
+    }
+}
+
+/// Operating points with the pull of all muscles together.
+fn listed(spec: &Spec, points: &[OperatingPoint], show: Show<'_>) -> String {
+    let points = points.iter().map(|q| {
+        let force = show(Dimension::Force, f64::from(spec.count) * q.force_n);
+        format!("{force} at {}", percent(q.contraction))
+    });
+    joined(points, " and ")
 }
 
 /// A change, and how much it asks: the logarithm of its number over that of the specification.

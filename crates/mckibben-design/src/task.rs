@@ -14,7 +14,6 @@ use mckibben::{
 pub struct Open {
     /// The number of muscles: where no single one does, as few as do share what is required.
     pub count: bool,
-    /// The sleeves.
     pub sleeves: bool,
     /// The rubbers of tubes that are cast.
     pub rubbers: bool,

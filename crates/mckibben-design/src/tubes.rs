@@ -131,7 +131,7 @@ pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
 }
 
 fn listed(row: TubeRow, sources: &Sources) -> Result<TubePart, TubeError> {
-    let source = sources.of(row.source.as_deref()).0;
+    let source = sources.source_and_terms(row.source.as_deref()).0;
     let sized = (row.name, row.inner.into(), row.outer.into());
     Ok(TubePart {
         is_cast: row.cast,
@@ -151,7 +151,7 @@ pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
 }
 
 fn cast(row: &CastRow, sources: &Sources, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
-    let source = sources.of(row.source.as_deref()).0;
+    let source = sources.source_and_terms(row.source.as_deref()).0;
     let pairs = row.bores.iter().flat_map(|&bore| {
         let walls = row.walls.iter();
         walls.map(move |&wall| (f64::from(bore), f64::from(wall)))

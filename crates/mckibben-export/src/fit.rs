@@ -13,6 +13,7 @@ use crate::{
 use mckibben::{
     analysis::{Evaluation, Options, bisect},
     cancel,
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::Direction,
     threads,
@@ -250,7 +251,7 @@ impl Spline {
     }
 
     /// The value of each summand at ε, and its slope.
-    fn at(&self, e: f64) -> Vec<(f64, f64)> {
+    fn weights_at(&self, e: f64) -> Vec<(f64, f64)> {
         let x = e / self.high;
         let mut out: Vec<(f64, f64)> = (0..4)
             .map(|j| {
@@ -279,7 +280,7 @@ impl Spline {
 
 /// The row of a point: the factor of each coefficient in the pull, and in its slope in ε.
 fn row(spline: &Spline, q: f64, e: f64) -> (Vec<f64>, Vec<f64>) {
-    let at = spline.at(e);
+    let at = spline.weights_at(e);
     functions(q)
         .0
         .iter()
@@ -339,7 +340,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         }
         for (i, coefficients) in all.chunks(spline.len()).enumerate() {
             let at_nodes = |e: &f64| {
-                let sums = spline.at(*e).into_iter().zip(coefficients);
+                let sums = spline.weights_at(*e).into_iter().zip(coefficients);
                 sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| {
                     (value + c * v, slope + c * s)
                 })
@@ -468,7 +469,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     if known.is_empty() {
         return Err(ExportError::NoVolume(model.to_owned()));
     }
-    let scale = known.iter().map(|k| k.1.abs()).fold(0.0, f64::max);
+    let scale = peak(known.iter().map(|k| k.1.abs()));
     let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
     let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
     let solved = least_squares(matrix, &values).ok_or(ExportError::Points(known.len()))?;
@@ -477,11 +478,8 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
 }
 
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
-    let largest = held_out
-        .iter()
-        .filter_map(|p| p.volume_m3)
-        .fold(0.0, f64::max);
-    let here = |p: &Sample| form.at(p.q * form.supply_pa, p.contraction);
+    let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
+    let here = |p: &Sample| form.point_at(p.q * form.supply_pa, p.contraction);
     let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
     let volume = |p: &Sample| {
         let volume_m3 = p
@@ -499,9 +497,9 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
             .get((0.95 * forces.len() as f64) as usize)
             .copied()
             .unwrap_or(0.0),
-        force_worst_ratio: BETWEEN[0] * all().map(force).fold(0.0, f64::max) + BESIDE,
+        force_worst_ratio: BETWEEN[0] * peak(all().map(force)) + BESIDE,
         volume_rms: volumes.rms,
-        volume_worst_ratio: BETWEEN[1] * all().filter_map(volume).fold(0.0, f64::max) + BESIDE,
+        volume_worst_ratio: BETWEEN[1] * peak(all().filter_map(volume)) + BESIDE,
     }
 }
 

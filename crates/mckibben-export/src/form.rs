@@ -201,7 +201,7 @@ impl Form {
     }
 
     /// Everything at the point of the box that is nearest to a pressure in Pa and a contraction.
-    pub fn at(&self, pressure_pa: f64, contraction: f64) -> Point {
+    pub fn point_at(&self, pressure_pa: f64, contraction: f64) -> Point {
         let inside = contraction.clamp(self.contraction_low, self.contraction_high);
         let point = self.beyond(pressure_pa.clamp(0.0, self.supply_pa), inside);
         Point {

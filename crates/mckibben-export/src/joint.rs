@@ -7,6 +7,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Evaluation, Options},
+    extremes::peak,
     joint::{Joint, JointSpring, Path},
     model::{ForceModel, Workspace},
     muscle::Direction,
@@ -98,7 +99,7 @@ impl ExportedJoint {
             }
             let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
             muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
-            let arm_m = all.map(|(_, s)| 1e-3 * s.arm_mm.abs()).fold(0.0, f64::max);
+            let arm_m = peak(all.map(|(_, s)| 1e-3 * s.arm_mm.abs()));
             torque += arm_m * muscle.errors.force_worst_ratio * muscle.blocked_force_n;
             stiffness += 1.5 * stiffness_error(joint, i, model, &muscle, &angles);
             muscles.push(muscle);
@@ -279,7 +280,7 @@ fn stiffness_error(
     {
         for k in 1..=STATES[1] {
             let pressure_mpa = 1e-6 * muscle.form.supply_pa * f64::from(k) / f64::from(STATES[1]);
-            let point = muscle.form.at(1e6 * pressure_mpa, contraction);
+            let point = muscle.form.point_at(1e6 * pressure_mpa, contraction);
             let Ok(r) = evaluation.response(pressure_mpa, contraction) else {
                 continue;
             };

@@ -21,6 +21,7 @@ pub(crate) use error::Result;
 pub use fit::{BoxRequest, FormErrors};
 pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
 pub use joint::ExportedJoint;
+use mckibben::extremes::peak;
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;
@@ -60,7 +61,7 @@ impl HostError {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
         Self {
             rms,
-            worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max),
+            worst: peak(errors.iter().map(|e| e.abs())),
         }
     }
 }

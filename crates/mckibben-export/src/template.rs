@@ -1,4 +1,5 @@
 //! Numbers and lists in the texts of the hosts.
+use mckibben::joined;
 
 pub use mckibben_io::template::render;
 
@@ -9,8 +10,10 @@ pub fn number(value: f64) -> String {
 
 /// A list between brackets, each number by `one`.
 pub fn list(values: &[f64], [open, close]: [&str; 2], one: impl Fn(f64) -> String) -> String {
-    let texts: Vec<String> = values.iter().map(|v| one(*v)).collect();
-    format!("{open}{}{close}", texts.join(", "))
+    format!(
+        "{open}{}{close}",
+        joined(values.iter().map(|v| one(*v)), ", ")
+    )
 }
 
 /// Rows of lists, one a line.
@@ -19,6 +22,13 @@ pub fn lists(
     brackets: [&str; 2],
     one: impl Fn(f64) -> String + Copy,
 ) -> String {
-    let rows: Vec<String> = values.iter().map(|row| list(row, brackets, one)).collect();
-    format!("{}{}{}", brackets[0], rows.join(",\n     "), brackets[1])
+    format!(
+        "{}{}{}",
+        brackets[0],
+        joined(
+            values.iter().map(|row| list(row, brackets, one)),
+            ",\n     "
+        ),
+        brackets[1]
+    )
 }

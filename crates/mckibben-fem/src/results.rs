@@ -1,10 +1,7 @@
 //! What an equilibrium tells, whichever elements found it.
 
-use crate::{
-    Result,
-    solver::{body::Body, dense::largest},
-};
-use mckibben::{model::Response, muscle::Muscle};
+use crate::{Result, solver::body::Body};
+use mckibben::{extremes::peak, model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -239,7 +236,7 @@ pub trait MuscleBody: Body {
         let [stiffness, force_per_pressure, volume_per_pressure] = self.derivatives()?;
         let state = self.state();
         let totals = self.totals();
-        let largest = largest(self.strands(muscle).iter().map(|s| s.tension_n_per_mm));
+        let largest = peak(self.strands(muscle).iter().map(|s| s.tension_n_per_mm));
         let cos = muscle.braid().angle_rad().cos();
         let count = muscle.braid().strands.map(|s| s.count);
         let all = 2.0 * PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;

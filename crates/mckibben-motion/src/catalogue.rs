@@ -54,7 +54,7 @@ pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
 }
 
 /// What valves there are, beginning with the one that a wrong name may mean.
-pub fn known(name: &str) -> String {
+pub fn valves_known(name: &str) -> String {
     let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
     let near = nearest(name, all.iter().copied());
     let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
@@ -74,8 +74,12 @@ impl std::str::FromStr for Valve {
             MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
             return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
         }
-        let unknown =
-            || MotionError::Refused(format!("{text} is not a known valve: {}", known(text)));
+        let unknown = || {
+            MotionError::Refused(format!(
+                "{text} is not a known valve: {}",
+                valves_known(text)
+            ))
+        };
         let named = valve_named(text).ok_or_else(unknown)?;
         Ok(Self {
             exhaust: named.exhaust,

@@ -185,7 +185,7 @@ impl<'a> Member<'a> {
     }
 
     /// The muscle at a pressure: slack, or taut at a contraction.
-    pub fn at(
+    pub fn answer_or_slack(
         &self,
         slack: bool,
         pressure_mpa: f64,

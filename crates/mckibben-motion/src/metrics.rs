@@ -1,7 +1,7 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
-use mckibben::analysis::bisect;
+use mckibben::{analysis::bisect, extremes::peak};
 
 /// A point that was integrated.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +25,7 @@ struct Track(Vec<Spot>);
 
 impl Track {
     /// The last value up to a time.
-    fn at(&self, t: f64) -> f64 {
+    fn value_at(&self, t: f64) -> f64 {
         let i = self
             .0
             .partition_point(|spot| spot.time <= t)
@@ -134,8 +134,8 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
     ends.push(drive.until_s);
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
         let piece = (begin, end);
-        let from = positions.at(begin);
-        let to = positions.at(end);
+        let from = positions.value_at(begin);
+        let to = positions.value_at(end);
         let step = to - from;
         if step.abs()
             > 1e-9
@@ -148,10 +148,7 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
                     .recip()
         {
             // Less than the error of the integration is none.
-            let overshoot = positions
-                .inside(piece)
-                .map(|spot| (spot.value - to) / step)
-                .fold(0.0, f64::max);
+            let overshoot = peak(positions.inside(piece).map(|spot| (spot.value - to) / step));
             let far = positions
                 .inside(piece)
                 .filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
@@ -168,8 +165,8 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
                 overshoot: if overshoot < 1e-4 { 0.0 } else { overshoot },
             });
         }
-        let p = pressures.at(begin);
-        let r = pressures.at(end);
+        let p = pressures.value_at(begin);
+        let r = pressures.value_at(end);
         let slot = if r > p {
             &mut motion.fill_time_s
         } else {
@@ -217,7 +214,7 @@ pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option
         .iter()
         .map(constant_from)
         .collect::<Option<Vec<_>>>()?;
-    let from = from.into_iter().fold(0.0, f64::max);
+    let from = peak(from);
     if from >= until {
         return None;
     }

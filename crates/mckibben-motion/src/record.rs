@@ -10,6 +10,7 @@ use crate::{
     state::State,
     system::System,
 };
+use mckibben::extremes::peak;
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest
@@ -26,7 +27,7 @@ impl Integration<'_, '_> {
             at.map_or(0.0, |state| state.velocity.abs())
         };
         let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
-        let of_points = speeds.iter().copied().fold(0.0, f64::max);
+        let of_points = peak(speeds.iter().copied());
         let tops = speeds.windows(3).filter_map(|w| {
             let &[a, b, c] = w else { return None };
             let bend = a - 2.0 * b + c;

@@ -109,12 +109,12 @@ impl<'s, 'd> Integration<'s, 'd> {
             cycle,
             air,
             largest_speed,
-            ..Self::at((system, progress), 0.0, state, motion)
+            ..Self::started_at((system, progress), 0.0, state, motion)
         })
     }
 
     /// At a time, with what was recorded up to it.
-    pub fn at(
+    pub fn started_at(
         (system, progress): (&'s System<'d>, &'s dyn Progress),
         t: f64,
         state: State,

@@ -62,7 +62,7 @@ impl Simulation {
         let points = self.motion.series.points();
         let events = self.motion.events.len();
         let motion = std::mem::take(&mut self.motion);
-        let mut at = Integration::at((&system, progress), from, self.state.clone(), motion);
+        let mut at = Integration::started_at((&system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;
         system.within.set(0.5 * (from + end));
         let mut stepped = at.piece(end);
@@ -185,7 +185,7 @@ impl Simulation {
             ..Motion::default()
         };
         let t = drive.output_step_s * done as f64;
-        let mut at = Integration::at((&system, progress), t, state, motion);
+        let mut at = Integration::started_at((&system, progress), t, state, motion);
         at.record(t, at.state.clone())?;
         let state = at.state;
         let motion = at.motion;

@@ -90,7 +90,7 @@ impl State {
 
     /// All numbers: those of [`State::core`], then those that are integrated beside them. How many
     /// they are.
-    fn each(&mut self, mut visit: impl FnMut(&mut f64)) -> usize {
+    fn visit_numbers(&mut self, mut visit: impl FnMut(&mut f64)) -> usize {
         let mut count = 0;
         let mut visit = |x: &mut f64| {
             count += 1;
@@ -130,20 +130,20 @@ impl State {
     /// All numbers in the integrator's order.
     pub fn to_vec(&self) -> Vec<f64> {
         let mut all = Vec::with_capacity(32);
-        self.clone().each(|x| all.push(*x));
+        self.clone().visit_numbers(|x| all.push(*x));
         all
     }
 
     /// Takes its numbers from the integrator, as many as it has.
     pub fn read(&mut self, numbers: &[f64]) {
         let mut numbers = numbers.iter();
-        self.each(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
+        self.visit_numbers(|x| numbers.by_ref().take(1).for_each(|number| *x = *number));
     }
 
     /// Gives its numbers to the integrator.
     pub fn write(&mut self, numbers: &mut [f64]) {
         let mut numbers = numbers.iter_mut();
-        self.each(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
+        self.visit_numbers(|x| numbers.by_ref().take(1).for_each(|number| *number = *x));
     }
 }
 
@@ -190,14 +190,14 @@ impl Layout {
         };
         let mut core = 0;
         zero.core(|_| core += 1);
-        let len = zero.each(|_| {});
+        let len = zero.visit_numbers(|_| {});
         Self { zero, core, len }
     }
 
     /// The state whose numbers are all the same.
     pub fn filled(&self, value: f64) -> State {
         let mut state = self.zero.clone();
-        state.each(|x| *x = value);
+        state.visit_numbers(|x| *x = value);
         state
     }
 
@@ -210,7 +210,7 @@ impl Layout {
 
     /// Whether a state has as many numbers.
     pub fn check(&self, state: &mut State) -> Result<()> {
-        let given = state.each(|_| {});
+        let given = state.visit_numbers(|_| {});
         let needed = self.len;
         MotionError::require(given == needed, || {
             format!("{given} numbers were given for a state of {needed}")

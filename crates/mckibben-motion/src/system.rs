@@ -135,19 +135,14 @@ impl<'a> System<'a> {
         let modes = self.modes.borrow();
         let mechanism = self.drive.mechanism;
         let q = state.coordinate;
-        let v = if modes.stop.is_some() {
-            0.0
-        } else {
-            state.velocity
-        };
+        let v = modes.stop.map_or(state.velocity, |_| 0.0);
         let control = self.control(t, state);
         let mut net = 0.0;
         let Point { muscles, rates, .. } = point;
         muscles.clear();
         rates.muscles.clear();
-        let room = std::mem::take(&mut rates.muscles);
         *rates = State {
-            muscles: room,
+            muscles: std::mem::take(&mut rates.muscles),
             controller: control.map(|c| c.rates),
             ..State::default()
         };
@@ -159,9 +154,7 @@ impl<'a> System<'a> {
             let lever = mechanism.lever(i, q);
             let absolute_mpa = now.absolute_mpa;
             let gauge = now.gauge_mpa();
-            let at = member.at(mode.slack, gauge, lever.contraction);
-            let at =
-                at.map_err(|error| MotionError::model(error, t, i, gauge, lever.contraction))?;
+            let at = self.answer_at(t, i, mode, gauge, lever.contraction)?;
             if medium.boils(absolute_mpa) {
                 return Err(MotionError::Boils(format!(
                     "the liquid in muscle {} boils at {t} s: its absolute pressure falls below \
@@ -219,25 +212,24 @@ impl<'a> System<'a> {
         Ok(())
     }
 
+    /// What a muscle answers.
+    fn answer_at(&self, t: f64, i: usize, mode: &Mode, p: f64, e: f64) -> Result<Answer> {
+        let answer = self.members[i].answer_or_slack(mode.slack, p, e);
+        answer.map_err(|error| MotionError::model(error, t, i, p, e))
+    }
+
     /// What each muscle answers at a time, with its derivative in time: for everything between two
     /// of them.
     pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);
-        let parts = self
-            .members
-            .iter()
-            .zip(muscles)
-            .zip(&modes.muscles)
-            .enumerate();
+        let parts = muscles.zip(&modes.muscles).enumerate();
         parts
-            .map(|(i, ((member, (now, rate)), mode))| {
+            .map(|(i, ((now, rate), mode))| {
                 let p = now.gauge_mpa();
                 let lever = self.drive.mechanism.lever(i, state.coordinate);
-                let at = member.at(mode.slack, p, lever.contraction);
-                let at =
-                    at.map_err(|error| MotionError::model(error, t, i, p, lever.contraction))?;
+                let at = self.answer_at(t, i, mode, p, lever.contraction)?;
                 let p_rate = rate.absolute_mpa;
                 let e_rate = at
                     .contraction

@@ -16,12 +16,12 @@ pub fn read<'py>(py: Python<'py>, path: PathBuf, kind: &str) -> PyResult<Bound<'
         "table" => file(TextFile::table(&path)),
         "formula" => file(TextFile::formula(&path)),
         "muscle" => file(TextFile::muscle(&path)),
-        "joint" => JointFields::at(&path).map(|fields| json!(fields)),
+        "joint" => JointFields::read(&path).map(|fields| json!(fields)),
         "drive" => MotionRequest::default().with_drive(&path).map(|r| {
             json!({ "drive": r.drive, "muscle": r.muscle, "joint": r.joint.joint, "muscles": r.joint.muscles, "tables": r.tables })
         }),
         "case" => measured_folder(&path).map(|case| json!(case)),
-        _ => file(TextFile::at(&path)),
+        _ => file(TextFile::read(&path)),
     };
     value::answer(py, &read.map_err(Wrong::from)?)
 }

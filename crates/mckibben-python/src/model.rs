@@ -105,7 +105,7 @@ impl Model {
     }
 
     /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
-    fn one(
+    fn answer_pair(
         &self,
         py: Python<'_>,
         wanted: &str,

@@ -176,7 +176,7 @@ fn read(name: &str, kind: &str, text: &str) -> Result<Option<Value>, Problem> {
         "MeasuredFolder" => Some(json!(measured_folder(path)?)),
         "ModelFields" if is("json") => Some(json!({ "name": TextFile::formula(path)? })),
         "NameOrFile" if is("json") => Some(json!(TextFile::formula(path)?)),
-        "NameOrFile" if is("toml") => Some(json!(TextFile::at(path)?)),
+        "NameOrFile" if is("toml") => Some(json!(TextFile::read(path)?)),
         _ => {
             let Some(kind) = NamedUnit::of_field(name).and_then(|of| of.dimension) else {
                 return Ok(None);

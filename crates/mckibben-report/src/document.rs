@@ -4,13 +4,12 @@ use crate::{
     figure::{Figure, Result},
     xml::escape,
 };
-use mckibben_units::clean;
+use mckibben_units::{clean, joined};
 use std::fmt::Write as _;
 
 /// A report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
-    /// Its title.
     pub title: String,
     /// Its title block: names and texts of fields; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
@@ -25,20 +24,16 @@ pub struct Document {
 /// A part of a report.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
-    /// A heading.
     Heading(String),
     /// A paragraph.
     Text(String),
     /// Sentences, one below the other.
     List(Vec<String>),
-    /// A table.
     Table {
         /// Its head; empty for pairs of names and values.
         head: Vec<String>,
-        /// Its rows.
         rows: Vec<Vec<String>>,
     },
-    /// A figure.
     Figure(Box<Figure>),
     /// A drawing as SVG, on a separate page.
     Drawing(String),
@@ -111,8 +106,7 @@ impl Part {
             Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
             Self::Drawing(svg) => writeln!(out, "<figure class=\"drawing\">{svg}</figure>"),
             Self::Code(text) => {
-                let lines: Vec<String> = text.lines().map(escape).collect();
-                writeln!(out, "<pre>{}</pre>", lines.join("\n"))
+                writeln!(out, "<pre>{}</pre>", joined(text.lines().map(escape), "\n"))
             }
             Self::Body(data) => {
                 let data = clean::json(data);

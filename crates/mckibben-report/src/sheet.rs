@@ -109,7 +109,6 @@ impl Sheet {
         let _ = writeln!(self.drawn, "<path d=\"{d}Z\" fill=\"{INK}\"/>");
     }
 
-    /// A circle.
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let ((x, y), r) = (self.place(centre), n(radius_mm * PER_MM));
         let x = n(x);

@@ -6,6 +6,7 @@ use crate::{
     rect::Spot,
     xml::{escape, length as n},
 };
+use mckibben_units::joined;
 use std::fmt::Write as _;
 
 const LINE_WIDTH: f64 = 1.7;
@@ -81,8 +82,10 @@ fn dashes(pattern: &[f64]) -> String {
     if pattern.is_empty() {
         return " stroke-linecap=\"round\"".to_owned();
     }
-    let list: Vec<String> = pattern.iter().map(|p| n(p * LINE_WIDTH)).collect();
-    format!(" stroke-dasharray=\"{}\"", list.join(" "))
+    format!(
+        " stroke-dasharray=\"{}\"",
+        joined(pattern.iter().map(|p| n(p * LINE_WIDTH)), " ")
+    )
 }
 
 /// A thin line along a path.

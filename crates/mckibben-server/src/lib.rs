@@ -6,9 +6,9 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod ask;
-mod door;
 mod page;
 mod refusal;
+mod request_guard;
 
 use axum::{
     extract::DefaultBodyLimit,
@@ -56,7 +56,7 @@ pub fn router(config: Config) -> Router {
         .with_state(Arc::new(Semaphore::new(config.at_once)))
         .layer(DefaultBodyLimit::max(config.body_bytes))
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest))
-        .layer(from_fn_with_state(config.time, door::guarded))
+        .layer(from_fn_with_state(config.time, request_guard::guarded))
 }
 
 /// Serves on a listener, and returns within two seconds of `stopped` saying so: what has not ended

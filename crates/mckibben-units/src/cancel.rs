@@ -1,4 +1,4 @@
-//! The wish to end work.
+//! Cancelling: a flag that ends long work.
 //!
 //! A front end makes a [`Cancel`] for each request and [enters](Cancel::enter) it for the time of
 //! the work. Every loop that may be long [looks](check) at the flag of its thread; work side by

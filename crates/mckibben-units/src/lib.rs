@@ -29,7 +29,7 @@ pub use bounded::{Bounded, Interval, NotNegative, Positive};
 pub use convert::{rounded, tidy};
 pub use dimension::Dimension;
 pub use name::NamedUnit;
-pub use named::named;
+pub use named::{joined, named};
 pub use quantity::{BOUNDS, QuantityError, parse_quantity, plausible};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
 pub use read::{ReadError, open, read};

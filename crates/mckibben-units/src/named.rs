@@ -1,4 +1,4 @@
-//! Values that serde writes as words.
+//! Words and lists of texts.
 
 use serde::{
     Deserialize,
@@ -7,9 +7,15 @@ use serde::{
         value::{Error, StrDeserializer},
     },
 };
+use std::borrow::Borrow;
 
 /// The value that serde writes as a word, such as a variant of an enum.
 pub fn named<'w, T: Deserialize<'w>>(word: &'w str) -> Option<T> {
     let word: StrDeserializer<'w, Error> = word.into_deserializer();
     T::deserialize(word).ok()
+}
+
+/// Texts in a row, with another text between neighbours.
+pub fn joined(texts: impl IntoIterator<Item = impl Borrow<str>>, between: &str) -> String {
+    texts.into_iter().collect::<Vec<_>>().join(between)
 }

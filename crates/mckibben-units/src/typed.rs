@@ -187,7 +187,7 @@ pub fn text_or_number<'de, T, D: Deserializer<'de>>(
 }
 
 /// Reads a quantity into a number in the unit inside.
-pub fn one<'de, Q, D>(from: D) -> Result<f64, D::Error>
+pub fn read_quantity<'de, Q, D>(from: D) -> Result<f64, D::Error>
 where
     Q: Deserialize<'de> + Into<f64>,
     D: Deserializer<'de>,

@@ -12,6 +12,7 @@ use crate::{
     warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n},
 };
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
@@ -117,6 +118,43 @@ impl Evaluation<'_> {
         })
     }
 
+    /// The model's response; none where the muscle hangs slack, shortened by more than in `hanging`
+    /// or without an equilibrium.
+    fn equilibrium(
+        &mut self,
+        pressure_mpa: f64,
+        contraction: f64,
+        hanging: &mut Option<SlackState>,
+    ) -> Result<Option<Response>> {
+        let hangs = !self.options.two_sided;
+        if hanging.is_some_and(|known| hangs && contraction > known.free_contraction) {
+            return Ok(None);
+        }
+        match self.response(pressure_mpa, contraction) {
+            Ok(mut response) => {
+                // What rounding leaves of no pull is none.
+                let tube = self.model.muscle().tube();
+                let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
+                if response.force_n.abs() <= 1e-9 * stress_mpa * PI * tube.outer_radius_mm().powi(2)
+                {
+                    response.force_n = 0.0;
+                }
+                Ok(Some(response))
+            }
+            // A muscle that was shortened by more than it shortens by itself may have no
+            // equilibrium.
+            Err(error) => {
+                if hanging.is_none() && hangs && contraction > 0.0 && pressure_mpa >= 0.0 {
+                    *hanging = self.slack_state(pressure_mpa);
+                }
+                match hanging {
+                    Some(known) if contraction >= known.free_contraction => Ok(None),
+                    _ => Err(error),
+                }
+            }
+        }
+    }
+
     /// The same where it may be known already how the muscle hangs at this pressure: if it was
     /// shortened by more than that and its push is not wanted it is slack, and the model is not
     /// used. `hanging` keeps its state for the next point of this pressure.
@@ -129,42 +167,10 @@ impl Evaluation<'_> {
         let model = self.model;
         let options = self.options;
         let said = self.check_range(pressure_mpa, contraction)?;
-        let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
-        warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
-        warnings.extend(model.notes(self.workspace).into_iter().map(Warning::from));
-        let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
-        let response = match hanging {
-            Some(known) if beyond(known) => None,
-            _ => match self.response(pressure_mpa, contraction) {
-                Ok(response) => Some(response),
-                // A muscle that was shortened by more than it shortens by itself may have no
-                // equilibrium: it hangs slack.
-                Err(error) => {
-                    if hanging.is_none()
-                        && !options.two_sided
-                        && contraction > 0.0
-                        && pressure_mpa >= 0.0
-                    {
-                        *hanging = self.slack_state(pressure_mpa);
-                    }
-                    match hanging {
-                        Some(known) if contraction >= known.free_contraction => None,
-                        _ => return Err(error),
-                    }
-                }
-            },
-        };
-        let response = response.map(|mut response| {
-            // What rounding leaves of no pull is none.
-            let tube = model.muscle().tube();
-            let stress_mpa = pressure_mpa.abs() + tube.rubber.law.shear_modulus_mpa();
-            if response.force_n.abs()
-                <= 1e-9 * stress_mpa * std::f64::consts::PI * tube.outer_radius_mm().powi(2)
-            {
-                response.force_n = 0.0;
-            }
-            response
-        });
+        let said = said.into_iter().chain(model.muscle().warnings());
+        let said = said.chain(model.notes(self.workspace));
+        let mut warnings: Vec<Warning> = said.map(Warning::from).collect();
+        let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
         let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;
         let pulls = response.filter(|r| !pushes(r));
@@ -200,11 +206,8 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        let parts = if valid {
-            self.uncertainty(pressure_mpa, contraction, response.force_n)
-        } else {
-            None
-        };
+        let parts = valid.then(|| self.uncertainty(pressure_mpa, contraction, response.force_n));
+        let parts = parts.flatten();
         Ok(Answer {
             model: model.info().name.to_string(),
             direction: options.direction,

@@ -2,6 +2,7 @@
 //! rows name.
 
 use crate::{
+    joined,
     muscle::file::{FileError, Source},
     nearest::{meant, nearest},
     sleeve::SleeveRow,
@@ -81,7 +82,7 @@ enum Origin {
 
 impl Sources {
     /// The source that a row names, or what the row itself says; and the terms of its use.
-    pub fn of<'s>(&'s self, source: Option<&'s str>) -> (&'s str, &'s str) {
+    pub fn source_and_terms<'s>(&'s self, source: Option<&'s str>) -> (&'s str, &'s str) {
         const NOT_STATED: &str = "not stated";
         let name = source.unwrap_or(NOT_STATED);
         match self.0.get(name) {
@@ -132,10 +133,7 @@ pub fn named<'a, T>(
             .flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
         let given: String = name.chars().take(60).collect();
         let known = match nearest(&sought, spellings) {
-            None => format!(
-                "; known: {}",
-                all.map(|names| names.0).collect::<Vec<_>>().join(", ")
-            ),
+            None => format!("; known: {}", joined(all.map(|names| names.0), ", ")),
             near => meant(near),
         };
         format!("there is no {kind} named \"{given}\"{known}")

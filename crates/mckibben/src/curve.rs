@@ -1,4 +1,4 @@
-//! The three tests a muscle is put to, as families of curves.
+//! The three tests of a muscle (isometric, isotonic, isobaric) as families of curves.
 //!
 //! - isometric: ε fixed, F(P);
 //! - isotonic: F fixed, ε(P);

@@ -1,4 +1,4 @@
-//! Slopes by differences, for what has none of its own.
+//! Derivatives by finite differences, for functions without analytical derivatives.
 
 /// Places in steps and weights of a central difference of fourth order: f' = Σ weight f(x +
 /// place·h)/h + O(h⁴).

@@ -1,4 +1,4 @@
-//! The ends of values.
+//! The smallest and the largest of several values.
 
 /// The smallest and the largest; infinite of none.
 pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
@@ -8,4 +8,9 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
         (low, high) = (value.min(low), value.max(high));
     }
     (low, high)
+}
+
+/// The largest of values, and no less than zero.
+pub fn peak(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, f64::max)
 }

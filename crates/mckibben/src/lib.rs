@@ -33,7 +33,15 @@
 // The physics is documented on its public types.
 #![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::too_many_lines
+    )
+)]
 
 pub mod analysis;
 pub mod answer;
@@ -64,6 +72,7 @@ pub mod warning;
 pub use mckibben_units as units;
 pub use mckibben_units::cancel;
 pub use mckibben_units::clean;
+pub use mckibben_units::joined;
 pub use mckibben_units::nearest;
 
 /// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas

@@ -1,4 +1,4 @@
-//! Progress of long work, and the wish to stop it.
+//! Progress of long work, and how a caller cancels it.
 
 use crate::cancel::{self, Cancelled};
 

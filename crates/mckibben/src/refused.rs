@@ -1,4 +1,4 @@
-//! A value that is refused.
+//! A value that is not allowed.
 
 use thiserror::Error;
 

@@ -1,6 +1,6 @@
 //! What does not fit into memory is refused before anything is allocated.
 
-use crate::units::MAX_POINTS;
+use crate::{joined, units::MAX_POINTS};
 use thiserror::Error;
 
 /// Most finite elements of a mesh.
@@ -75,13 +75,14 @@ fn at_most(estimated: TooLarge) -> Result<(), TooLarge> {
 /// A number with its thousands: 8 388 608, 4e9 as 4 000 000 000.
 fn amount(value: f64) -> String {
     let digits = format!("{value:.0}");
-    let groups: Vec<&str> = digits
-        .as_bytes()
-        .rchunks(3)
-        .rev()
-        .filter_map(|c| std::str::from_utf8(c).ok())
-        .collect();
-    groups.join(" ")
+    joined(
+        digits
+            .as_bytes()
+            .rchunks(3)
+            .rev()
+            .filter_map(|c| std::str::from_utf8(c).ok()),
+        " ",
+    )
 }
 
 #[cfg(test)]

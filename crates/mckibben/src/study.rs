@@ -8,8 +8,10 @@
 use crate::{
     analysis::{AnalysisError, Evaluation, Options},
     curve::{Curve, Test},
+    extremes::peak,
+    joined,
     model::{ForceModel, Ideal, ModelError, Workspace},
-    muscle::{Direction, Muscle, MuscleError, Tube},
+    muscle::{Muscle, MuscleError, Tube},
 };
 use serde::Serialize;
 use thiserror::Error;
@@ -98,11 +100,10 @@ where
             ..base.tube().clone()
         })
     };
-    let models: Vec<Box<dyn ForceModel>> = WALLS_MM
+    let mut walls: Vec<Wall> = WALLS_MM
         .iter()
-        .map(|&s| Ok(build(&with(30.0, s)?)?))
+        .map(|&s| Ok((build(&with(30.0, s)?)?, Workspace::new())))
         .collect::<Result<_, StudyError>>()?;
-    let mut workspaces: Vec<Workspace> = models.iter().map(|_| Workspace::new()).collect();
     let ideals = [24.0, 30.0].map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))));
     let ideals: Vec<(f64, Ideal)> = ideals.into_iter().collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
@@ -112,125 +113,149 @@ where
         .into_iter()
         .chain(PULLS_N.map(|x| (Test::Isotonic, x)));
     for (test, fixed) in tests {
-        let value = if test == Test::Isometric {
-            fixed / 285.0
+        let (value, equation) = if test == Test::Isometric {
+            (fixed / 285.0, "(1)")
         } else {
-            fixed
+            (fixed, "(4)")
         };
-        let mut list = vec![];
-        for ((model, workspace), wall) in models.iter().zip(&mut workspaces).zip(WALLS_MM) {
-            let mut model = Evaluation::new(model.as_ref(), workspace, options);
-            for curve in model.curves(test, &[value], &pressures) {
-                list.push(StudyCurve {
-                    label: format!("s = {wall} mm"),
-                    wall_mm: Some(wall),
+        let mut curves = vec![];
+        let mut draw =
+            |model: &dyn ForceModel, workspace: &mut Workspace, label: String, wall_mm| {
+                let drawn =
+                    Evaluation::new(model, workspace, options).curves(test, &[value], &pressures);
+                curves.extend(drawn.into_iter().map(|curve| StudyCurve {
+                    label: label.clone(),
+                    wall_mm,
                     curve,
-                });
-            }
+                }));
+            };
+        for ((model, workspace), wall) in walls.iter_mut().zip(WALLS_MM) {
+            draw(&**model, workspace, format!("s = {wall} mm"), Some(wall));
         }
-        let equation = if test == Test::Isometric {
-            "(1)"
-        } else {
-            "(4)"
-        };
         for (d0, ideal) in &ideals {
-            let workspace = &mut Workspace::new();
-            for curve in
-                Evaluation::new(ideal, workspace, options).curves(test, &[value], &pressures)
-            {
-                let label = format!("{equation} with D0 = {d0} mm");
-                list.push(StudyCurve {
-                    label,
-                    wall_mm: None,
-                    curve,
-                });
-            }
+            let label = format!("{equation} with D0 = {d0} mm");
+            draw(ideal, &mut Workspace::new(), label, None);
         }
         panels.push(StudyPanel {
             test,
             fixed,
-            curves: list,
+            curves,
         });
     }
-    let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
+    let options = Options {
+        extrapolate: true,
+        direction: options.direction,
+        ..Options::default()
+    };
+    let mut findings = isometric(&mut walls, &ideals, options)?;
+    findings.extend(isotonic(&mut walls, &ideals[0].1, options)?);
     Ok(Study {
-        model: models[0].info().name.to_string(),
+        model: walls[0].0.info().name.to_string(),
         panels,
         findings,
     })
 }
 
-fn findings(
-    models: &[Box<dyn ForceModel>],
-    workspaces: &mut [Workspace],
-    ideals: &[(f64, Ideal)],
-    direction: Direction,
-) -> Result<Vec<Finding>, StudyError> {
-    let options = Options {
-        extrapolate: true,
-        direction,
-        ..Options::default()
+/// The model with a wall, and its workspace.
+type Wall = (Box<dyn ForceModel>, Workspace);
+
+/// For each value the answers with all walls.
+fn answers(
+    walls: &mut [Wall],
+    options: Options,
+    values: &[f64],
+    ask: impl Fn(&mut Evaluation<'_>, f64) -> Result<f64, AnalysisError>,
+) -> Result<Vec<Vec<f64>>, AnalysisError> {
+    let of_walls = |&value: &f64| {
+        let walls = walls.iter_mut();
+        walls
+            .map(|(m, w)| ask(&mut Evaluation::new(&**m, w, options), value))
+            .collect()
     };
-    let contractions = SHORTENINGS_MM.map(|x| x / 285.0);
-    let mut each = |ask: &dyn Fn(&mut Evaluation<'_>) -> Result<f64, AnalysisError>| {
-        let muscles = models.iter().zip(&mut *workspaces);
-        muscles
-            .map(|(m, w)| ask(&mut Evaluation::new(&**m, w, options)))
-            .collect::<Result<Vec<f64>, _>>()
-    };
-    let at_contractions = contractions
+    values.iter().map(of_walls).collect()
+}
+
+/// Whether no wall has more than a thinner one.
+fn falls(answers: &[Vec<f64>]) -> bool {
+    answers
         .iter()
-        .map(|&e| each(&|m| Ok(m.force_n(HIGHEST_MPA, e)?.max(0.0))));
-    let forces = at_contractions.collect::<Result<Vec<_>, _>>()?;
-    let loss: Vec<f64> = forces.iter().map(|f| f[0] - f[4]).collect();
-    let largest = loss.iter().copied().fold(0.0, f64::max);
-    let falling = forces.iter().all(|f| f.windows(2).all(|w| w[0] >= w[1]));
-    let shortened = contractions[1..]
-        .iter()
-        .map(|&e| each(&|m| m.start_pressure_mpa(e)));
-    let starts = shortened.collect::<Result<Vec<_>, _>>()?;
-    let rise: Vec<f64> = starts.iter().map(|s| s[4] - s[0]).collect();
-    let rising = starts.iter().all(|s| s.windows(2).all(|w| w[0] <= w[1]));
-    let ideal = |i: usize, e: f64| ideals[i].1.pull(HIGHEST_MPA, e);
-    let at = |i: usize| {
-        contractions
-            .map(|e| format!("{:.0}", ideal(i, e)))
-            .join(" / ")
-    };
-    let thinnest = forces
-        .iter()
-        .map(|f| format!("{:.0}", f[0]))
-        .collect::<Vec<_>>()
-        .join(" / ");
-    let steepest = |i: usize| (0..3).all(|j| ideal(i, contractions[j]) >= forces[j][0]);
-    let mut isotonic_falls = true;
-    let mut shorter = true;
-    for &f in &PULLS_N {
-        let list = each(&|m| m.contraction_at(f, HIGHEST_MPA))?;
-        isotonic_falls &= list.windows(2).all(|w| w[0] >= w[1]);
-        let ideal = Evaluation::new(&ideals[0].1, &mut Workspace::new(), options)
-            .contraction_at(f, HIGHEST_MPA);
-        shorter &= ideal? >= list[0];
+        .all(|of_walls| of_walls.is_sorted_by(|a, b| a >= b))
+}
+
+fn either(holds: bool, yes: &'static str, no: &'static str) -> &'static str {
+    if holds { yes } else { no }
+}
+
+fn isotonic(
+    walls: &mut [Wall],
+    ideal: &Ideal,
+    options: Options,
+) -> Result<[Finding; 2], AnalysisError> {
+    let ask = |m: &mut Evaluation<'_>, f| m.contraction_at(f, HIGHEST_MPA);
+    let contractions = answers(walls, options, &PULLS_N, ask)?;
+    let less = falls(&contractions);
+    let mut more = true;
+    for (&f, of_walls) in PULLS_N.iter().zip(contractions) {
+        let workspace = &mut Workspace::new();
+        more &= ask(&mut Evaluation::new(ideal, workspace, options), f)? >= of_walls[0];
     }
-    let word = |holds: bool, yes: &'static str, no: &'static str| if holds { yes } else { no };
+    Ok([
+        Finding {
+            statement: "isotonic: a thicker wall contracts less at the same pressure",
+            holds: less,
+            ours: format!(
+                "{} at 20, 80 and 150 N",
+                either(less, "contracts less", "does not always contract less")
+            ),
+        },
+        Finding {
+            statement: "isotonic: (4) with D0 = 24 mm contracts more than the model",
+            holds: more,
+            ours: format!(
+                "{} than s = 1 at .25\u{a0}MPa",
+                either(more, "more", "not always more")
+            ),
+        },
+    ])
+}
+
+fn isometric(
+    walls: &mut [Wall],
+    ideals: &[(f64, Ideal)],
+    options: Options,
+) -> Result<Vec<Finding>, AnalysisError> {
+    let contractions = SHORTENINGS_MM.map(|x| x / 285.0);
+    let forces = answers(walls, options, &contractions, |m, e| {
+        Ok(m.force_n(HIGHEST_MPA, e)?.max(0.0))
+    })?;
+    let loss: Vec<f64> = forces.iter().map(|f| f[0] - f[4]).collect();
+    let largest = peak(loss.iter().copied());
+    let starts = answers(walls, options, &contractions[1..], |m, e| {
+        m.start_pressure_mpa(e)
+    })?;
+    let rise: Vec<f64> = starts.iter().map(|s| s[4] - s[0]).collect();
+    let falling = falls(&forces);
+    let rising = starts.iter().all(|of_walls| of_walls.is_sorted());
+    let joined = |forces: Vec<f64>| {
+        let texts = forces.iter().map(|f| format!("{f:.0}"));
+        joined(texts, " / ")
+    };
+    let thinnest: Vec<f64> = forces.iter().map(|f| f[0]).collect();
+    let [bore, outer] = [0, 1].map(|i| contractions.map(|e| ideals[i].1.pull(HIGHEST_MPA, e)));
+    let steepest = |ideal: [f64; 3]| ideal.iter().zip(&thinnest).all(|(ideal, f)| ideal >= f);
     let finding = |statement, holds, ours| Finding {
         statement,
         ours,
         holds,
     };
-    let falls = word(falling, "falls with s", "does not always fall with s");
-    let rises = word(rising, "rises", "does not always rise");
-    let contracts = word(
-        isotonic_falls,
-        "contracts less",
-        "does not always contract less",
-    );
-    let more = word(shorter, "more", "not always more");
     Ok(vec![
         finding(
             "a thicker wall gives less force at the same pressure and shortening",
             falling,
-            format!("{falls} at .25\u{a0}MPa for every shortening"),
+            format!(
+                "{} with s at .25\u{a0}MPa for every shortening",
+                either(falling, "falls", "does not always fall")
+            ),
         ),
         finding(
             "the loss from s = 1 to 5 mm reaches about 300 N",
@@ -243,7 +268,10 @@ fn findings(
         finding(
             "for ΔL > 0 the pressure P′ at which force starts rises with s",
             rising,
-            format!("{rises} at 20 and 40 mm"),
+            format!(
+                "{} at 20 and 40 mm",
+                either(rising, "rises", "does not always rise")
+            ),
         ),
         finding(
             "P′ rises by up to about 0.07\u{a0}MPa from s = 1 to 5 mm",
@@ -255,26 +283,17 @@ fn findings(
         ),
         finding(
             "the curves of (1) with D0 = 24 mm are the steepest",
-            steepest(0),
+            steepest(bore),
             format!(
-                "(1) gives {} N, the model with s = 1 {thinnest} N at ΔL 0/20/40",
-                at(0)
+                "(1) gives {} N, the model with s = 1 {} N at ΔL 0/20/40",
+                joined(bore.to_vec()),
+                joined(thinnest.clone())
             ),
         ),
         finding(
             "the same with the outer diameter, D0 = 30 mm (not in the paper)",
-            steepest(1),
-            format!("(1) gives {} N", at(1)),
-        ),
-        finding(
-            "isotonic: a thicker wall contracts less at the same pressure",
-            isotonic_falls,
-            format!("{contracts} at 20, 80 and 150 N"),
-        ),
-        finding(
-            "isotonic: (4) with D0 = 24 mm contracts more than the model",
-            shorter,
-            format!("{more} than s = 1 at .25\u{a0}MPa"),
+            steepest(outer),
+            format!("(1) gives {} N", joined(outer.to_vec())),
         ),
     ])
 }

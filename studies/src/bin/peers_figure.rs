@@ -42,27 +42,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("ideal formula", &ideal, Style::Dotted),
     ];
 
-    let mut pull = Panel::new(
-        Axis::new("pressure P [MPa]").from_zero(),
-        Axis::new("pull F [N]").from_zero(),
-    );
-    let mut off = Panel::new(
-        Axis::new("pressure P [MPa]").from_zero(),
-        Axis::new("F less that of fe3d [N]"),
-    );
+    let pressure = Axis::new("pressure P [MPa]").from_zero();
+    let mut pull = Panel::new(pressure.clone(), Axis::new("pull F [N]").from_zero());
+    let mut off = Panel::new(pressure, Axis::new("F less that of fe3d [N]"));
     for (turn, contraction) in [0.0, 0.1].into_iter().enumerate() {
         let reference = |p: f64| bricks.force_n(&mut Workspace::new(), p, contraction);
         for (number, (name, model, style)) in models.iter().enumerate() {
-            let mut line = vec![];
-            for i in 1..=25 {
-                let p = 0.01 * f64::from(i);
-                // Below P' a muscle does not pull.
-                if let Ok(force) = model.force_n(&mut Workspace::new(), p, contraction)
-                    && force >= 0.0
-                {
-                    line.push((p, force));
-                }
-            }
+            let pressures = (1..=25).map(|i| 0.01 * f64::from(i));
+            let answers = pressures.filter_map(|p| {
+                let force = model.force_n(&mut Workspace::new(), p, contraction);
+                Some((p, force.ok()?))
+            });
+            // Below P' a muscle does not pull.
+            let line: Vec<(f64, f64)> = answers.filter(|(_, force)| *force >= 0.0).collect();
             let name = if turn == 0 { *name } else { "" };
             let mut series = Series::line(name, line.clone())
                 .colour(number)
@@ -72,10 +64,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             pull = pull.series(series);
             if number == 1 {
-                let off_fe: Vec<(f64, f64)> = line
-                    .iter()
-                    .filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)))
-                    .collect();
+                let off_fe = line.iter();
+                let off_fe = off_fe.filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)));
                 off = off.series(Series::line(name, off_fe).colour(number).style(*style));
             }
         }
@@ -85,17 +75,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             let here = points
                 .iter()
                 .filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
-            let list: Vec<(f64, f64)> = here
-                .clone()
-                .step_by(2)
-                .map(|p| (p.pressure_mpa, p.force_n))
-                .collect();
+            let pulls = here.clone().step_by(2).map(|p| (p.pressure_mpa, p.force_n));
             let name = if turn == 0 { *name } else { "" };
-            pull = pull.series(Series::scatter(name, list).colour(3 + number));
-            let list: Vec<(f64, f64)> = here
-                .filter_map(|p| Some((p.pressure_mpa, p.force_n - reference(p.pressure_mpa).ok()?)))
-                .collect();
-            off = off.series(Series::scatter(name, list).colour(3 + number));
+            pull = pull.series(Series::scatter(name, pulls).colour(3 + number));
+            let differences = here.filter_map(|p| {
+                Some((p.pressure_mpa, p.force_n - reference(p.pressure_mpa).ok()?))
+            });
+            off = off.series(Series::scatter(name, differences).colour(3 + number));
         }
     }
     let figure = Figure::new("One muscle, several programs")

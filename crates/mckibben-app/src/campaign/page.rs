@@ -4,7 +4,7 @@ use crate::{
     Units,
     print::{Csv, Page, Rows, Show, Table},
     units::NUMBER,
-    words::{in_a_row, place},
+    words::{in_a_row, path_on_one_line},
 };
 use mckibben_campaign::campaign::{CampaignStatus, Merged, ShardState, ShardStatus, Summary};
 
@@ -65,7 +65,7 @@ impl Show for Merged {
     fn page(&self, _: &Units) -> Page {
         let points = self.points;
         let muscles = self.muscles;
-        let out = place(&self.output);
+        let out = path_on_one_line(&self.output);
         let mut page = Page::default();
         page.line(format!("{points} points of {muscles} muscles are in {out}"));
         page
@@ -76,7 +76,7 @@ impl Show for CampaignStatus {
     fn page(&self, _: &Units) -> Page {
         let parts = self.parts;
         let wanted = self.parts_wanted;
-        let out = place(&self.output);
+        let out = path_on_one_line(&self.output);
         let mut page = Page::default();
         page.line(format!("{parts} of {wanted} parts are in {out}"));
         page.rows(
@@ -103,7 +103,7 @@ impl Show for CampaignStatus {
                 .text("of", |s| s.parts_wanted),
         );
         let damaged = self.damaged.iter();
-        page.lines(damaged.map(|part| format!("Cut off: {}", place(part))));
+        page.lines(damaged.map(|part| format!("Cut off: {}", path_on_one_line(part))));
         if self.shards_missing > 0 {
             page.paragraph("Something is missing that nothing computes: run the shards again.");
         }

@@ -57,7 +57,7 @@ impl Show for CheckAnswer {
         }
         for (kind, heading, none) in HEADINGS {
             page.paragraph(heading);
-            let mut said = self.said(kind, u);
+            let mut said = self.sentences(kind, u);
             if said.is_empty() {
                 said.push(none.into());
             }

@@ -11,6 +11,7 @@ use crate::{
 };
 use mckibben::{
     analysis::Burst,
+    extremes::peak,
     liquid::Liquid,
     muscle::{Braid, BraidStiffness, file::to_toml},
     warning::Warning,
@@ -392,7 +393,7 @@ pub fn out_of_reach(spec: &Spec) -> Option<String> {
             .as_ref()
             .map_or(spec.base.length_mm(), |l| l.bounds().1),
     );
-    let wanted = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+    let wanted = peak(points.iter().map(|q| q.contraction));
     if wanted < most(smallest) || spec.wanted.extends() {
         return None;
     }

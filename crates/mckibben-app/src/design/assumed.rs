@@ -1,4 +1,5 @@
-//! What a design took where nobody said anything, and what of it keeps muscles from fitting.
+//! Assumed values: what a design uses where the request states nothing, and which of these values
+//! keep muscles from fitting.
 
 use super::request::DesignRequest;
 use crate::words::number;

@@ -3,7 +3,10 @@
 
 use super::CandidateAnswer;
 use crate::{Units, number, percent, words::within};
-use mckibben::units::{Dimension, rounded, tidy};
+use mckibben::{
+    joined,
+    units::{Dimension, rounded, tidy},
+};
 use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Demand, Spec};
 
@@ -24,15 +27,15 @@ impl Decision<'_> {
             return vec![];
         };
         vec![
-            self.take(first),
-            set(first),
+            self.what_to_take(first),
+            pressures_to_set(first),
             self.pulls(first),
             self.sure(first),
             limit(first),
         ]
     }
 
-    fn take(&self, first: &Candidate) -> String {
+    fn what_to_take(&self, first: &Candidate) -> String {
         let many = if self.spec.count > 1 {
             format!("{} muscles side by side, each of ", self.spec.count)
         } else {
@@ -73,7 +76,6 @@ impl Decision<'_> {
                 range.unwrap_or_default()
             )
         };
-        let points: Vec<String> = first.points.iter().map(point).collect();
         let facts = [
             first
                 .bulged_diameter_mm()
@@ -86,7 +88,6 @@ impl Decision<'_> {
                 .largest(|q| q.liquid_volume_mm3)
                 .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
-        let facts: Vec<String> = facts.into_iter().flatten().collect();
         let each = if self.spec.count > 1 { "each " } else { "" };
         let way = if self.spec.options().direction.is_mean() {
             ""
@@ -95,8 +96,8 @@ impl Decision<'_> {
         };
         format!(
             "Pulls {each}{}{way}; {}",
-            points.join(", "),
-            facts.join(", ")
+            joined(first.points.iter().map(point), ", "),
+            joined(facts.into_iter().flatten(), ", ")
         )
     }
 
@@ -152,7 +153,7 @@ fn parts(c: &Candidate) -> String {
 }
 
 /// The pressures: to set, of the relief valve, and why no more.
-fn set(first: &Candidate) -> String {
+fn pressures_to_set(first: &Candidate) -> String {
     let set_mpa = first.pressure_mpa;
     let highest_mpa = first.highest_pressure_mpa;
     // What is typed as printed is allowed.
@@ -177,5 +178,5 @@ fn limit(first: &Candidate) -> String {
         let share = percent((1e3 * share).floor() / 1e3);
         format!("{}, {share} to spare", limit.name())
     });
-    format!("Limit {}", spare.collect::<Vec<_>>().join("; next: "))
+    format!("Limit {}", joined(spare, "; next: "))
 }

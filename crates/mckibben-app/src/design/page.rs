@@ -8,7 +8,7 @@ use crate::{
     print::{Csv, Page, Rows, Show, Table, sentences},
     units::{NEWTON_METRES, NORMAL_LITRES, PERCENT},
 };
-use mckibben::units::rounded;
+use mckibben::{joined, units::rounded};
 
 impl Show for DesignAnswer {
     fn warnings(&self) -> Vec<String> {
@@ -221,7 +221,7 @@ impl DemandAnswer {
                 let one = |q: &super::OperatingPoint| {
                     format!("{} at {}", u.force.show(q.force_n), percent(q.contraction))
                 };
-                points.iter().map(one).collect::<Vec<_>>().join(", ")
+                joined(points.iter().map(one), ", ")
             }
             Self::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
             Self::Contraction { contraction } => {
@@ -233,7 +233,7 @@ impl DemandAnswer {
                     let angle = number(t.angle_deg, 4);
                     format!("{torque} at ±{angle}°")
                 };
-                torques.iter().map(one).collect::<Vec<_>>().join(", ")
+                joined(torques.iter().map(one), ", ")
             }
         }
     }

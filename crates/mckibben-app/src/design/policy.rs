@@ -1,4 +1,4 @@
-//! Which model looks at a muscle of the search, and which one decides.
+//! Which model ranks the muscles of a search, and which one decides in the end.
 
 use crate::{MeshFields, Model, ModelFields, Result};
 use mckibben::{

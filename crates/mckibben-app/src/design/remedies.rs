@@ -1,4 +1,4 @@
-//! Where nothing fits: what to change, in sentences.
+//! If no muscle fits: which changes of the specification help, in sentences.
 
 use super::assumed::Stated;
 use crate::{Units, number};

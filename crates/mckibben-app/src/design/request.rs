@@ -325,7 +325,7 @@ fn contraction(text: &str) -> Result<Ratio> {
 #[cfg(feature = "clap")]
 fn operating_point(text: &str) -> Result<OperatingPoint> {
     let expected = "operating point; expected a pull at a contraction such as 700N@15%";
-    let (Force(force_n), Ratio(contraction)) = at(text, expected)?;
+    let (Force(force_n), Ratio(contraction)) = pair_at_sign(text, expected)?;
     Ok(OperatingPoint {
         force_n,
         contraction,
@@ -336,7 +336,7 @@ fn operating_point(text: &str) -> Result<OperatingPoint> {
 #[cfg(feature = "clap")]
 fn torque(text: &str) -> Result<TorqueWanted> {
     let expected = "torque at an angle; expected one such as 8Nm@45deg";
-    let (typed::Torque(torque_nm), Angle(angle_deg)) = at(text, expected)?;
+    let (typed::Torque(torque_nm), Angle(angle_deg)) = pair_at_sign(text, expected)?;
     Ok(TorqueWanted {
         torque_nm,
         angle_deg,
@@ -344,7 +344,7 @@ fn torque(text: &str) -> Result<TorqueWanted> {
 }
 
 #[cfg(feature = "clap")]
-fn at<A, B>(text: &str, expected: &str) -> Result<(A, B)>
+fn pair_at_sign<A, B>(text: &str, expected: &str) -> Result<(A, B)>
 where
     A: std::str::FromStr<Err = QuantityError>,
     B: std::str::FromStr<Err = QuantityError>,

@@ -11,6 +11,7 @@ use crate::{
     ratio, rubber, sleeve,
 };
 use mckibben::{
+    extremes::peak,
     muscle::{
         Braid, Direction, Muscle, Tube,
         measures::{LENGTH, STRAND_MODULUS},
@@ -69,9 +70,11 @@ impl DesignRequest {
         };
         let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
         let (diameters, walls) = sections.unwrap_or(SECTIONS);
-        let between = |field, choice: &Option<Choice<Length>>, (low, high)| match choice {
-            Some(choice) => values(choice, field),
-            None => Ok(Values::Interval(low, high)),
+        let between = |field, choice: &Option<Choice<Length>>, (low, high)| {
+            let all = || Ok(Values::Interval(low, high));
+            choice
+                .as_ref()
+                .map_or_else(all, |choice| values(choice, field))
         };
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
         let supply_mpa = self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);
@@ -343,10 +346,7 @@ impl DesignRequest {
         let torques = self.torques.clone();
         let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
         numbers.try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest = torques
-            .iter()
-            .map(|t| t.angle_deg.abs())
-            .fold(0.0, f64::max);
+        let largest = peak(torques.iter().map(|t| t.angle_deg.abs()));
         let largest_angle_deg = finite(
             "largest_angle_deg",
             self.largest_angle_deg.unwrap_or(Angle(largest)),
@@ -359,7 +359,7 @@ impl DesignRequest {
                 Some(choice) => values(choice, "length_mm")?.bounds().1,
                 None => base.length_mm(),
             };
-            let turn = torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
+            let turn = peak(torques.iter().map(|t| t.angle_deg)) + largest_angle_deg;
             let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
             Values::Interval(SMALLEST_RADIUS * most, most)
         };
@@ -445,10 +445,7 @@ impl DesignRequest {
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
-        let largest = points
-            .iter()
-            .map(|q| q.contraction.abs())
-            .fold(0.0, f64::max);
+        let largest = peak(points.iter().map(|q| q.contraction.abs()));
         if self.length_mm.is_some() {
             let have = largest * length;
             let message = format!(

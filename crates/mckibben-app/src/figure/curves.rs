@@ -5,6 +5,7 @@ use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben::{
     analysis::{Evaluation, Options},
     curve::{Curve, CurvePoint, Test},
+    extremes::peak,
     model::{ForceModel, Workspace},
     study::Study,
 };
@@ -122,9 +123,7 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         .flat_map(|c| &c.points)
         .filter_map(|p| p.contraction);
     let equilibria = loaded.at.iter().flat_map(|at| &at.equilibria);
-    let end = along
-        .chain(equilibria.clone().map(|e| e.answer.response.contraction))
-        .fold(0.0, f64::max);
+    let end = peak(along.chain(equilibria.clone().map(|e| e.answer.response.contraction)));
     let (low, high) = loaded.line.reach_mm();
     let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
     let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
@@ -216,7 +215,7 @@ pub fn design(
 ) -> Figure {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let mut first_band = None;
-    let reach = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
+    let reach = peak(wanted.iter().map(|w| w.contraction));
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
         let name = format!(

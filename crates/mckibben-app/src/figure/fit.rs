@@ -54,18 +54,6 @@ fn pair(
     )
 }
 
-fn curve_panel<'a>(
-    title: String,
-    curves: impl Iterator<Item = &'a CurveFit>,
-    label: impl Fn(&CurveFit) -> String,
-) -> Panel {
-    let mut panel = Panel::new(contraction(), pull()).title(title);
-    for (n, (c, f)) in curves.filter_map(|c| c.abc.map(|f| (c, f))).enumerate() {
-        panel = pair(panel, &label(c), n, c.points.clone(), |e| f.at(e));
-    }
-    panel
-}
-
 /// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
 pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
     let last = (
@@ -85,145 +73,202 @@ pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
 }
 
 /// Figures 5 to 11.
-fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figure)> {
-    let diameters = distinct(m.walls.iter().map(|w| w.outer_diameter_mm));
-    let walls = distinct(m.lines.iter().map(|l| l.wall_mm));
-    let pressures = distinct(m.curves.iter().map(|c| c.pressure_mpa));
-    let d = nearest(&diameters, SHOWN.0);
-    let s = nearest(&walls, SHOWN.1);
-    let top = pressures.last().copied().unwrap_or(0.0);
-    let about = |text: &str| {
-        caption(format!(
-            "{text}. Method: {}. The paper: {}",
-            formula.provenance.method,
-            mckibben::PAPER
-        ))
+fn paper_figures(method: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figure)> {
+    let diameters = distinct(method.walls.iter().map(|w| w.outer_diameter_mm));
+    let walls = distinct(method.lines.iter().map(|l| l.wall_mm));
+    let section = Section {
+        method,
+        formula,
+        d: nearest(&diameters, SHOWN.0),
+        s: nearest(&walls, SHOWN.1),
     };
-    let figure = |title: String, text: &str| {
-        Figure::new(title)
-            .caption(about(text))
-            .palette(Palette::Sequential)
-    };
-    let section = format!("D0 {} mm, s {} mm", number(d, 4), number(s, 3));
-    let of_section = m
-        .curves
-        .iter()
-        .filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, s));
-    let isobars = figure(
-        format!("Isobaric curves, {section}"),
-        "Points and quadratics (5)",
-    )
-    .panel(curve_panel(String::new(), of_section, |c| {
-        format!("{} MPa", number(c.pressure_mpa, 3))
-    }));
-    let of_s = m
-        .curves
-        .iter()
-        .filter(|c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top));
-    let of_d = m
-        .curves
-        .iter()
-        .filter(|c| same(c.wall_mm, s) && same(c.pressure_mpa, top));
-    let surfaces = figure(
-        format!("Isobaric surfaces at {} MPa", number(top, 3)),
-        "Each surface as its family of curves: points and quadratics (5)",
-    )
-    .columns(2)
-    .panel(curve_panel(
-        format!("over ε and s, D0 {} mm", number(d, 4)),
-        of_s,
-        |c| format!("s {} mm", number(c.wall_mm, 3)),
-    ))
-    .panel(curve_panel(
-        format!("over ε and D0, s {} mm", number(s, 3)),
-        of_d,
-        |c| format!("D0 {} mm", number(c.outer_diameter_mm, 4)),
-    ));
-    let lines: Vec<&LineFit> = m
-        .lines
-        .iter()
-        .filter(|l| same(l.outer_diameter_mm, d))
-        .collect();
-    let mut over_p = figure(
-        format!("a, b and c over pressure, D0 {} mm", number(d, 4)),
-        "Points and lines (8)",
-    )
-    .columns(3);
-    let mut over_s = figure(
-        format!("Slopes m and intercepts q over s, D0 {} mm", number(d, 4)),
-        "Points and parabolas (9)",
-    )
-    .columns(3);
-    for (k, letter) in ["a", "b", "c"].into_iter().enumerate() {
-        let mut panel = Panel::new(
-            Axis::new("pressure P [MPa]").from_zero(),
-            Axis::new(format!("{letter} [N]")),
-        );
-        for (n, l) in lines.iter().enumerate() {
-            let mine = m
-                .curves
-                .iter()
-                .filter(|c| same(c.outer_diameter_mm, d) && same(c.wall_mm, l.wall_mm));
-            let points = mine
-                .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
-                .collect::<Vec<_>>();
-            panel = pair(
-                panel,
-                &format!("s {}", number(l.wall_mm, 3)),
-                n,
-                points,
-                |p| l.lines[k].at(p),
-            );
-        }
-        over_p = over_p.panel(panel);
-    }
-    for (j, symbol, unit) in [(0, "m", "mm²"), (1, "q", "N")] {
-        for (k, letter) in ["a", "b", "c"].into_iter().enumerate() {
-            let y = Axis::new(format!("{symbol}_{letter} [{unit}]"));
-            let mut panel = Panel::new(Axis::new("wall s [mm]").from_zero(), y);
-            let points: Vec<(f64, f64)> = lines
-                .iter()
-                .map(|l| (l.wall_mm, l.lines[k].coefficients[j]))
-                .collect();
-            if let Some(w) = m.walls.iter().find(|w| same(w.outer_diameter_mm, d)) {
-                panel = pair(panel, "", 0, points, |s| w.parabolas[k][j].at(s));
-            }
-            over_s = over_s.panel(panel);
-        }
-    }
-    let mut out = vec![
-        ("figure_5_isobaric_curves", isobars),
-        ("figure_6_isobaric_surfaces", surfaces),
-        ("figure_7_abc_over_pressure", over_p),
-        ("figure_8_slopes_over_wall", over_s),
-    ];
-    let names = [
+    let over_diameter = [
         "figure_9_a_over_diameter",
         "figure_10_b_over_diameter",
         "figure_11_c_over_diameter",
     ];
-    let blocks = [&m.coefficients.a, &m.coefficients.b, &m.coefficients.c];
-    for (k, (name, letter)) in names.into_iter().zip(["a", "b", "c"]).enumerate() {
+    [
+        ("figure_5_isobaric_curves", section.isobaric_curves()),
+        ("figure_6_isobaric_surfaces", section.isobaric_surfaces()),
+        ("figure_7_abc_over_pressure", section.abc_over_pressure()),
+        ("figure_8_slopes_over_wall", section.slopes_over_wall()),
+    ]
+    .into_iter()
+    .chain(
+        (0..)
+            .zip(over_diameter)
+            .map(|(k, name)| (name, section.coefficients_over_diameter(k))),
+    )
+    .collect()
+}
+
+/// The coefficients of the paper's quadratics.
+const LETTERS: [&str; 3] = ["a", "b", "c"];
+
+/// The diameter and wall in mm that the figures of a fit by the paper's method show.
+struct Section<'a> {
+    method: &'a PaperMethod,
+    formula: &'a Formula,
+    d: f64,
+    s: f64,
+}
+
+impl Section<'_> {
+    fn figure(&self, title: String, text: &str) -> Figure {
+        Figure::new(title)
+            .caption(caption(format!(
+                "{text}. Method: {}. The paper: {}",
+                self.formula.provenance.method,
+                mckibben::PAPER
+            )))
+            .palette(Palette::Sequential)
+    }
+
+    /// Points and quadratics of some curves.
+    fn curve_panel(
+        &self,
+        title: String,
+        drawn: impl Fn(&CurveFit) -> bool,
+        label: impl Fn(&CurveFit) -> String,
+    ) -> Panel {
+        let mut panel = Panel::new(contraction(), pull()).title(title);
+        let curves = self.method.curves.iter().filter(|c| drawn(c));
+        for (n, (c, f)) in curves.filter_map(|c| c.abc.map(|f| (c, f))).enumerate() {
+            panel = pair(panel, &label(c), n, c.points.clone(), |e| f.at(e));
+        }
+        panel
+    }
+
+    fn isobaric_curves(&self) -> Figure {
+        let (d, s) = (self.d, self.s);
+        self.figure(
+            format!(
+                "Isobaric curves, D0 {} mm, s {} mm",
+                number(d, 4),
+                number(s, 3)
+            ),
+            "Points and quadratics (5)",
+        )
+        .panel(self.curve_panel(
+            String::new(),
+            |c| same(c.outer_diameter_mm, d) && same(c.wall_mm, s),
+            |c| format!("{} MPa", number(c.pressure_mpa, 3)),
+        ))
+    }
+
+    /// At the highest pressure.
+    fn isobaric_surfaces(&self) -> Figure {
+        let (d, s) = (self.d, self.s);
+        let pressures = distinct(self.method.curves.iter().map(|c| c.pressure_mpa));
+        let top = pressures.last().copied().unwrap_or(0.0);
+        self.figure(
+            format!("Isobaric surfaces at {} MPa", number(top, 3)),
+            "Each surface as its family of curves: points and quadratics (5)",
+        )
+        .columns(2)
+        .panel(self.curve_panel(
+            format!("over ε and s, D0 {} mm", number(d, 4)),
+            |c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top),
+            |c| format!("s {} mm", number(c.wall_mm, 3)),
+        ))
+        .panel(self.curve_panel(
+            format!("over ε and D0, s {} mm", number(s, 3)),
+            |c| same(c.wall_mm, s) && same(c.pressure_mpa, top),
+            |c| format!("D0 {} mm", number(c.outer_diameter_mm, 4)),
+        ))
+    }
+
+    /// The lines over pressure, for each wall of the diameter.
+    fn lines(&self) -> impl Iterator<Item = &LineFit> {
+        let lines = self.method.lines.iter();
+        lines.filter(|l| same(l.outer_diameter_mm, self.d))
+    }
+
+    fn abc_over_pressure(&self) -> Figure {
+        let mut figure = self
+            .figure(
+                format!("a, b and c over pressure, D0 {} mm", number(self.d, 4)),
+                "Points and lines (8)",
+            )
+            .columns(3);
+        for (k, letter) in LETTERS.into_iter().enumerate() {
+            let mut panel = Panel::new(
+                Axis::new("pressure P [MPa]").from_zero(),
+                Axis::new(format!("{letter} [N]")),
+            );
+            for (n, l) in self.lines().enumerate() {
+                let curves = self.method.curves.iter();
+                let of_wall = curves
+                    .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm));
+                let points = of_wall
+                    .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
+                    .collect();
+                let label = format!("s {}", number(l.wall_mm, 3));
+                panel = pair(panel, &label, n, points, |p| l.lines[k].at(p));
+            }
+            figure = figure.panel(panel);
+        }
+        figure
+    }
+
+    fn slopes_over_wall(&self) -> Figure {
+        let mut figure = self
+            .figure(
+                format!(
+                    "Slopes m and intercepts q over s, D0 {} mm",
+                    number(self.d, 4)
+                ),
+                "Points and parabolas (9)",
+            )
+            .columns(3);
+        let mut walls = self.method.walls.iter();
+        let of_diameter = walls.find(|w| same(w.outer_diameter_mm, self.d));
+        for (j, symbol, unit) in [(0, "m", "mm²"), (1, "q", "N")] {
+            for (k, letter) in LETTERS.into_iter().enumerate() {
+                let y = Axis::new(format!("{symbol}_{letter} [{unit}]"));
+                let mut panel = Panel::new(Axis::new("wall s [mm]").from_zero(), y);
+                if let Some(w) = of_diameter {
+                    let points = self
+                        .lines()
+                        .map(|l| (l.wall_mm, l.lines[k].coefficients[j]))
+                        .collect();
+                    panel = pair(panel, "", 0, points, |s| w.parabolas[k][j].at(s));
+                }
+                figure = figure.panel(panel);
+            }
+        }
+        figure
+    }
+
+    /// Of the k-th letter.
+    fn coefficients_over_diameter(&self, k: usize) -> Figure {
+        let PaperMethod {
+            coefficients,
+            walls,
+            r2,
+            ..
+        } = self.method;
+        let letter = LETTERS[k];
         let text = if k < 2 {
             "Points and parabolas (11)"
         } else {
             "Points and straight lines (11)"
         };
-        let mut figure = figure(format!("{letter}1 to {letter}6 over D0"), text).columns(3);
-        for (row, x) in blocks[k].iter().enumerate() {
+        let mut figure = self
+            .figure(format!("{letter}1 to {letter}6 over D0"), text)
+            .columns(3);
+        let rows = [&coefficients.a, &coefficients.b, &coefficients.c][k];
+        for (row, x) in rows.iter().enumerate() {
             let y = Axis::new(format!("{letter}{}", row + 1));
-            let points: Vec<(f64, f64)> = m
-                .walls
-                .iter()
-                .map(|w| (w.outer_diameter_mm, w.x(k)[row]))
-                .collect();
+            let points = walls.iter().map(|w| (w.outer_diameter_mm, w.x(k)[row]));
             let panel = Panel::new(Axis::new("outer diameter D0 [mm]"), y)
-                .title(format!("R² {:.4}", m.r2[k][row]));
-            figure = figure.panel(pair(panel, "", 0, points, |d| (x[0] * d + x[1]) * d + x[2]));
+                .title(format!("R² {:.4}", r2[k][row]));
+            figure = figure.panel(pair(panel, "", 0, points.collect(), |d| {
+                (x[0] * d + x[1]) * d + x[2]
+            }));
         }
-        out.push((name, figure));
+        figure
     }
-    out
 }
 
 /// Figure 12: the formula against the points, of the diameter held out where there is one.

@@ -8,7 +8,7 @@ use super::{
 use crate::{percent, units::Units};
 use mckibben::{
     analysis::Evaluation,
-    extremes::ends,
+    extremes::{ends, peak},
     model::Workspace,
     muscle::{Direction, Muscle},
 };
@@ -73,10 +73,16 @@ impl Levels {
     }
 
     fn key(&self, f: &PointFit) -> f64 {
+        self.states(f)[0]
+    }
+
+    /// What is fixed along a curve, and what varies.
+    fn states(&self, f: &PointFit) -> [f64; 2] {
+        let at = &f.point.at;
         if self.isobaric {
-            f.point.at.pressure_mpa
+            [at.pressure_mpa, at.contraction]
         } else {
-            f.point.at.contraction
+            [at.contraction, at.pressure_mpa]
         }
     }
 
@@ -194,6 +200,8 @@ fn fit(
     } else {
         u.pressure.heading("pressure P")
     };
+    let x_of = |f: &PointFit| levels.states(f)[1];
+    let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
     let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
@@ -212,26 +220,12 @@ fn fit(
         let key = |f: &&&PointFit| same(levels.key(f), value);
         let label = levels.label(n, u);
         let on: Vec<&&PointFit> = mine.iter().filter(key).collect();
-        let dots = on.iter().map(|f| {
-            let at = &f.point.at;
-            (
-                if isobaric {
-                    at.contraction
-                } else {
-                    u.pressure.value(at.pressure_mpa)
-                },
-                u.force.value(at.force_n),
-            )
-        });
+        let dots = on
+            .iter()
+            .map(|f| (shown(x_of(f)), u.force.value(f.point.at.force_n)));
         panel = panel.series(Series::scatter(label.clone(), dots).colour(n));
         let Some(model) = &model else { continue };
-        let (low, high) = ends(on.iter().map(|f| {
-            if isobaric {
-                f.point.at.contraction
-            } else {
-                f.point.at.pressure_mpa
-            }
-        }));
+        let (low, high) = ends(on.iter().map(|f| x_of(f)));
         let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
@@ -247,7 +241,7 @@ fn fit(
                     .force_n(pressure, contraction + offset)
                     .ok()
                     .filter(|f| *f >= 0.0)?;
-                let x = if isobaric { x } else { u.pressure.value(x) };
+                let x = shown(x);
                 let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
                 edges.extend(half.map(|half| {
                     (
@@ -360,7 +354,7 @@ fn panel(
     let mut workspace = Workspace::new();
     for (n, &pressure) in shown.iter().enumerate() {
         let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);
-        let end = at().map(|p| p.at.contraction).fold(0.0, f64::max);
+        let end = peak(at().map(|p| p.at.contraction));
         let dots = at().map(|p| (p.at.contraction, u.force.value(p.at.force_n)));
         panel = panel.series(Series::scatter(u.pressure.show(pressure), dots).colour(n));
         let Some(model) = &model else { continue };

@@ -1,7 +1,8 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::{BAND, caption, curves::MOST_BANDS};
+use super::{BAND, caption, curves::MOST_BANDS, has_band};
 use crate::{JointAnswer, JointRow, Units};
+use mckibben::joint::{JointMap, MapPoint};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.
@@ -11,92 +12,94 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         .first()
         .map_or_else(String::new, |m| m.line(u));
     let mut figure = Figure::new("Joint").palette(Palette::Sequential);
-    let mut said = "";
+    if over_angles && answer.points.len() > 1 {
+        figure = figure.panel(torques(&answer.points, u));
+    }
+    let said = if figure.panels.iter().any(has_band) {
+        BAND
+    } else {
+        ""
+    };
+    if let Some(map) = &answer.map {
+        figure.panels.extend(reachable(map));
+    }
+    let figure = figure.caption(caption(format!("Model {}{said}. {about}", answer.model)));
+    (!figure.panels.is_empty()).then_some(figure)
+}
+
+/// Torque over angle of each family of pressures.
+fn torques(points: &[JointRow], u: &Units) -> Panel {
     let mut bands = vec![];
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
     };
-    if over_angles && answer.points.len() > 1 {
-        let mut panel = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"));
-        for (i, family) in answer.points.chunk_by(same).enumerate() {
-            let Some(first) = family.first() else {
-                continue;
-            };
-            let second = first
-                .pressure_2_mpa
-                .map_or_else(String::new, |p| format!(", {}", u.pressure.bare(p)));
-            let label = format!(
-                "{}{second} {}",
-                u.pressure.bare(first.pressure_1_mpa),
-                u.pressure.name
-            );
-            let line = |of: &dyn Fn(&JointRow) -> Option<f64>| -> Vec<(f64, f64)> {
-                family
-                    .iter()
-                    .filter_map(|q| Some((q.point.angle_deg, of(q)?)))
-                    .collect()
-            };
-            panel = panel.series(
-                Series::line("", line(&|q| Some(q.point.torque_nm)))
-                    .colour(i)
-                    .end_label(label),
-            );
-            let edges: Vec<(f64, f64, f64)> = family
+    let mut panel = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"));
+    for (i, family) in points.chunk_by(same).enumerate() {
+        let first = &family[0];
+        let second = first
+            .pressure_2_mpa
+            .map_or_else(String::new, |p| format!(", {}", u.pressure.bare(p)));
+        let label = format!(
+            "{}{second} {}",
+            u.pressure.bare(first.pressure_1_mpa),
+            u.pressure.name
+        );
+        let line = |of: &dyn Fn(&JointRow) -> Option<f64>| -> Vec<(f64, f64)> {
+            family
                 .iter()
-                .filter_map(|q| {
-                    let half = q.point.uncertainty_nm?;
-                    Some((
-                        q.point.angle_deg,
-                        q.point.torque_nm - half,
-                        q.point.torque_nm + half,
-                    ))
-                })
-                .collect();
-            bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));
-            for branch in [
-                line(&|q| q.torque_turning_plus_nm),
-                line(&|q| q.torque_turning_minus_nm),
-            ] {
-                if !branch.is_empty() {
-                    panel = panel.series(Series::new("", branch).style(Style::Dotted).colour(i));
-                }
+                .filter_map(|q| Some((q.point.angle_deg, of(q)?)))
+                .collect()
+        };
+        panel = panel.series(
+            Series::line("", line(&|q| Some(q.point.torque_nm)))
+                .colour(i)
+                .end_label(label),
+        );
+        let edges: Vec<(f64, f64, f64)> = family
+            .iter()
+            .filter_map(|q| {
+                let half = q.point.uncertainty_nm?;
+                Some((
+                    q.point.angle_deg,
+                    q.point.torque_nm - half,
+                    q.point.torque_nm + half,
+                ))
+            })
+            .collect();
+        bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));
+        for branch in [
+            line(&|q| q.torque_turning_plus_nm),
+            line(&|q| q.torque_turning_minus_nm),
+        ] {
+            if !branch.is_empty() {
+                panel = panel.series(Series::new("", branch).style(Style::Dotted).colour(i));
             }
         }
-        if bands.len() <= MOST_BANDS && !bands.is_empty() {
-            panel.series.append(&mut bands);
-            said = BAND;
-        }
-        figure = figure.panel(panel);
     }
-    if let Some(map) = &answer.map {
-        let mut panel = Panel::new(
-            Axis::new("angle φ [°]"),
-            Axis::new("stiffness −dτ/dφ [N m/rad]").from_zero(),
-        )
-        .title("reachable at rest");
-        let at = |q: &mckibben::joint::MapPoint| (q.angle_deg, q.stiffness_nm_per_rad);
-        let points: Vec<(f64, f64)> = map
-            .points
-            .iter()
-            .flatten()
-            .filter(|q| !q.at_limit)
-            .map(at)
-            .collect();
-        let border: Vec<(f64, f64)> = map.border.iter().map(at).collect();
-        panel = panel
-            .series(Series::scatter("", points).colour(0))
-            .series(Series::line("", border).neutral());
-        let mut torques = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"))
-            .title("largest torques");
-        for of in [
-            |t: &(f64, f64, f64)| (t.0, t.1),
-            |t: &(f64, f64, f64)| (t.0, t.2),
-        ] {
-            let line: Vec<(f64, f64)> = map.torques.iter().map(of).collect();
-            torques = torques.series(Series::line("", line).neutral());
-        }
-        figure = figure.panel(panel).panel(torques);
+    if bands.len() <= MOST_BANDS {
+        panel.series.append(&mut bands);
     }
-    let figure = figure.caption(caption(format!("Model {}{said}. {about}", answer.model)));
-    (!figure.panels.is_empty()).then_some(figure)
+    panel
+}
+
+/// The map of angle and stiffness, and the largest torques over the angle.
+fn reachable(map: &JointMap) -> [Panel; 2] {
+    let at = |q: &MapPoint| (q.angle_deg, q.stiffness_nm_per_rad);
+    let points = map.points.iter().flatten().filter(|q| !q.at_limit).map(at);
+    let states = Panel::new(
+        Axis::new("angle φ [°]"),
+        Axis::new("stiffness −dτ/dφ [N m/rad]").from_zero(),
+    )
+    .title("reachable at rest")
+    .series(Series::scatter("", points).colour(0))
+    .series(Series::line("", map.border.iter().map(at)).neutral());
+    let [low, high] = [0, 1].map(|end| {
+        let line = map.torques.iter().map(|t| (t.0, [t.1, t.2][end]));
+        Series::line("", line).neutral()
+    });
+    let torques = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"))
+        .title("largest torques")
+        .series(low)
+        .series(high);
+    [states, torques]
 }

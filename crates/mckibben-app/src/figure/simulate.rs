@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{MuscleSummary, Simulated, Units, percent};
 use mckibben::curve::Test;
-use mckibben_fem::results::Solution;
+use mckibben_fem::results::{ProfilePoint, Solution, StrandState};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Shapes are drawn of so many points at most.
@@ -48,60 +48,13 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     // The last always belongs to them.
     let shown: Vec<(&Simulated, &Solution)> =
         solved.iter().rev().step_by(step).rev().copied().collect();
-    let name = |s: &Solution| {
-        format!(
-            "{}, {}",
-            u.pressure.show(s.response.pressure_mpa),
-            percent(s.response.contraction)
-        )
-    };
-    let at = |(z, r): (f64, f64)| (u.length.value(z), u.length.value(r));
-    let mut shape = Panel::new(
-        Axis::new(u.length.heading("z from the middle")).from_zero(),
-        Axis::new(u.length.heading("r")).from_zero(),
-    );
-    let per_width = u.stiffness();
-    let mut tension = Panel::new(
-        Axis::new(u.length.heading("z at rest")).from_zero(),
-        Axis::new(per_width.heading("tension of a family")).from_zero(),
-    );
-    let mut angle = Panel::new(
-        Axis::new(u.length.heading("z at rest")).from_zero(),
-        Axis::new("strand angle θ [°]"),
-    );
-    for (i, (q, s)) in shown.iter().enumerate() {
+    for (i, (q, _)) in shown.iter().enumerate() {
         curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
-        let outer: Vec<(f64, f64)> = s
-            .profile
-            .iter()
-            .map(|x| at((x.outer_z_mm, x.outer_r_mm)))
-            .collect();
-        let inner: Vec<(f64, f64)> = s
-            .profile
-            .iter()
-            .map(|x| at((x.inner_z_mm, x.inner_r_mm)))
-            .collect();
-        shape = shape
-            .series(Series::line(name(s), outer).colour(i))
-            .series(Series::line("", inner).colour(i));
-        let along = |of: &dyn Fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
-            s.strands
-                .iter()
-                .map(|x| (u.length.value(x.rest_mm), of(x)))
-                .collect()
-        };
-        tension = tension.series(
-            Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i),
-        );
-        angle = angle.series(Series::line(name(s), along(&|x| x.angle_deg)).colour(i));
     }
     // A curve of one point is none.
     if longest > 1 {
         figure = figure.panel(curve.title("curve"));
     }
-    figure = figure
-        .panel(shape.title("outer and inner surface"))
-        .panel(tension.title("strand tension"));
     let drawn = shown.len();
     let all = solved.len();
     let some = if drawn < all {
@@ -110,7 +63,53 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
         String::new()
     };
     let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
-    figure.panel(angle.title("strand angle")).caption(caption)
+    figure.panels.extend(along_the_muscle(&shown, u));
+    figure.caption(caption)
+}
+
+/// The shape of half the muscle, strand tension and strand angle.
+fn along_the_muscle(shown: &[(&Simulated, &Solution)], u: &Units) -> [Panel; 3] {
+    let mut shape = Panel::new(
+        Axis::new(u.length.heading("z from the middle")).from_zero(),
+        Axis::new(u.length.heading("r")).from_zero(),
+    );
+    let at_rest = || Axis::new(u.length.heading("z at rest")).from_zero();
+    let per_width = u.stiffness();
+    let mut tension = Panel::new(
+        at_rest(),
+        Axis::new(per_width.heading("tension of a family")).from_zero(),
+    );
+    let mut angle = Panel::new(at_rest(), Axis::new("strand angle θ [°]"));
+    for (i, (_, s)) in shown.iter().enumerate() {
+        let name = format!(
+            "{}, {}",
+            u.pressure.show(s.response.pressure_mpa),
+            percent(s.response.contraction)
+        );
+        let surface = |of: fn(&ProfilePoint) -> (f64, f64)| {
+            let points = s.profile.iter().map(of);
+            points.map(|(z, r)| (u.length.value(z), u.length.value(r)))
+        };
+        let along = |of: &dyn Fn(&StrandState) -> f64| -> Vec<(f64, f64)> {
+            s.strands
+                .iter()
+                .map(|x| (u.length.value(x.rest_mm), of(x)))
+                .collect()
+        };
+        let outer = surface(|x| (x.outer_z_mm, x.outer_r_mm));
+        let inner = surface(|x| (x.inner_z_mm, x.inner_r_mm));
+        shape = shape
+            .series(Series::line(name.clone(), outer).colour(i))
+            .series(Series::line("", inner).colour(i));
+        let tensions = along(&|x| per_width.value(x.tension_n_per_mm));
+        tension = tension.series(Series::line(name.clone(), tensions).colour(i));
+        angle = angle.series(Series::line(name, along(&|x| x.angle_deg)).colour(i));
+    }
+    [
+        shape.title("outer and inner surface"),
+        tension.title("strand tension"),
+        angle.title("strand angle"),
+    ]
 }
 
 fn capital(word: &str) -> String {

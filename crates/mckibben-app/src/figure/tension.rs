@@ -1,6 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::{caption, some_of};
+use mckibben::extremes::peak;
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -94,7 +95,7 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         .filter(|l| points.is_empty() && l.quality.stable)
         .map(|l| stress(l, end));
     let heights: Vec<f64> = measured.chain(stable).filter(|y| y.is_finite()).collect();
-    let top = heights.iter().copied().fold(0.0, f64::max);
+    let top = peak(heights.iter().copied());
     let bottom = heights.iter().copied().fold(0.0, f64::min);
     let x = Axis::new("stretch λ [–]").range(low, end + 0.03 * (end - low));
     let mut y = Axis::new("stress P [MPa]");

@@ -7,7 +7,7 @@ use crate::{
     units::NUMBER,
     words::in_a_row,
 };
-use mckibben::muscle::Bench;
+use mckibben::{extremes::peak, muscle::Bench};
 use mckibben_fit::identify::{Identification, Identified};
 
 impl Show for IdentifyAnswer {
@@ -53,7 +53,7 @@ impl IdentifyAnswer {
         let identified = &self.identified;
         let force = u.force.digits(3);
         let pulls = self.points.iter().map(|p| p.point.at.force_n);
-        let largest_n = pulls.fold(0.0, f64::max);
+        let largest_n = peak(pulls);
         let bench = identified.bench.as_ref();
         let bench = bench.filter(|_| self.muscle_file.contains("\n[identified]"));
         Rows::default()

@@ -1,4 +1,4 @@
-//! The end of a motion: its ±, and whether it rests.
+//! The end of a motion: the ± of its position, and whether the load is at rest.
 
 use super::{EndUncertainty, MotionRun, moved::Moved};
 use crate::{
@@ -129,7 +129,7 @@ impl Moved {
         let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
         let point = model
-            .at(
+            .point_at(
                 workspaces,
                 pressures_mpa,
                 angle_deg.clamp(low, high),

@@ -14,6 +14,7 @@ use crate::{
     with_error_bar,
 };
 use mckibben::{
+    extremes::peak,
     progress::Progress,
     units::{Dimension, parse_quantity},
 };
@@ -114,7 +115,7 @@ impl Moved {
                 .flat_map(|(_, points)| points)
                 .map(|point| point.0)
         };
-        let end_s = times().fold(0.0, f64::max);
+        let end_s = peak(times());
         let half_s = 0.5 * (times().fold(end_s, f64::min) + end_s);
         let fit = Fit {
             moved: self,
@@ -226,7 +227,7 @@ impl Fit<'_> {
         let mut file = self.request.parsed(text, self.moved.length_mm())?;
         file.until_s = until_s;
         file.output_step_s = file.output_step_s.min(until_s / POINTS);
-        let series = self.moved.with(&file, |drive| {
+        let series = self.moved.with_drive(&file, |drive| {
             let drive = Drive {
                 tolerance: TOLERANCE,
                 ..drive

@@ -17,7 +17,7 @@ use crate::{
     Model, MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure,
     finite, put_first, said_of,
 };
-use mckibben::{muscle::file::FileError, progress::Progress};
+use mckibben::{extremes::peak, muscle::file::FileError, progress::Progress};
 use mckibben_motion::{
     Command, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target,
     drive_names, parse_drive, run_as_far, size, with_value,
@@ -134,7 +134,8 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut runs = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) = moved.with(drive, |drive| go(&drive, rise_time_s, progress))?;
+        let (motion, conductance) =
+            moved.with_drive(drive, |drive| go(&drive, rise_time_s, progress))?;
         sized = sized.or(conductance);
         let mut run = MotionRun {
             value: value.clone(),
@@ -149,9 +150,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut warnings = moved.gravest_warnings(&runs, &drives);
     let burst = bursts.iter().enumerate().flat_map(|(i, burst)| {
         let reached = runs.iter().zip(&drives);
-        let highest_mpa = reached
-            .map(|(run, (_, drive))| highest_mpa(run, drive, i))
-            .fold(0.0, f64::max);
+        let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
         said_of(burst, highest_mpa, 0.0)
     });
     put_first(&mut warnings, burst.collect::<Vec<_>>());
@@ -185,7 +184,7 @@ fn highest_mpa(run: &MotionRun, drive: &DriveFile, muscle: usize) -> f64 {
         Target::Pressure(list) => list.get(muscle).map(|command| command.bounds().1),
         _ => None,
     };
-    reached.chain(commanded).fold(0.0, f64::max)
+    peak(reached.chain(commanded))
 }
 
 /// The motion of a drive, and the conductance that was sought.

@@ -44,7 +44,7 @@ impl Moved {
     }
 
     /// Does something with the drive of a file.
-    pub fn with<T>(
+    pub fn with_drive<T>(
         &self,
         file: &DriveFile,
         work: impl FnOnce(Drive<'_>) -> Result<T>,

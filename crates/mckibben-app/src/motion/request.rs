@@ -147,7 +147,7 @@ impl StepFields {
             .strip_prefix("held")
             .map(|rest| rest.trim_start_matches(':').trim())
         {
-            values.push(("load.held", held(contraction)?.to_string()))
+            values.push(("load.held", held_contraction(contraction)?.to_string()))
         } else {
             let fields = LoadFields {
                 load: Some(load.to_owned()),
@@ -170,7 +170,7 @@ impl StepFields {
 }
 
 /// The contraction at which both ends are held, 0 where it is left out.
-fn held(text: &str) -> Result<f64> {
+fn held_contraction(text: &str) -> Result<f64> {
     if text.is_empty() {
         return Ok(0.0);
     }

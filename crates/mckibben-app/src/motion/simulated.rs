@@ -23,13 +23,13 @@ struct Setup {
 impl Setup {
     /// Does something with the drive, under commands (those of the file where there are none) and a
     /// force or torque from outside.
-    fn with<T>(
+    fn with_drive<T>(
         &self,
         commands: Option<&[f64]>,
         outside: f64,
         work: impl FnOnce(&Drive<'_>) -> Result<T>,
     ) -> Result<T> {
-        self.moved.with(&self.file, |drive| {
+        self.moved.with_drive(&self.file, |drive| {
             let is_angle = drive.mechanism.coordinate() == Coordinate::Angle;
             let outside_force = if is_angle { -1e3 * outside } else { outside };
             let of_file = drive.target.clone();
@@ -69,7 +69,8 @@ impl SimulatedDrive {
         file.output_step_s = finite("step_s", step_s)?;
         file.target = moved.target(&file);
         let setup = Arc::new(Setup { moved, file });
-        let simulation = setup.with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        let simulation =
+            setup.with_drive(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         Ok(Self {
             setup,
             simulation,
@@ -81,7 +82,7 @@ impl SimulatedDrive {
     pub fn reset(&mut self, progress: &dyn Progress) -> Result<()> {
         self.simulation = self
             .setup
-            .with(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+            .with_drive(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
         self.commands = None;
         Ok(())
     }
@@ -92,7 +93,7 @@ impl SimulatedDrive {
     /// all as it was.
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
         let simulation = &mut self.simulation;
-        self.setup.with(Some(commands), outside, |drive| {
+        self.setup.with_drive(Some(commands), outside, |drive| {
             Ok(simulation.step(drive, progress)?)
         })?;
         self.commands = Some(commands.to_vec());
@@ -121,7 +122,7 @@ impl SimulatedDrive {
         let (commands, rest) = rest.split_at_checked(count).unwrap_or_default();
         let commands = Some(commands).filter(|commands| !commands.is_empty());
         let simulation = &mut self.simulation;
-        self.setup.with(commands, 0.0, |drive| {
+        self.setup.with_drive(commands, 0.0, |drive| {
             Ok(simulation.restore(drive, rest, progress)?)
         })?;
         self.commands = commands.map(<[f64]>::to_vec);

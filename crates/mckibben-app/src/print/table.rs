@@ -1,4 +1,4 @@
-//! Tables of equal things.
+//! Tables with one line for each item of a list.
 
 use super::amount::Amount;
 use crate::{Scale, units::NUMBER, words::aligned};

@@ -146,7 +146,7 @@ impl RubberFitAnswer {
         for law in &self.laws {
             if let Some(free) = law.quality.free_r_squared {
                 let name = law.form.name();
-                let how = law.held();
+                let how = law.stability_words();
                 let with = law.quality.r_squared;
                 page.line(format!("{name} {how}: R² {with:.5} instead of {free:.5}."));
             }

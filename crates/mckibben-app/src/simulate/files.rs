@@ -33,7 +33,7 @@ impl ShapeFiles {
     }
 
     /// All of them, first the list of the others.
-    pub fn all(self) -> Vec<BuiltFile> {
+    pub fn into_files(self) -> Vec<BuiltFile> {
         std::iter::once(built(self.series.list()))
             .chain(self.files)
             .collect()

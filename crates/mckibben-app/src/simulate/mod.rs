@@ -1,4 +1,4 @@
-//! `simulate`: one finite-element test with everything it knows.
+//! `simulate`: one finite-element test with all its results.
 
 mod answer;
 mod files;
@@ -18,6 +18,7 @@ use mckibben::{
     answer::Options,
     cancel,
     curve::Test,
+    extremes::peak,
     model::{ModelError, Response, Workspace},
     muscle::{Ends, Muscle},
     progress::Progress,
@@ -162,15 +163,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Model::Elements(elements) = &model else {
-        let name = model.name();
-        let message = format!(
-            "a test needs a finite-element model, and \"{name}\" is not one; give fe or fe3d"
-        );
-        return Err(Problem::new(
-            ProblemKind::Model,
-            message,
-            "`curve` draws the curves of every model",
-        ));
+        return Err(no_elements(model.name()));
     };
     model.admit(&muscle)?;
     let ends = muscle.ends();
@@ -195,23 +188,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     for (i, &requested) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let pressure_mpa = requested.pressure_mpa;
-        let given = match (requested.contraction, requested.force_n) {
-            (None, Some(force_n)) => Given::PressureAndPull {
-                pressure_mpa,
-                force_n,
-            },
-            (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
-        };
-        let solution = simulation.solve(workspace, given);
-        cancel::check()?;
-        let point = judged(
-            &*simulation,
-            workspace,
-            requested,
-            solution,
-            request.two_sided,
-        );
+        let point = solved(&*simulation, workspace, requested, request.two_sided)?;
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
             let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
             files.add(shape, &solution.response)?;
@@ -228,7 +205,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         .filter_map(|s| s.solution.as_ref().ok());
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
-    let highest_mpa = questions.iter().map(|q| q.pressure_mpa).fold(0.0, f64::max);
+    let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
     put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: name.into(),
@@ -239,7 +216,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         limits: (&burst).into(),
         figure,
         deck,
-        files: files.map_or_else(Vec::new, ShapeFiles::all),
+        files: files.map_or_else(Vec::new, ShapeFiles::into_files),
         problem,
         simulated,
     })
@@ -274,7 +251,7 @@ impl SimulateRequest {
         };
         let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
-            let highest = pressures.iter().copied().fold(0.0, f64::max);
+            let highest = peak(pressures.iter().copied());
             let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
@@ -313,16 +290,31 @@ impl SimulateRequest {
     }
 }
 
+fn no_elements(model: &str) -> Problem {
+    let message =
+        format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
+    let hint = "`curve` draws the curves of every model";
+    Problem::new(ProblemKind::Model, message, hint)
+}
+
 /// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
 /// free contraction.
-fn judged(
+fn solved(
     model: &dyn Simulation,
     workspace: &mut Workspace,
     requested: RequestedPoint,
-    solution: Result<Solution, FemError>,
     two_sided: bool,
-) -> Simulated {
+) -> Result<Simulated> {
     let pressure_mpa = requested.pressure_mpa;
+    let given = match (requested.contraction, requested.force_n) {
+        (None, Some(force_n)) => Given::PressureAndPull {
+            pressure_mpa,
+            force_n,
+        },
+        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
+    };
+    let solution = model.solve(workspace, given);
+    cancel::check()?;
     let shortened = requested
         .contraction
         .filter(|e| *e > 0.0 && !two_sided && !model.muscle().is_extensile());
@@ -349,13 +341,13 @@ fn judged(
         |_| Status::Ok,
     );
     let slack = hangs || pushes && shortened.is_some();
-    Simulated {
+    Ok(Simulated {
         requested,
         solution,
         slack,
         free_contraction: past_free,
         status,
-    }
+    })
 }
 
 /// Where every point fails: the first reason.

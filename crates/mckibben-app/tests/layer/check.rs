@@ -29,7 +29,7 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     let answer = checked(CheckRequest::default());
     let values = answer.characteristics.as_ref().unwrap();
     assert_eq!((values.model.as_str(), values.pressure_mpa), ("fe", 0.25));
-    let texts = |answer: &CheckAnswer, kind| answer.said(kind, &Units::default()).join("\n");
+    let texts = |answer: &CheckAnswer, kind| answer.sentences(kind, &Units::default()).join("\n");
     assert!(texts(&answer, FindingKind::Unknown).contains("`pull_off`"));
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
     assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));

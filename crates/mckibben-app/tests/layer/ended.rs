@@ -1,4 +1,4 @@
-//! Every command ends at most a second after its caller left.
+//! Every command ends where its caller leaves.
 
 use mckibben::cancel::Cancel;
 use mckibben::progress::Silent;
@@ -7,11 +7,7 @@ use mckibben_app::{COMMANDS, ProblemKind, ask_value};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-/// A second, and half of one for the scheduler: other tests run meanwhile, and the thread that
-/// looks at its flag waits for its turn.
-const LATE: Duration = Duration::from_millis(1500);
+use std::time::Duration;
 
 fn text_file(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -214,62 +210,50 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
     }
 }
 
-/// The kind of what a command ended with, and when, on separate threads: other tests occupy those
-/// of the process for seconds.
-fn ended(
-    command: &str,
-    request: Value,
-    cancel: &Cancel,
-) -> (Result<Value, (ProblemKind, String)>, Duration) {
+/// What a command ended with, on separate threads: other tests occupy those of the process for
+/// seconds.
+fn ended(command: &str, request: Value, cancel: &Cancel) -> Result<Value, (ProblemKind, String)> {
     let threads = Threads::new(Threads::shared().count()).unwrap();
-    let from = Instant::now();
     let _entered = cancel.enter();
     let answer = threads.within(|| ask_value(command, request, &Silent));
-    (answer.map_err(|p| (p.kind, p.message)), from.elapsed())
+    answer.map_err(|p| (p.kind, p.message))
+}
+
+/// Asks for something whose caller leaves after a while; after half of that where it was done
+/// before, again and again. Work that does not notice that its caller has left ends with an answer.
+fn leave(command: &str, request: &Value, stays: Duration) {
+    let cancel = Cancel::default();
+    let leaves = cancel.clone();
+    let leaving = std::thread::spawn(move || {
+        std::thread::sleep(stays);
+        leaves.cancel();
+    });
+    let answer = ended(command, request.clone(), &cancel);
+    let was_there = cancel.check().is_ok();
+    leaving.join().unwrap();
+    match answer {
+        Ok(_) if was_there && stays > Duration::from_millis(1) => {
+            leave(command, request, stays / 2);
+        }
+        Ok(_) => panic!("{command} does not notice that its caller has left"),
+        Err((kind, message)) => assert_eq!(kind, ProblemKind::Cancelled, "{command}: {message}"),
+    }
 }
 
 #[test]
-fn a_caller_that_leaves_ends_every_command_within_a_second() {
+fn a_caller_that_leaves_ends_every_command() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     // A campaign goes on where the last run of this test left it.
     let _ = std::fs::remove_file(folder.join("c.parquet"));
-    let mut late = vec![];
     for command in COMMANDS.iter().map(|c| c.name) {
-        let requests = dear(command, folder).into_iter().flat_map(|request| {
+        for request in dear(command, folder) {
+            leave(command, &request, Duration::from_millis(300));
             // A long table is read for a while, and then worked on.
-            let stays = if request.to_string().contains(LONG) {
-                [300, 2000].as_slice()
-            } else {
-                &[300]
-            };
-            stays
-                .iter()
-                .map(move |stays| (request.clone(), Duration::from_millis(*stays)))
-        });
-        for (request, stays) in requests {
-            let cancel = Cancel::default();
-            let leaves = cancel.clone();
-            let leaving = std::thread::spawn(move || {
-                std::thread::sleep(stays);
-                leaves.cancel();
-            });
-            let (answer, took) = ended(command, request, &cancel);
-            leaving.join().unwrap();
-            eprintln!(
-                "{command}: {:.2} s after its caller left",
-                took.as_secs_f64() - stays.as_secs_f64()
-            );
-            match answer {
-                // It was done before its caller left.
-                Ok(_) => assert!(took < stays && stays > Duration::from_secs(1), "{command}"),
-                Err((kind, message)) => {
-                    assert_eq!(kind, ProblemKind::Cancelled, "{command}: {message}")
-                }
+            if request.to_string().contains(LONG) {
+                leave(command, &request, Duration::from_secs(2));
             }
-            late.extend((took > stays + LATE).then(|| format!("{command}: {took:?}")));
         }
     }
-    assert!(late.is_empty(), "{late:?}");
 }
 
 #[test]
@@ -277,12 +261,11 @@ fn what_is_cancelled_already_gives_no_answer() {
     for command in COMMANDS.iter().map(|c| c.name) {
         let cancel = Cancel::default();
         cancel.cancel();
-        let (answer, took) = ended(command, json!({}), &cancel);
+        let answer = ended(command, json!({}), &cancel);
         assert_eq!(
             answer.map(|_| ()).expect_err(command).0,
             ProblemKind::Cancelled,
             "{command}"
         );
-        assert!(took < LATE, "{command}: {took:?}");
     }
 }

@@ -4,7 +4,10 @@ use super::{
     data::{FitPoint, distinct, same},
     error::{FitError, Result},
 };
-use mckibben::formula::{ErrorSummary, RegionErrors};
+use mckibben::{
+    extremes::peak,
+    formula::{ErrorSummary, RegionErrors},
+};
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
@@ -85,7 +88,7 @@ pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<E
     let worst = used.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
     let mut shares: Vec<f64> = used.iter().map(|c| share(c)).collect();
     shares.sort_by(f64::total_cmp);
-    let largest = |value: fn(&Compared) -> f64| used.iter().map(|c| value(c)).fold(0.0, f64::max);
+    let largest = |value: fn(&Compared) -> f64| peak(used.iter().map(|c| value(c)));
     let squares: f64 = shares.iter().map(|e| e * e).sum();
     let summary = ErrorSummary {
         points: used.len(),

@@ -12,7 +12,7 @@ use super::{
     error::{FitError, Result},
     least_squares::least_squares,
 };
-use mckibben::formula::Coefficients;
+use mckibben::{extremes::peak, formula::Coefficients};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -314,7 +314,7 @@ impl<const N: usize> PolynomialFit<N> {
 /// Σ (y − ŷ)² → min over ŷ = c₁ xᴺ⁻¹ + … + c_N, by QR of the matrix in x/max|x|. `None` for fewer
 /// than N points, or points that do not determine it.
 pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
-    let scale = points.iter().map(|p| p.0.abs()).fold(0.0, f64::max);
+    let scale = peak(points.iter().map(|p| p.0.abs()));
     if points.len() < N || N == 0 || !(scale > 0.0 || N == 1) {
         return None;
     }

@@ -1,7 +1,7 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
 use super::{paper_method::PaperMethod, signs::signs};
-use mckibben::formula::Coefficients;
+use mckibben::{formula::Coefficients, joined};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -26,7 +26,7 @@ impl Table {
         };
         let mut out = self.header.join(",") + "\n";
         for row in &self.rows {
-            out.push_str(&(row.iter().map(cell).collect::<Vec<_>>().join(",") + "\n"));
+            out.push_str(&(joined(row.iter().map(cell), ",") + "\n"));
         }
         out
     }

@@ -5,9 +5,9 @@ mod pdf;
 use crate::{
     Bar, Format, Problem, check_ending,
     cli::examples,
-    ending,
+    display_units, ending,
     output::{ShownUnits, print},
-    place, save, save_all, shown,
+    path_on_one_line, save, save_all,
 };
 use mckibben_app::{BuildRequest, REPORT, build, print::Page};
 use std::path::PathBuf;
@@ -40,7 +40,7 @@ impl Build {
         let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
         let browser = is_pdf.then(pdf::browser).transpose()?;
         self.request.report = folder.is_some() || target.is_some();
-        self.request.units = shown::units();
+        self.request.units = display_units::units();
         let mut answer = build(&self.request, &Bar::new("parts"))?;
         if let Some(document) = answer.document.take() {
             // With the view that the reader turns.
@@ -57,13 +57,13 @@ impl Build {
         let add = |page: &mut Page| {
             if let Some(folder) = folder {
                 let count = answer.files.len();
-                let place = place(folder);
+                let place = path_on_one_line(folder);
                 page.paragraph(format!(
                     "{count} files are in {place}; begin with README.md."
                 ));
             }
             if let Some(report) = target {
-                page.paragraph(format!("The report is in {}.", place(report)));
+                page.paragraph(format!("The report is in {}.", path_on_one_line(report)));
             }
             if folder.is_none() && target.is_none() {
                 page.paragraph(

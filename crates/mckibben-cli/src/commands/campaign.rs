@@ -5,7 +5,7 @@ use crate::{
     cli::examples,
     emit,
     output::{Output, json, print},
-    overwrite, place,
+    overwrite, path_on_one_line,
     progress::INTERRUPTED,
     warn,
 };
@@ -105,12 +105,12 @@ impl Campaign {
                     0
                 })
             }
-            None => run(self.request, self.quiet, format),
+            None => run_campaign(self.request, self.quiet, format),
         }
     }
 }
 
-fn run(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, Problem> {
+fn run_campaign(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, Problem> {
     no_csv(format)?;
     let bar = Bar::new("muscles");
     let progress: &dyn Progress = if quiet { &Silent } else { &bar };
@@ -150,9 +150,12 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
     let muscles = counts.muscles;
     let points = counts.points;
     let (of, path) = if outcome.complete {
-        (String::new(), place(&outcome.output))
+        (String::new(), path_on_one_line(&outcome.output))
     } else {
-        (format!(" of {}", counts.of), place(&outcome.store))
+        (
+            format!(" of {}", counts.of),
+            path_on_one_line(&outcome.store),
+        )
     };
     let mut out = format!("{muscles}{of} muscles are in {path}");
     if counts.resumed > 0 {

@@ -2,7 +2,7 @@
 
 use crate::{
     Bar, Format, NO_ANSWER, Plot, Problem, check_ending, cli::examples, emit, output::ShownUnits,
-    place, print_page, save,
+    path_on_one_line, print_page, save,
 };
 use mckibben_app::DesignRequest;
 use std::path::{Path, PathBuf};
@@ -46,11 +46,14 @@ impl Design {
             save(target, winner.text.as_bytes())?;
         }
         let name = target.and_then(Path::file_name);
-        let name = name.map(|name| place(Path::new(name)));
+        let name = name.map(|name| path_on_one_line(Path::new(name)));
         let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
         print_page(&answer, format, page, None)?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
-            emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
+            emit(
+                format!("\nThe winner is in {}.\n", path_on_one_line(path)),
+                None,
+            )?;
         }
         self.plot.save(&mut answer.figure)?;
         Ok(if answer.candidates.is_empty() {

@@ -4,7 +4,7 @@ use crate::{
     Format, Problem,
     cli::examples,
     output::{ShownUnits, print},
-    place, save_all,
+    path_on_one_line, save_all,
 };
 use mckibben_app::{
     BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list, print::Page,
@@ -42,7 +42,9 @@ impl Export {
         let save = |files: &[BuiltFile]| folder.map_or(Ok(()), |folder| save_all(files, folder));
         let written = |files: &[BuiltFile], page: &mut Page| {
             page.line(match folder {
-                Some(folder) => format!("{} files are in {}.", files.len(), place(folder)),
+                Some(folder) => {
+                    format!("{} files are in {}.", files.len(), path_on_one_line(folder))
+                }
                 None => "-o DIR writes the files into a folder.".into(),
             });
         };

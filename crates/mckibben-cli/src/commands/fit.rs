@@ -1,8 +1,8 @@
 //! `fit`: from a table of points to a formula.
 
 use crate::{
-    Bar, Format, NO_ANSWER, Problem, check_ending, cli::examples, output::print, overwrite, place,
-    save, save_inside,
+    Bar, Format, NO_ANSWER, Problem, check_ending, cli::examples, output::print, overwrite,
+    path_on_one_line, save, save_inside,
 };
 use mckibben_app::{
     FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report, print::Page,
@@ -85,7 +85,7 @@ impl Fit {
         }
         save(target, answer.formula_file().as_bytes())?;
         let add = |page: &mut Page| {
-            if let Some(path) = target.map(place) {
+            if let Some(path) = target.map(path_on_one_line) {
                 page.paragraph(format!("The formula is in {path}: --model {path}"));
             }
         };

@@ -4,7 +4,7 @@ use crate::{
     Bar, Format, Plot, Problem, check_ending,
     cli::examples,
     output::{ShownUnits, print},
-    place, save,
+    path_on_one_line, save,
 };
 use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ impl Identify {
         let mut answer = mckibben_app::identify(&self.request, &Bar::new("points"))?;
         self.plot.save(&mut answer.figure)?;
         save(target, answer.muscle_file.as_bytes())?;
-        let written = target.map(|path| format!("The muscle is in {}.", place(path)));
+        let written = target.map(|path| format!("The muscle is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
         print(&answer, format, add, None)?;
         Ok(0)
@@ -75,7 +75,7 @@ impl Identify {
         };
         let target = self.output.as_deref();
         save(target, identified.drive_file.as_bytes())?;
-        let written = target.map(|path| format!("The drive is in {}.", place(path)));
+        let written = target.map(|path| format!("The drive is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
         print(&answer, format, add, None)?;
         Ok(0)

@@ -27,7 +27,7 @@ pub struct Joint {
 impl Joint {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
         let request = &mut self.request;
-        request.joint = JointFields::at(&self.file)?;
+        request.joint = JointFields::read(&self.file)?;
         request.figure = self.plot.wanted();
         // Text does not show them.
         let target = self.output.output.as_deref();

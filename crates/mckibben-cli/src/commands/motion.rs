@@ -1,6 +1,6 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-use crate::{Bar, Format, Output, Plot, Problem, cli::examples, exit_code, shown};
+use crate::{Bar, Format, Output, Plot, Problem, cli::examples, display_units, exit_code};
 use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
 use std::path::PathBuf;
 
@@ -62,7 +62,7 @@ impl Motion {
             self.request.tables = fields.load_tables;
         }
         if let Some(path) = &self.file {
-            shown::take_file(&TextFile::at(path)?.text);
+            display_units::take_file(&TextFile::read(path)?.text);
             self.request = self.request.with_drive(path)?;
         }
         self.request.figure = self.plot.wanted();

@@ -1,6 +1,8 @@
 //! `rubber`: laws from tension tests.
 
-use crate::{Format, Plot, Problem, check_ending, cli::examples, output::print, place, save};
+use crate::{
+    Format, Plot, Problem, check_ending, cli::examples, output::print, path_on_one_line, save,
+};
 use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_fit};
 use std::path::{Path, PathBuf};
@@ -54,7 +56,7 @@ impl Rubber {
         }
         self.plot.save(&mut answer.figure)?;
         let add = |page: &mut Page| {
-            if let Some(path) = target.map(place) {
+            if let Some(path) = target.map(path_on_one_line) {
                 page.line(format!(
                     "Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%"
                 ));

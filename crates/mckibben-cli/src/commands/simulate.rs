@@ -5,7 +5,7 @@ use crate::{
     cli::examples,
     exit_code,
     output::{self, check},
-    place, save, save_all,
+    path_on_one_line, save, save_all,
 };
 use mckibben_app::{SimulateRequest, print::Page};
 use std::path::PathBuf;
@@ -68,7 +68,7 @@ impl Simulate {
         let target = self.output.output.as_deref();
         let add = |page: &mut Page| {
             if let Some(path) = &opened {
-                page.paragraph(format!("ParaView opens {}.", place(path)));
+                page.paragraph(format!("ParaView opens {}.", path_on_one_line(path)));
             }
         };
         output::print(&answer, format, add, target)?;

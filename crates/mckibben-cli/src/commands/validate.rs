@@ -1,6 +1,7 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, cli::examples, output::width};
+use mckibben::joined;
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
 };
@@ -101,10 +102,9 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
         .iter()
         .find(|name| !all.iter().any(|c| c.name == **name))
     {
-        let known: Vec<&str> = all.iter().map(|c| c.name.as_str()).collect();
         let message = format!(
             "there is no measured muscle or rubber \"{name}\"; there are {}",
-            known.join(", ")
+            joined(all.iter().map(|c| c.name.as_str()), ", ")
         );
         return Err(Problem::new(ProblemKind::Usage, message, ""));
     }

@@ -5,7 +5,7 @@ pub mod text;
 pub mod width;
 mod write;
 
-use crate::{Format, Problem, clean, quantities::unit_hint, shown, unprinted};
+use crate::{Format, Problem, clean, display_units, quantities::unit_hint, unprinted};
 use mckibben::warning::is_of_burst;
 use mckibben_app::{
     ProblemKind, Units,
@@ -127,7 +127,7 @@ pub fn print_page<T: Show>(
     page: impl FnOnce(&Units) -> Page,
     target: Target<'_>,
 ) -> Result<(), Problem> {
-    let text = || burst_first(&answer.warnings()) + &text::laid_out(&page(&shown::units()));
+    let text = || burst_first(&answer.warnings()) + &text::laid_out(&page(&display_units::units()));
     let csv = || {
         let csv = answer.csv();
         let warnings = answer.warnings();

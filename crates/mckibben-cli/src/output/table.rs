@@ -10,7 +10,7 @@ use mckibben_app::{
 use serde_json::{Map, Value};
 
 /// The columns of an answer's rows by their schema.
-fn known(schema: &Value, form: Form) -> Vec<String> {
+fn schema_columns(schema: &Value, form: Form) -> Vec<String> {
     let mut out = vec![];
     scalars(schema, schema, form == Form::Columns, &mut out);
     if form == Form::Flat {
@@ -127,7 +127,7 @@ impl Table {
             }
         };
         Ok(Self {
-            columns: with_others(known(&schema, answer.form), &rows),
+            columns: with_others(schema_columns(&schema, answer.form), &rows),
             rows,
         })
     }
@@ -218,7 +218,7 @@ mod tests {
             assert!(curve.iter().any(|c| c == name), "{name}: {curve:?}");
         }
         let defs = &schema("motion").unwrap()["answer"]["$defs"];
-        let motion = known(
+        let motion = schema_columns(
             &json!({ "$ref": "#/$defs/MotionSeries", "$defs": defs }),
             Form::Columns,
         );

@@ -3,11 +3,12 @@
 use super::width::{self, fold};
 use crate::{clean::line, typed::in_flags};
 use comfy_table::{CellAlignment, Table, presets};
+use mckibben::joined;
 use mckibben_app::print::{Block, Column, Page};
 use std::path::Path;
 
 /// The name of a file.
-pub fn place(path: &Path) -> String {
+pub fn path_on_one_line(path: &Path) -> String {
     line(&path.display().to_string()).into_owned()
 }
 
@@ -18,104 +19,103 @@ const GAP: usize = 2;
 /// A table without borders: a header, aligned columns (numbers to the right). One that is wider
 /// than the text may be has narrower text columns, or goes on below, with its first column again.
 fn table_within(room: usize, list: &[Column]) -> String {
-    let header = |i: usize| &*list[i].heading;
-    let all_cells = list.iter().map(|column| {
+    let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
+    let parts = parts(room, &columns.iter().collect::<Vec<_>>());
+    let drawn = parts.iter().map(|columns| table(room, columns));
+    joined(drawn, "\n")
+}
+
+/// A column of one line a cell.
+struct Drawn<'a> {
+    heading: &'a str,
+    cells: Vec<String>,
+    is_numeric: bool,
+    width: usize,
+}
+
+impl<'a> Drawn<'a> {
+    fn new(column: &'a Column) -> Self {
+        let heading = &*column.heading;
         let cells = column.cells.iter().map(|cell| line(cell).into_owned());
-        cells.collect()
-    });
-    let all_cells: Vec<Vec<String>> = all_cells.collect();
-    let cells = |i: usize| all_cells[i].iter();
-    let numeric = |i: usize| {
-        let number = |c: &String| {
+        let cells: Vec<String> = cells.collect();
+        let number = |c: &str| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
                 && !c.starts_with("--")
         };
-        cells(i).all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
-    };
-    let numeric: Vec<bool> = (0..list.len()).map(numeric).collect();
-    let length = |text: &str| text.chars().count();
-    let widths: Vec<usize> = (0..list.len())
-        .map(|i| {
-            cells(i)
-                .map(|cell| length(cell))
-                .chain([length(header(i))])
-                .max()
-                .unwrap_or(0)
-        })
-        .collect();
-    let wide = |columns: &[usize], most: usize| {
-        let one = |&i: &usize| {
-            if numeric[i] {
-                widths[i]
-            } else {
-                widths[i].min(most)
-            }
-        };
-        columns.iter().map(one).sum::<usize>() + GAP * columns.len().saturating_sub(1)
-    };
-    let all: Vec<usize> = (0..list.len()).collect();
-    // The widest text columns for which a list of columns fits.
-    let fits = |columns: &[usize]| {
-        (NARROW..=room.max(NARROW))
-            .rev()
-            .find(|&most| wide(columns, most) <= room)
-    };
-    let mut blocks: Vec<(Vec<usize>, usize)> = vec![];
-    if wide(&all, usize::MAX) <= room {
-        blocks.push((all, usize::MAX));
-    } else if let Some(most) = fits(&all) {
-        blocks.push((all, most));
-    } else {
-        // Rows are told apart by the first column, or by the first two.
-        let mut seen = std::collections::BTreeSet::new();
-        let keys = if cells(0).all(|cell| seen.insert(cell)) {
-            1
-        } else {
-            2
-        };
-        let (keys, others) = all.split_at(keys.min(all.len()));
-        let mut block = keys.to_vec();
-        let end = |block: &[usize]| (block.to_vec(), fits(block).unwrap_or(NARROW));
-        for &i in others {
-            block.push(i);
-            if block.len() > keys.len() + 1 && fits(&block).is_none() {
-                block.pop();
-                blocks.push(end(&block));
-                block = [keys, &[i]].concat();
-            }
+        let mut texts = cells.iter();
+        let is_numeric = texts.all(|c| number(c) || matches!(&**c, "" | "slack" | "unknown" | "→"));
+        let texts = cells.iter().map(String::as_str).chain([heading]);
+        Self {
+            width: texts.map(|text| text.chars().count()).max().unwrap_or(0),
+            heading,
+            is_numeric,
+            cells,
         }
-        blocks.push(end(&block));
     }
-    let drawn = blocks.into_iter().map(|(columns, most)| {
-        let cut = |text: &str, i: usize| {
-            if numeric[i] {
-                text.to_owned()
-            } else {
-                fold(text, most).join("\n")
-            }
-        };
-        let mut table = Table::new();
-        table
-            .load_preset(presets::NOTHING)
-            .set_header(columns.iter().map(|&i| cut(header(i), i)));
-        for at in 0..all_cells.first().map_or(0, Vec::len) {
-            let cell = |&i: &usize| all_cells[i].get(at).map_or_else(String::new, |c| cut(c, i));
-            table.add_row(columns.iter().map(cell));
+
+    /// A cell, or the heading; a text has lines of at most so many characters.
+    fn folded(&self, text: &str, most: usize) -> String {
+        if self.is_numeric {
+            text.to_owned()
+        } else {
+            fold(text, most).join("\n")
         }
-        let last = columns.len().saturating_sub(1);
-        for (at, column) in table.column_iter_mut().enumerate() {
-            let right = numeric[columns[at]];
-            column.set_cell_alignment(if right {
-                CellAlignment::Right
-            } else {
-                CellAlignment::Left
-            });
-            column.set_padding((0, if at == last { 0 } else { GAP as u16 }));
+    }
+}
+
+/// The widest text columns for which a list of columns fits.
+fn fits(room: usize, columns: &[&Drawn<'_>]) -> Option<usize> {
+    let gaps = GAP * columns.len().saturating_sub(1);
+    (NARROW..=room.max(NARROW)).rev().find(|&most| {
+        let width = |c: &&Drawn<'_>| c.width.min(if c.is_numeric { usize::MAX } else { most });
+        columns.iter().map(width).sum::<usize>() + gaps <= room
+    })
+}
+
+/// The columns of each part of a table that is too wide.
+fn parts<'a>(room: usize, all: &[&'a Drawn<'a>]) -> Vec<Vec<&'a Drawn<'a>>> {
+    if fits(room, all).is_some() {
+        return vec![all.to_vec()];
+    }
+    // Rows are told apart by the first column, or by the first two.
+    let mut seen = std::collections::BTreeSet::new();
+    let is_key = all[0].cells.iter().all(|cell| seen.insert(cell));
+    let (keys, others) = all.split_at(if is_key { 1 } else { 2.min(all.len()) });
+    let mut parts = vec![];
+    let mut part = keys.to_vec();
+    for column in others {
+        part.push(column);
+        if part.len() > keys.len() + 1 && fits(room, &part).is_none() {
+            part.pop();
+            parts.push(part);
+            part = [keys, &[column]].concat();
         }
-        let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();
-        text.join("\n") + "\n"
-    });
-    drawn.collect::<Vec<_>>().join("\n")
+    }
+    parts.push(part);
+    parts
+}
+
+/// Columns side by side.
+fn table(room: usize, columns: &[&Drawn<'_>]) -> String {
+    let most = fits(room, columns).unwrap_or(NARROW);
+    let mut table = Table::new();
+    table
+        .load_preset(presets::NOTHING)
+        .set_header(columns.iter().map(|c| c.folded(c.heading, most)));
+    for row in 0..columns.first().map_or(0, |c| c.cells.len()) {
+        let cell = |c: &&Drawn<'_>| c.cells.get(row).map(|cell| c.folded(cell, most));
+        table.add_row(columns.iter().map(|c| cell(c).unwrap_or_default()));
+    }
+    for (i, (column, drawn)) in table.column_iter_mut().zip(columns).enumerate() {
+        column.set_cell_alignment(if drawn.is_numeric {
+            CellAlignment::Right
+        } else {
+            CellAlignment::Left
+        });
+        let is_last = i + 1 == columns.len();
+        column.set_padding((0, if is_last { 0 } else { GAP as u16 }));
+    }
+    joined(table.lines().map(|l| l.trim_end().to_owned()), "\n") + "\n"
 }
 
 /// A page of an answer.

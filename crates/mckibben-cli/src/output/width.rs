@@ -1,6 +1,7 @@
 //! How wide text is: as wide as the terminal, or as `COLUMNS` in the environment says; else tables
 //! are 100 columns wide at most, and sentences stay on one line.
 
+use mckibben::joined;
 use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::{Width, terminal_size_of};
 
@@ -62,17 +63,16 @@ fn lines(text: &str, width: usize) -> String {
         );
         first + &parts.join(&format!("\n{indent}"))
     };
-    let out: Vec<String> = text
-        .split('\n')
-        .map(|line| {
+    joined(
+        text.split('\n').map(|line| {
             if line.chars().count() <= width {
                 line.to_owned()
             } else {
                 one(line)
             }
-        })
-        .collect();
-    out.join("\n")
+        }),
+        "\n",
+    )
 }
 
 /// A text in lines of at most so many characters, broken at blanks, but not between a number and

@@ -3,7 +3,7 @@
 
 use super::width;
 use crate::{
-    Problem, clean, progress, shown,
+    Problem, clean, display_units, progress,
     typed::{self, in_flags},
 };
 use anstyle::{AnsiColor, Style};
@@ -133,7 +133,7 @@ const HINT: Style = AnsiColor::Cyan.on_default();
 /// nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
     let message = in_flags(&message.to_string());
-    let text = shown::sentence(&message);
+    let text = display_units::sentence(&message);
     let text = short_numbers(&text);
     let text = width::broken_aside(&format!("warning: {}", clean::line(&text)));
     let text = text.strip_prefix("warning:").unwrap_or(&text);
@@ -164,7 +164,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
         .lock()
         .unwrap_or_else(std::sync::PoisonError::into_inner)
         .extend(others);
-    shown::sentence(&first.join("\n")) + "\n\n"
+    display_units::sentence(&first.join("\n")) + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and `NO_COLOR` is not set.

@@ -1,7 +1,7 @@
 //! How a process ends: by a signal, without memory, disk, threads or reader.
 #![cfg(unix)]
 
-use crate::common::{Ran, command, folder, mckibben, names, ran, root};
+use crate::common::{HANGS, Ran, command, ended, folder, mckibben, names, ran, root};
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
@@ -10,11 +10,11 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+#[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_an_error_and_no_panic() {
-    let Ok(full) = fs::OpenOptions::new().write(true).open("/dev/full") else {
-        return;
-    };
+    let full = fs::OpenOptions::new().write(true).open("/dev/full");
+    let full = full.unwrap();
     let full = || full.try_clone().unwrap();
     for line in [
         "parts list models",
@@ -113,9 +113,10 @@ fn bytes_that_are_no_text_are_refused() {
     assert_eq!((run.code, &run.error()["kind"]), (2, &"usage".into()));
 }
 
-/// What every command does with its caller's flag stands in the tests of the application layer.
+/// What every command does with its caller's flag stands in the tests of the application layer. A
+/// command that had not noticed the signal would end with 0.
 #[test]
-fn a_signal_ends_a_command_within_a_second_with_130() {
+fn a_signal_ends_a_command_with_130() {
     for line in [
         "curve isobaric --mesh 2x512 -p 0..2.5:0.1bar -e 0..0.15:0.001",
         "validate --all",
@@ -125,22 +126,11 @@ fn a_signal_ends_a_command_within_a_second_with_130() {
             .args(line.split(' '))
             .stdout(Stdio::null())
             .stderr(Stdio::null());
-        let mut child = command.spawn().unwrap();
+        let child = command.spawn().unwrap();
         std::thread::sleep(Duration::from_millis(400));
-        assert!(
-            child.try_wait().unwrap().is_none(),
-            "{line}: it was to be long"
-        );
         // SAFETY: a signal to a child of this process.
         unsafe { libc::kill(child.id() as i32, libc::SIGINT) };
-        let since = Instant::now();
-        assert_eq!(child.wait().unwrap().code(), Some(130), "{line}");
-        // Twice the time, for machines that do something else as well.
-        assert!(
-            since.elapsed() < Duration::from_secs(2),
-            "{line}: {:?}",
-            since.elapsed()
-        );
+        assert_eq!(ended(child).status.code(), Some(130), "{line}");
     }
 }
 
@@ -184,7 +174,7 @@ fn a_signal_leaves_no_folder_behind_whatever_the_command_waits_for() {
         let since = Instant::now();
         let works = |n: &String| !before.contains(n) && at("tmp").join(n).join("said").exists();
         while !names(&at("tmp")).iter().any(works) {
-            assert!(since.elapsed() < Duration::from_secs(20));
+            assert!(since.elapsed() < HANGS);
             std::thread::sleep(Duration::from_millis(10));
         }
         child

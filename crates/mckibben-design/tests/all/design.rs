@@ -486,7 +486,9 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
              torque_nm: torque,
              angle_deg: angle,
          }| {
-            let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
+            let there = model
+                .point_at(w, &[0.6, 0.0], angle, Turning::Mean)
+                .unwrap();
             assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
             there.torque_nm / torque
         },

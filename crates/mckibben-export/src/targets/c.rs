@@ -6,6 +6,7 @@ use crate::{
     Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
     template::{list, lists, number, render},
 };
+use mckibben::joined;
 
 pub const TARGET: Target = Target {
     name: "c",
@@ -17,9 +18,10 @@ pub const TARGET: Target = Target {
 };
 
 /// Name, what it is, and template of a file.
-type Source = (&'static str, &'static str, &'static str);
+pub type Source = (&'static str, &'static str, &'static str);
 
-const SOURCES: [Source; 4] = [
+/// The functions, and the numbers of a muscle.
+pub const SOURCES: [Source; 4] = [
     (
         "mckibben.h",
         "the functions, the same for all muscles",
@@ -100,9 +102,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         .iter()
         .map(ExportedMuscle::identifier)
         .collect();
-    let each = |one: fn(&String) -> String, between: &str| {
-        names.iter().map(one).collect::<Vec<_>>().join(between)
-    };
+    let each = |one: fn(&String) -> String, between: &str| joined(names.iter().map(one), between);
     let mut values = joint.values(["{", "}"], |v| format!("MCKIBBEN_R({})", number(v)));
     values.push((
         "includes",
@@ -123,12 +123,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     })
 }
 
-/// The functions with the muscle's numbers.
-pub fn sources(muscle: &ExportedMuscle) -> Vec<File> {
-    files(muscle, &SOURCES)
-}
-
-fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
+pub fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
     sources
         .iter()
         .map(|(name, about, template)| {

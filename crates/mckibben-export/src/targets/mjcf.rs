@@ -17,7 +17,7 @@
 //! actuators at the tendon makes it slack.
 
 use super::{
-    c::{rendered, sources},
+    c::{SOURCES, Source, files, rendered},
     fit,
 };
 use crate::{
@@ -68,7 +68,9 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
             let x = 1.0 - p.contraction;
             let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
             let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
-            let stiffness = form.at(q * form.supply_pa, p.contraction).stiffness_n_per_m;
+            let stiffness = form
+                .point_at(q * form.supply_pa, p.contraction)
+                .stiffness_n_per_m;
             pulls.then_some((slope - stiffness * form.length_m / blocked_n) * form.contraction_high)
         })
         .collect();
@@ -155,39 +157,26 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
     ))
 }
 
+const PLUGINS: [Source; 2] = [
+    (
+        "@{id}_plugin.c",
+        "the plugin; its first lines have the commands to compile and load it",
+        include_str!("../../templates/muscle_plugin.c"),
+    ),
+    (
+        "mckibben_air.h",
+        "a valve and the air, the same for all muscles",
+        include_str!("../../templates/air.c"),
+    ),
+];
+
 /// The form itself with one control for a muscle, as a part of any model.
 fn plugin(muscle: &ExportedMuscle, way: Way<'_>) -> Vec<File> {
-    let id = muscle.identifier();
-    let supply = number(muscle.form.supply_pa);
-    let actuator = render(
-        include_str!("../../templates/muscle_plugin.xml"),
-        &[],
-        &[("id", id.clone()), ("supply", supply)],
-    );
+    let actuator = rendered(include_str!("../../templates/muscle_plugin.xml"), muscle);
     let places = [("extension", String::new())];
-    let mut files = vec![part(
-        muscle,
-        &muscle.facts(),
-        way,
-        [PLUGIN, &actuator],
-        &places,
-    )];
-    for (name, about, template) in [
-        (
-            id + "_plugin.c",
-            "the plugin; its first lines have the commands to compile and load it",
-            include_str!("../../templates/muscle_plugin.c"),
-        ),
-        (
-            "mckibben_air.h".into(),
-            "a valve and the air, the same for all muscles",
-            include_str!("../../templates/air.c"),
-        ),
-    ] {
-        files.push(File::text(name, about, rendered(template, muscle)));
-    }
-    files.extend(sources(muscle));
-    files
+    let part = part(muscle, &muscle.facts(), way, [PLUGIN, &actuator], &places);
+    let sources = files(muscle, &[&PLUGINS[..], &SOURCES].concat());
+    [vec![part], sources].concat()
 }
 
 /// What the names of parts and scenes have behind that of the muscle.
@@ -291,23 +280,11 @@ fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> F
     File::text(format!("{id}{kind}.xml"), about, text)
 }
 
-/// The joint as a hinge with its link, by native actuators and by the plugins of its muscles.
-fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+/// Body, sites and springs of a joint.
+fn places(joint: &ExportedJoint) -> Result<Vec<Place>> {
     let id = joint.identifier();
     let link = joint.joint.link();
     let paths = joint.paths();
-    let mut parts = vec![];
-    let mut plugins = vec![];
-    let mut notes = vec![];
-    for (muscle, path) in joint.muscles.iter().zip(&paths) {
-        let (part, said) = native(muscle, Some((path, &id)))?;
-        notes.extend(
-            said.into_iter()
-                .map(|said| format!("{}: {said}", muscle.name)),
-        );
-        parts.push(part);
-        plugins.extend(plugin(muscle, Some((path, &id))));
-    }
     let mass = link.mass_kg + link.payload_kg;
     let moment = 1e-3 * (link.mass_kg * link.centre_mm + link.payload_kg * link.payload_at_mm);
     let centre = if mass > 0.0 { moment / mass } else { 0.0 };
@@ -322,33 +299,6 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let along = link.inclination_deg.to_radians().sin_cos();
     let at = |r: f64| format!("{:.9} {:.9} 0", r * along.1, r * along.0);
     let spring = format!("{id}_spring");
-    let names: Vec<String> = joint
-        .muscles
-        .iter()
-        .map(ExportedMuscle::identifier)
-        .collect();
-    let ends = |end: usize| {
-        let of = |name: &str, path: &Path| match path {
-            Path::Pulley { .. } => String::new(),
-            Path::Points {
-                origin_mm,
-                insertion_mm,
-            } => {
-                let ([x, y], word) = ([origin_mm, insertion_mm][end], ["origin", "insertion"][end]);
-                format!(
-                    "<site name=\"{name}_{word}\" pos=\"{} {} 0\" size=\"0.005\"/>",
-                    number(1e-3 * x),
-                    number(1e-3 * y)
-                )
-            }
-        };
-        names
-            .iter()
-            .zip(&paths)
-            .map(|(name, path)| of(name, path))
-            .chain([of(&spring, &paths[2])])
-            .collect::<String>()
-    };
     let mut places: Vec<Place> = vec![
         ("range", joint.range_rad().map(number).join(" ")),
         ("damping", number(link.damping_nm_s_per_rad)),
@@ -360,9 +310,28 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
             at(1e-3 * link.centre_mm.max(link.payload_at_mm).max(50.0)),
         ),
     ];
+    let names = joint.muscles.iter().map(ExportedMuscle::identifier);
+    let mut sites = [String::new(), String::new()];
+    for (name, path) in names.zip(&paths).chain([(spring.clone(), &paths[2])]) {
+        if let Path::Points {
+            origin_mm,
+            insertion_mm,
+        } = path
+        {
+            let ends = [("origin", origin_mm), ("insertion", insertion_mm)];
+            for (sites, (word, [x, y])) in sites.iter_mut().zip(ends) {
+                *sites += &format!(
+                    "<site name=\"{name}_{word}\" pos=\"{} {} 0\" size=\"0.005\"/>",
+                    number(1e-3 * x),
+                    number(1e-3 * y)
+                );
+            }
+        }
+    }
     places.extend(
-        [("fixed_sites", ends(0)), ("moving_sites", ends(1))]
+        ["fixed_sites", "moving_sites"]
             .into_iter()
+            .zip(sites)
             .filter(|p| !p.1.is_empty()),
     );
     let (torsion, rope) = joint.springs();
@@ -382,15 +351,35 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
             bias(rope),
         ]),
     }
-    places.push(("id", id.clone()));
+    places.push(("id", id));
+    Ok(places)
+}
+
+/// The joint as a hinge with its link, by native actuators and by the plugins of its muscles.
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let id = joint.identifier();
+    let mut parts = vec![];
+    let mut plugins = vec![];
+    let mut notes = vec![];
+    for (muscle, path) in joint.muscles.iter().zip(&joint.paths()) {
+        let (part, said) = native(muscle, Some((path, &id)))?;
+        notes.extend(
+            said.into_iter()
+                .map(|said| format!("{}: {said}", muscle.name)),
+        );
+        parts.push(part);
+        plugins.extend(plugin(muscle, Some((path, &id))));
+    }
+    let places = places(joint)?;
     let scene = |kind: &str, about: &'static str| {
-        let include = |name: &String| format!("<include file=\"{name}{kind}_part.xml\"/>");
+        let include =
+            |m: &ExportedMuscle| format!("<include file=\"{}{kind}_part.xml\"/>", m.identifier());
         let controls = if kind == NATIVE { 2 } else { 1 };
         let half = |m: &ExportedMuscle| vec![number(0.5 * m.form.supply_pa); controls];
         let mut halves: Vec<String> = joint.muscles.iter().flat_map(half).collect();
         halves.extend(joint.joint.spring().map(|_| "0".into()));
         let own = [
-            ("includes", names.iter().map(include).collect()),
+            ("includes", joint.muscles.iter().map(include).collect()),
             ("half", halves.join(" ")),
         ];
         let text = include_str!("../../templates/joint.xml");

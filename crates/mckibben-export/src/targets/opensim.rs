@@ -14,6 +14,7 @@ use crate::{
     muscle::LIMIT,
     template::{number, render},
 };
+use mckibben::extremes::peak;
 use std::f64::consts::PI;
 
 pub const TARGET: Target = Target {
@@ -56,9 +57,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         .held_out
         .iter()
         .filter(|p| p.contraction >= 0.0 && p.pull.is_none_or(|pull| pull <= 0.0));
-    let pushed = slack
-        .map(|p| -at(p.q, 1.0 - p.contraction))
-        .fold(0.0, f64::max);
+    let pushed = peak(slack.map(|p| -at(p.q, 1.0 - p.contraction)));
     let reach = format!(
         "Pull of both forces against the model, from the length at rest to the free contraction: \
          {error}, of the blocked force; of the McKibbenActuator alone, at its best: {alone}."

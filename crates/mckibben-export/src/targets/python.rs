@@ -5,6 +5,7 @@ use crate::{
     Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
     template::{list, lists, number, render},
 };
+use mckibben::joined;
 
 pub const TARGET: Target = Target {
     name: "python",
@@ -32,11 +33,7 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mut values = joint.values(["(", ")"], number);
     values.push((
         "imports",
-        modules
-            .iter()
-            .map(|name| format!("import {name}"))
-            .collect::<Vec<_>>()
-            .join("\n"),
+        joined(modules.iter().map(|name| format!("import {name}")), "\n"),
     ));
     values.push(("modules", modules.join(", ")));
     let text = render(

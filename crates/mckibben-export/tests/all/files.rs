@@ -86,11 +86,15 @@ pub fn numbers(text: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
+/// Whether a program is there. On Linux it is: no test passes there without its check.
 pub fn runs(program: &str) -> bool {
-    Command::new(program)
-        .arg("--version")
-        .output()
-        .is_ok_and(|o| o.status.success())
+    let version = Command::new(program).arg("--version").output();
+    let runs = version.is_ok_and(|o| o.status.success());
+    assert!(
+        runs || !cfg!(target_os = "linux"),
+        "this test needs {program}"
+    );
+    runs
 }
 
 /// Points in the box, outside of it, and slack.
@@ -250,7 +254,7 @@ fn compare_with_c(flags: &[&str], tolerance: f64) {
     let folder = tempfile::tempdir().unwrap();
     write(&ROPED, "c", folder.path());
     for (beyond, at) in [
-        (0, Form::at as fn(&Form, f64, f64) -> Point),
+        (0, Form::point_at as fn(&Form, f64, f64) -> Point),
         (1, Form::beyond),
     ] {
         let mut main = format!(
@@ -282,7 +286,7 @@ fn compare_with_c(flags: &[&str], tolerance: f64) {
 
 fn compare_rows(rows: &[Vec<f64>], tolerance: f64, at: fn(&Form, f64, f64) -> Point) {
     let form = &PROTOTYPE.form;
-    let full = form.at(form.supply_pa, 0.0);
+    let full = form.point_at(form.supply_pa, 0.0);
     let scales = [
         full.force_n,
         full.stiffness_n_per_m,
@@ -420,7 +424,7 @@ fn python_with_numpy_is_the_form_to_1e_12() {
          row))\n"
     );
     if let Some(rows) = python(folder.path(), "numpy", &script) {
-        compare_rows(&rows, 1e-12, Form::at);
+        compare_rows(&rows, 1e-12, Form::point_at);
     }
 }
 
@@ -459,7 +463,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         let pressure_pa = printed[0];
         let q = pressure_pa / form.supply_pa;
         let half_n = form.friction_n[0] * q.sqrt() + form.friction_n[1] * q;
-        let pull_n = form.at(pressure_pa, e).force_n + sign * half_n;
+        let pull_n = form.point_at(pressure_pa, e).force_n + sign * half_n;
         let (off_n, status) = ((pull_n - force_n).abs(), printed.get(1).unwrap_or(&0.0));
         assert!(
             off_n < 1e-6 && *status == 0.0,
@@ -467,7 +471,8 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         );
     };
     // What the supply gives in the mean of both branches, and not while the muscle shortens.
-    let most_n = form.at(form.supply_pa, 0.0).force_n - 0.5 * form.friction_n.iter().sum::<f64>();
+    let most_n =
+        form.point_at(form.supply_pa, 0.0).force_n - 0.5 * form.friction_n.iter().sum::<f64>();
     if runs("cc") {
         let main = format!(
             "#include \"muscle_prototype.h\"\n#include \"mckibben_branch.h\"\n#include \
@@ -586,7 +591,10 @@ int main(void) {
         (a - b).abs() < 1e-9 * b.abs().max(1.0)
     });
     let (supply, low) = (form.supply_pa, form.contraction_low);
-    let (pull, free) = (form.at(supply, 0.0), form.contraction(0.0, 0.5 * supply));
+    let (pull, free) = (
+        form.point_at(supply, 0.0),
+        form.contraction(0.0, 0.5 * supply),
+    );
     let in_box = |value: f64, low: f64, high: f64| value > low && value < high;
     // Status: 1 slack, 2 pressure outside, 4 contraction outside, 8 no answer.
     let expected = [(supply, 12), (0.0, 8), (0.0, 12), (0.0, 8), (supply, 8)];

@@ -117,7 +117,7 @@ fn the_contraction_of_a_pull_has_that_pull() {
 #[test]
 fn the_status_says_where_a_point_lies() {
     let form = &*PROTOTYPE;
-    let status = |q: f64, e: f64| form.at(q * form.supply_pa, e).status;
+    let status = |q: f64, e: f64| form.point_at(q * form.supply_pa, e).status;
     assert_eq!(status(0.5, 0.05), OK);
     assert_eq!(status(0.1, 0.2), SLACK);
     assert_eq!(status(1.1, 0.05), PRESSURE_OUTSIDE);
@@ -148,14 +148,14 @@ fn a_prestretched_muscle_pulls_as_its_model_and_gains_no_work() {
     let (form, share) = (&exported.form, exported.errors.force_worst_ratio);
     assert!(share < 0.02, "{:?}", exported.errors);
     // As the finite elements.
-    let here = form.at(0.0, 0.015);
+    let here = form.point_at(0.0, 0.015);
     let off_n = here.force_n - 7.15;
     assert!(
         here.status == OK && off_n.abs() <= share * exported.blocked_force_n,
         "{here:?}"
     );
     let volumes: Vec<f64> = (0..1000)
-        .map(|k| form.at(0.0, 1e-4 * f64::from(k)).volume_m3)
+        .map(|k| form.point_at(0.0, 1e-4 * f64::from(k)).volume_m3)
         .collect();
     let steps = volumes.windows(2).map(|v| (v[1] - v[0]).abs());
     assert!(steps.fold(0.0, f64::max) < 1e-6);
@@ -191,7 +191,9 @@ fn the_error_that_is_stated_is_that_of_any_point() {
             Random(7),
         );
         let (mut worst, mut volume) = (0.0_f64, 0.0_f64);
-        let largest_m3 = form.at(form.supply_pa, form.contraction_high).volume_m3;
+        let largest_m3 = form
+            .point_at(form.supply_pa, form.contraction_high)
+            .volume_m3;
         for _ in 0..400 {
             let (q, e) = (
                 r.unit(),
@@ -200,7 +202,7 @@ fn the_error_that_is_stated_is_that_of_any_point() {
             let Ok(exact) = model.response(w, q * 0.25, e) else {
                 continue;
             };
-            let here = form.at(q * form.supply_pa, e);
+            let here = form.point_at(q * form.supply_pa, e);
             worst =
                 worst.max((here.force_n - exact.force_n.max(0.0)).abs() / exported.blocked_force_n);
             if let Some(volume_mm3) = exact.volume_mm3.filter(|_| exact.force_n > 0.0) {
@@ -359,7 +361,9 @@ fn no_random_point_is_further_from_the_model_than_the_stated_largest_error() {
         let (muscle, supply_mpa) = random(5000 + index, law);
         let (fitted, model) = (exported(&muscle, supply_mpa).unwrap(), fe(&muscle));
         let (form, e, blocked_n) = (&fitted.form, fitted.errors, fitted.blocked_force_n);
-        let largest_m3 = form.at(form.supply_pa, form.contraction_high).volume_m3;
+        let largest_m3 = form
+            .point_at(form.supply_pa, form.contraction_high)
+            .volume_m3;
         let seeds: Vec<u64> = (0..rounds(200) as u64).collect();
         let found = threads::map(&seeds, |seed| {
             let mut r = Random(seed * 7919 + index);
@@ -370,7 +374,7 @@ fn no_random_point_is_further_from_the_model_than_the_stated_largest_error() {
             let there = model
                 .response(&mut Workspace::new(), q * supply_mpa, contraction)
                 .ok()?;
-            let here = form.at(q * form.supply_pa, contraction);
+            let here = form.point_at(q * form.supply_pa, contraction);
             let volume_m3 = there
                 .volume_mm3
                 .filter(|_| there.force_n > 0.0)

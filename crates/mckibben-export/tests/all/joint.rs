@@ -79,7 +79,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
             parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
         let file = parse_joint(text).unwrap();
         let joint: Joint = file
-            .with(file.files().map(|_| muscle.clone()).collect())
+            .with_muscles(file.files().map(|_| muscle.clone()).collect())
             .unwrap();
         let model = fe(&muscle);
         let models: Vec<&dyn ForceModel> = joint.muscles().iter().map(|_| &*model).collect();
@@ -103,7 +103,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
             ]
         }));
         let at = |[a, p1, p2]: [f64; 3], w: &mut _| {
-            core.at(
+            core.point_at(
                 w,
                 &[1e-6 * p1, 1e-6 * p2][..count],
                 a.to_degrees(),

@@ -244,7 +244,9 @@ impl Assembly<'_> {
                 };
             } else {
                 totals.braid += match (&braid.crimp, braid.stiffness) {
-                    (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => both * k * crimp.at(strain)[0],
+                    (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => {
+                        both * k * crimp.energy_and_slopes(strain)[0]
+                    }
                     _ => 0.5 * both * q * strain,
                 };
             }
@@ -395,7 +397,7 @@ pub fn tension(braid: &BraidSpec, strain: f64, multiplier: f64, augment: f64) ->
         Some(k) if braid.compression || strain > SLACK => match &braid.crimp {
             None => (k * strain, k),
             Some(crimp) => {
-                let [_, force, slope] = crimp.at(strain);
+                let [_, force, slope] = crimp.energy_and_slopes(strain);
                 (k * force, k * slope)
             }
         },

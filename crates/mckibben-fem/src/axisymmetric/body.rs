@@ -27,7 +27,7 @@ use crate::{
         newton::{NewtonSystem, Stopped},
     },
 };
-use mckibben::{model::ThickWall, muscle::Crimp};
+use mckibben::{extremes::peak, model::ThickWall, muscle::Crimp};
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.
@@ -266,7 +266,7 @@ impl Body {
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
         let places = self.end.places.iter().filter(|(_, i)| *i < self.end.free);
-        let free = dense::largest(places.map(|(p, _)| self.assembled.residual[last + p].abs()));
+        let free = peak(places.map(|(p, _)| self.assembled.residual[last + p].abs()));
         let held = self
             .control
             .missed(&self.state, self.totals.pull, d.radius, scale);
@@ -352,7 +352,7 @@ impl NewtonSystem for Body {
         let l = self.discretisation.layout;
         let m = l.station();
         let moved = (0..l.along).flat_map(|slab| &self.step.u[slab * l.stride()..][..2 * m]);
-        let size = dense::largest(moved.map(|x| x.abs())) / self.discretisation.radius;
+        let size = peak(moved.map(|x| x.abs())) / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() {
             Ok(size)
         } else {

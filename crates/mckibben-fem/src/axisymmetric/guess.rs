@@ -252,9 +252,7 @@ pub fn shape(d: &Discretisation, state: &mut State, terminal: f64, outline: Outl
             state.u[k + 1] = z - depth * tilt - from[1];
         }
     }
-    for i in 0..=outer {
-        state.u[2 * i + 1] = 0.0;
-    }
+    (0..=outer).for_each(|i| state.u[2 * i + 1] = 0.0);
     state.terminal = terminal;
     true
 }

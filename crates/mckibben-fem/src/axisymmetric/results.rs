@@ -13,9 +13,9 @@ use crate::{
         strand::{STRAND_POINTS, Stretch},
     },
     results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
-    solver::{body::State, dense::largest},
+    solver::body::State,
 };
-use mckibben::muscle::Muscle;
+use mckibben::{extremes::peak, muscle::Muscle};
 
 impl MuscleBody for Body {
     fn derivatives(&mut self) -> Result<[f64; 3]> {
@@ -63,7 +63,7 @@ impl MuscleBody for Body {
     fn bulge_mm(&self) -> f64 {
         let outer: Vec<f64> = self.profile().iter().map(|p| p.outer_r_mm).collect();
         let slabs = (0..self.discretisation.layout.along).map(|slab| 2 * slab);
-        largest(slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
+        peak(slabs.map(|j| highest([outer[j], outer[j + 1], outer[j + 2]])))
     }
 
     fn largest_stretch(&self) -> StretchAt {
@@ -115,7 +115,7 @@ const PARTS: [usize; 2] = [4, 6];
 
 /// The largest principal stretch at a point.
 fn largest_principal(p: &Point, u: &Unknowns) -> f64 {
-    largest(gradient(p, u).principal())
+    peak(gradient(p, u).principal())
 }
 
 /// The highest place of the quadratic edge of an element through its three nodes, which may lie

@@ -20,9 +20,10 @@ use crate::{
         solid::{Unknowns, gradient},
     },
     results::{FieldNode, NodeMeans, StrandState},
-    solver::{body::State, dense::largest},
+    solver::body::State,
 };
 use mckibben::{
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::Muscle,
 };
@@ -137,7 +138,7 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let node = FieldNode {
                 rest_mm: rest[a],
                 now_mm: [rest[a][0] + u.r[a], rest[a][1] + u.z[a]],
-                stretches: [f.t, f.b.hypot(f.d), largest(f.principal())],
+                stretches: [f.t, f.b.hypot(f.d), peak(f.principal())],
                 stress_mpa: multilinear(&stress, [x, y]),
             };
             out.add(

@@ -80,7 +80,7 @@ mod tests {
         beta: 0.2,
     };
 
-    fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
+    fn stresses_at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
         let [a, b, t, c, d] = x;
         let f = Gradient { a, b, c, d, t };
         with_law(law, |law| {
@@ -104,7 +104,7 @@ mod tests {
             ] {
                 check_derivatives(
                     law.name(),
-                    |x| at(&law, x, seen, p)[0],
+                    |x| stresses_at(&law, x, seen, p)[0],
                     (x, p),
                     (1e-5, 1e-6),
                 );
@@ -118,9 +118,9 @@ mod tests {
     fn the_first_loading_is_the_law_itself() {
         let x = [1.3, 0.2, 1.2, -0.3, 0.7];
         for law in Law::examples() {
-            let seen = at(&law, x, 0.0, 0.0)[1].w;
+            let seen = stresses_at(&law, x, 0.0, 0.0)[1].w;
             for seen in [0.0, 0.5 * seen, seen] {
-                let [s, first] = at(&law, x, seen, 0.3);
+                let [s, first] = stresses_at(&law, x, seen, 0.3);
                 for (a, b) in s.r.iter().chain(&s.z).zip(first.r.iter().chain(&first.z)) {
                     assert!(
                         (a - b).abs() < 1e-13 * (1.0 + b.abs()),

@@ -12,6 +12,7 @@ use crate::{
     three_dimensional::{Brick, ThreeDimensional},
 };
 use mckibben::{
+    joined,
     model::ForceModel,
     muscle::Bulk,
     rubber::{Law, RubberLaw},
@@ -121,11 +122,8 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     let bricks = mesh.bricks();
     // Ours run through the wall, around, along; theirs around the face.
     for (e, nodes) in bricks.iter().enumerate() {
-        let list: Vec<String> = vtu::ORDER
-            .iter()
-            .map(|&a| (nodes[a] + 1).to_string())
-            .collect();
-        out += &format!("{}, {}\n", e + 1, list.join(", "));
+        let numbers = vtu::ORDER.iter().map(|&a| (nodes[a] + 1).to_string());
+        out += &format!("{}, {}\n", e + 1, joined(numbers, ", "));
     }
     strands(&mut out, model, bricks.len())?;
     sets(&mut out, model);
@@ -190,8 +188,7 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     let mut write = |head: &str, list: Vec<usize>| {
         *out += &format!("{head}\n");
         for part in list.chunks(12) {
-            let words: Vec<String> = part.iter().map(usize::to_string).collect();
-            *out += &format!("{},\n", words.join(", "));
+            *out += &format!("{},\n", joined(part.iter().map(usize::to_string), ", "));
         }
     };
     // No displacement is held twice.
@@ -222,7 +219,7 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     let card = law.card().ok_or_else(|| {
         FemError::Refused(format!(
             "an input deck cannot describe the law \"{law}\"; it can describe {}",
-            known(),
+            laws_of_decks(),
             law = law.name()
         ))
     })?;
@@ -236,15 +233,14 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
         .collect();
     *out += &format!("*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}\n", card.form);
     for part in numbers.chunks(8) {
-        let words: Vec<String> = part.iter().map(|x| format!("{x:?}")).collect();
-        *out += &format!("{}\n", words.join(", "));
+        *out += &format!("{}\n", joined(part.iter().map(|x| format!("{x:?}")), ", "));
     }
     *out += "*SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER\n";
     Ok(())
 }
 
 /// Names of the laws that decks know.
-fn known() -> String {
+fn laws_of_decks() -> String {
     let laws = Law::examples();
     let mut names: Vec<&str> = laws
         .iter()

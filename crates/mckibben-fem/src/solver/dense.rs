@@ -49,11 +49,6 @@ fn eliminate_any(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize,
     Ok(negative)
 }
 
-/// The largest of numbers that are not negative; zero of none.
-pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, f64::max)
-}
-
 /// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and
 /// what they act on.
 pub fn forward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {

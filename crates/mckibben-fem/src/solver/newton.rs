@@ -144,6 +144,29 @@ const LARGE: f64 = 50.0;
 const ROUNDING: f64 = 1e-11;
 const ROUNDING_RESIDUAL: f64 = 1e-8;
 
+/// A new tangent, and the residual: where the last correction leads to no admissible iterate, at a
+/// share of it.
+fn linearise_on_way(
+    system: &mut dyn NewtonSystem,
+    most: usize,
+    factorisations: &mut usize,
+) -> Result<f64> {
+    let mut retreats = 0;
+    loop {
+        if *factorisations >= most {
+            return Err(Stopped::Budget);
+        }
+        *factorisations += 1;
+        match system.linearise() {
+            Err(Stopped::Inverted | Stopped::NotFinite) if retreats < RETREATS => {
+                retreats += 1;
+                system.retreat(0.5);
+            }
+            result => return result,
+        }
+    }
+}
+
 /// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also
 /// where it fails. `watch` sees every residual and may end the iteration.
 ///
@@ -155,7 +178,7 @@ pub fn solve(
     effort: &mut Effort,
     mut watch: impl FnMut(f64) -> Result<()>,
 ) -> Result<()> {
-    let before = effort.factorisations;
+    let most = effort.factorisations.saturating_add(options.factorisations);
     effort.moved = 0.0;
     if options.neighbour {
         effort.iterations += 1;
@@ -176,7 +199,7 @@ pub fn solve(
         effort.iterations += 1;
         let size = system.correct()?;
         effort.moved += size;
-        if size.is_nan() || size >= LARGE {
+        if !(..LARGE).contains(&size) {
             return Err(Stopped::Diverged);
         }
         if effort.moved > options.reach {
@@ -200,21 +223,7 @@ pub fn solve(
                 continue;
             }
         }
-        let mut retreats = 0;
-        norm = loop {
-            if effort.factorisations - before >= options.factorisations {
-                return Err(Stopped::Budget);
-            }
-            effort.factorisations += 1;
-            match system.linearise() {
-                Ok(norm) => break norm,
-                Err(Stopped::Inverted | Stopped::NotFinite) if retreats < RETREATS => {
-                    retreats += 1;
-                    system.retreat(0.5);
-                }
-                Err(stop) => return Err(stop),
-            }
-        };
+        norm = linearise_on_way(system, most, &mut effort.factorisations)?;
         watch(norm)?;
         if size < ROUNDING && norm <= ROUNDING_RESIDUAL {
             effort.residual = norm;

@@ -14,12 +14,11 @@ use crate::{
     FemError, Result,
     solver::{
         body::{Control, State, Totals},
-        dense,
         newton::{NewtonSystem, Solved, Stopped},
         sparse::SparseCholesky,
     },
 };
-use mckibben::cancel;
+use mckibben::{cancel, extremes::peak};
 use std::sync::Arc;
 
 /// Tolerances of conjugate gradients: inside of Newton's method, and for derivatives.
@@ -218,7 +217,7 @@ impl Body {
     fn norm(&self) -> f64 {
         let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = dense::largest(
+        let free = peak(
             d.place
                 .iter()
                 .map(|&i| self.assembled.force[i as usize].abs()),
@@ -267,7 +266,7 @@ impl NewtonSystem for Body {
         }
         cancel::check()?;
         self.state.add(1.0, &step);
-        let size = dense::largest(step.u.iter().map(|x| x.abs())) / self.discretisation.radius;
+        let size = peak(step.u.iter().map(|x| x.abs())) / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
         if sum.is_finite() {

@@ -13,12 +13,12 @@ use crate::{
     },
     solver::{
         body::State,
-        dense::largest,
         sparse::{Analysis, Pattern},
     },
 };
 use mckibben::{
     cancel::{self, Cancelled},
+    extremes::peak,
     muscle::Bulk,
     rubber::{Law, RubberLaw},
 };
@@ -139,10 +139,10 @@ impl Discretisation {
         let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all_of(&problem);
-        let greatest = largest(problem.nodes.iter().map(|x| x[2]));
+        let greatest = peak(problem.nodes.iter().map(|x| x[2]));
         let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = largest(problem.nodes.iter().map(|x| x[0].hypot(x[1])));
+        let radius = peak(problem.nodes.iter().map(|x| x[0].hypot(x[1])));
         let most = AUGMENT_STRAND * shear;
         let strand = problem
             .trusses
@@ -292,9 +292,9 @@ fn check_cancel(number: usize) -> Result<(), Cancelled> {
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over
 /// height of a brick.
 fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
-    largest(stiff.iter().map(|m: &Material| {
+    peak(stiff.iter().map(|m: &Material| {
         let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
-        let size = largest(rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()));
+        let size = peak(rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()));
         16.0 * f64::EPSILON * greatest * modulus * size
     }))
 }

@@ -1,14 +1,12 @@
 //! Where nodes are now, and what bricks and strands do between them.
 
 use super::{body::Body, saddle::dot};
-use crate::{
-    element::{
-        brick::{ShapePoint, adjugate, determinant, jacobian},
-        spatial::{PAIRS, Vector},
-        spatial_stretches::principal_axes,
-    },
-    solver::dense::largest,
+use crate::element::{
+    brick::{ShapePoint, adjugate, determinant, jacobian},
+    spatial::{PAIRS, Vector},
+    spatial_stretches::principal_axes,
 };
+use mckibben::extremes::peak;
 
 /// Place now of a node in mm.
 pub fn now(body: &Body, node: usize) -> Vector {
@@ -24,7 +22,7 @@ pub fn left(f: &[Vector; 3]) -> [f64; 6] {
 
 /// Largest principal stretch at F.
 pub fn largest_principal(f: &[Vector; 3]) -> f64 {
-    largest(principal_axes(&left(f)).0).sqrt()
+    peak(principal_axes(&left(f)).0).sqrt()
 }
 
 /// F at a point of a brick, and its place in the reference configuration.

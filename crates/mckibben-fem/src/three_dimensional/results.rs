@@ -15,9 +15,8 @@ use crate::{
         spatial::Vector,
     },
     results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
-    solver::dense::largest,
 };
-use mckibben::{cancel, muscle::Muscle};
+use mckibben::{cancel, extremes::peak, muscle::Muscle};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {
@@ -104,7 +103,7 @@ impl MuscleBody for MuscleInBricks {
     }
 
     fn bulge_mm(&self) -> f64 {
-        largest(self.profile().iter().map(|p| p.outer_r_mm))
+        peak(self.profile().iter().map(|p| p.outer_r_mm))
     }
 
     /// Looked at in three layers of every brick.

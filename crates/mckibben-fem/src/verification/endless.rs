@@ -81,7 +81,7 @@ pub fn endless_braid(rows: &mut Rows) {
             ("a (mm)", a),
             ("b (mm)", b),
         ];
-        rows.each(
+        rows.add_each(
             &format!("infinitely long muscle, λz {stretch}: "),
             exact,
             ours,

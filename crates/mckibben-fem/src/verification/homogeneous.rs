@@ -77,7 +77,7 @@ pub fn homogeneous(rows: &mut Rows) {
             ("nominal stress (MPa)", nominal),
             ("distance from the linear field (mm)", 0.0),
         ];
-        rows.each(
+        rows.add_each(
             &format!("{name}, λ = 2, distorted patch: "),
             exact,
             ours,
@@ -110,5 +110,5 @@ pub fn homogeneous(rows: &mut Rows) {
         ("σ11 − σ33 (MPa)", 0.2 * g * g),
         ("σ22 − σ33 (MPa)", -0.04 * g * g),
     ];
-    rows.each("simple shear, γ = 0.7: ", exact, Some(ours), 1e-12);
+    rows.add_each("simple shear, γ = 0.7: ", exact, Some(ours), 1e-12);
 }

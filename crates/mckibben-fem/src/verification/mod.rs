@@ -21,11 +21,11 @@ use crate::{
     solver::{
         body::Control,
         continuation::Continuation,
-        dense::largest,
         newton::{self, Effort, NewtonOptions, NewtonSystem},
     },
 };
 use mckibben::{
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube},
     progress::Progress,
@@ -61,7 +61,7 @@ impl Rows {
     }
 
     /// A row for each of the values that one computation gives, with what is exact.
-    fn each<const N: usize>(
+    fn add_each<const N: usize>(
         &mut self,
         begins: &str,
         exact: [(&str, f64); N],
@@ -323,7 +323,7 @@ fn section_pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
+    peak(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step above rounding, at most 2: faster is

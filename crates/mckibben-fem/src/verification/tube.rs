@@ -79,7 +79,7 @@ pub fn thick_tube(rows: &mut Rows) {
             [a / inner, b_now, b.totals.pull]
         });
         let exact = [("a/A", swell), ("b (mm)", outside), ("N − πa²p (N)", axial)];
-        rows.each(
+        rows.add_each(
             &format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: "),
             exact,
             ours,

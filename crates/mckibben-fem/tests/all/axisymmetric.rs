@@ -425,7 +425,7 @@ fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
         (30.0, 1.21869, 7.6696),
     ] {
         let point = model
-            .at(workspaces, &[0.3, 0.15], angle_deg, Turning::Mean)
+            .point_at(workspaces, &[0.3, 0.15], angle_deg, Turning::Mean)
             .unwrap();
         assert!(
             (point.torque_nm - torque).abs() < 6e-6,

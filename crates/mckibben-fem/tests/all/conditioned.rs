@@ -280,7 +280,7 @@ fn a_held_muscle_is_one_of_softer_rubber() {
         at(&at_once, 0.2, 0.1),
         at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1)
     );
-    let long = Axisymmetric::new(&tube(relaxing.held(Held::Long))).unwrap();
+    let long = Axisymmetric::new(&tube(relaxing.relaxed(Held::Long))).unwrap();
     assert!(at(&long, 0.2, 0.1).force_n > at(&at_once, 0.2, 0.1).force_n);
     let free = |m: &Axisymmetric| free_contraction(m, &mut Workspace::new(), 0.2).unwrap();
     assert!(free(&long) > free(&at_once) + 0.005);

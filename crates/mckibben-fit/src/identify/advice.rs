@@ -13,6 +13,8 @@ use crate::{
 };
 use mckibben::{
     cancel,
+    extremes::peak,
+    joined,
     model::{Ideal, Workspace},
     muscle::{
         Muscle,
@@ -25,7 +27,6 @@ use std::cmp::Ordering;
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
 pub fn lines(list: &[u64]) -> String {
     const SHOWN: usize = 6;
-    let shown: Vec<String> = list.iter().take(SHOWN).map(u64::to_string).collect();
     let more = list.len().saturating_sub(SHOWN);
     let word = if list.len() == 1 { "line" } else { "lines" };
     let tail = if more > 0 {
@@ -33,7 +34,10 @@ pub fn lines(list: &[u64]) -> String {
     } else {
         String::new()
     };
-    format!("{word} {}{tail}", shown.join(", "))
+    format!(
+        "{word} {}{tail}",
+        joined(list.iter().take(SHOWN).map(u64::to_string), ", ")
+    )
 }
 
 /// A number with three digits.
@@ -170,7 +174,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     ratios.sort_by(f64::total_cmp);
     let middle = ratios[ratios.len() / 2];
     let high = ratios[9 * ratios.len() / 10];
-    let highest = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
+    let highest = peak(points.iter().map(|p| p.at.pressure_mpa));
     let pressure = show(highest);
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
@@ -250,10 +254,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
             .total_cmp(&q.pressure_mpa)
             .then(p.contraction.total_cmp(&q.contraction))
     });
-    let largest = points
-        .iter()
-        .map(|p| p.at.force_n.abs())
-        .fold(0.0, f64::max);
+    let largest = peak(points.iter().map(|p| p.at.force_n.abs()));
     let clash = |pair: &&[&DataPoint]| {
         let a = pair[0];
         let b = pair[1];

@@ -101,7 +101,7 @@ impl Candidate {
         let family = has_family.then_some(family);
         if let Some(family) = &family {
             parts.braid.stiffness =
-                BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
+                BraidStiffness::NewtonPerMm(family.stiffness_at(parts.tube.outer_diameter_mm));
         }
         Ok(Self {
             muscle: Muscle::from_parts(parts)?,
@@ -118,14 +118,15 @@ impl Candidate {
             return Ok(muscle);
         };
         let mut braid = muscle.braid().clone();
-        braid.stiffness = BraidStiffness::NewtonPerMm(family.at(muscle.outer_diameter_mm()));
+        braid.stiffness =
+            BraidStiffness::NewtonPerMm(family.stiffness_at(muscle.outer_diameter_mm()));
         muscle.with_braid(braid)
     }
 }
 
 impl Family {
     /// k on a diameter.
-    pub fn at(&self, outer_diameter_mm: f64) -> f64 {
+    pub fn stiffness_at(&self, outer_diameter_mm: f64) -> f64 {
         self.stiffness * self.ratio(outer_diameter_mm).powf(self.exponent)
     }
 

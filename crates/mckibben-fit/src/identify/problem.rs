@@ -376,10 +376,10 @@ fn chain_rule(
             family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)),
         )],
         Target::StiffnessExponent => vec![by_stiffness(
-            family.map_or(0.0, |f| f.at(d) * f.ratio(d).ln()),
+            family.map_or(0.0, |f| f.stiffness_at(d) * f.ratio(d).ln()),
         )],
         Target::Measure(m) if *m == OUTER_DIAMETER => {
-            let through = family.map(|f| by_stiffness(f.exponent * f.at(d) / d));
+            let through = family.map(|f| by_stiffness(f.exponent * f.stiffness_at(d) / d));
             [(m.key.to_owned(), 1.0)]
                 .into_iter()
                 .chain(through)
@@ -392,7 +392,7 @@ fn chain_rule(
 }
 
 impl Residuals for Problem<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.rows(x)?.into_iter().collect::<Result<Vec<f64>>>().ok()
     }
 

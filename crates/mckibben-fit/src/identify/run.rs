@@ -15,6 +15,7 @@ use crate::{
 };
 use mckibben::{
     cancel::Cancelled,
+    extremes::peak,
     model::ModelError,
     muscle::{
         Direction, Muscle, MuscleError,
@@ -83,7 +84,7 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
         if n > 0.0 { f / n } else { 0.0 }
     };
     let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
-    let forces = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+    let forces = peak(points.iter().map(|p| p.at.force_n));
     let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
     half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
 }
@@ -187,12 +188,10 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
     let too_few = |points| {
-        let dropped = slack.len();
-        let parameters = unknowns.len();
         IdentifyError::Data(DataError::TooFew {
             points,
-            dropped,
-            parameters,
+            dropped: slack.len(),
+            parameters: unknowns.len(),
         })
     };
     if counted.len() <= unknowns.len() {
@@ -310,7 +309,7 @@ fn end_displacement_mm(
         Target::Measure(m) if *m == SLIP => {
             let ends = muscle.ends();
             let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
-            Some(value * request.points.iter().map(load).fold(0.0, f64::max))
+            Some(value * peak(request.points.iter().map(load)))
         }
         _ => None,
     }
@@ -366,7 +365,7 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
         x[i] += 0.1 * unknowns[i].scale;
         let change = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-9 * (1.0 + b.abs());
         let moves = |r: Vec<f64>| r.iter().zip(&estimate.residuals).any(change);
-        estimate.standard_errors[i].is_finite() || problem.at(&x).is_none_or(moves)
+        estimate.standard_errors[i].is_finite() || problem.residuals_at(&x).is_none_or(moves)
     };
     let one = |i: usize| {
         let target = request.free[i].target;

@@ -5,7 +5,7 @@ use crate::{
     least_squares::Line,
     measured::{DataPoint, Quantity},
 };
-use mckibben::{cancel, muscle::Muscle};
+use mckibben::{cancel, extremes::peak, muscle::Muscle};
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies
 /// slack.
@@ -84,7 +84,7 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
         cancel::check()?;
         let Some(rise) = rise(curve) else { continue };
         curves += 1;
-        let largest = curve.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+        let largest = peak(curve.iter().map(|p| p.at.force_n));
         if rise > RISE * largest {
             rising += 1;
             lines_of_rising.extend(curve.iter().map(|p| p.line));

@@ -11,7 +11,7 @@
 
 use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use mckibben::cancel;
+use mckibben::{cancel, extremes::peak};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -20,7 +20,7 @@ use thiserror::Error;
 /// The residual of every point as a function of the unknowns.
 pub trait Residuals {
     /// One number a point; `None` where the model has no answer.
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>>;
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>>;
 
     /// ∂r/∂x, one column an unknown, where the model has it; else central differences are taken.
     fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
@@ -29,7 +29,7 @@ pub trait Residuals {
 }
 
 impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self(x)
     }
 }
@@ -100,7 +100,6 @@ pub enum EstimateError {
     TooFew {
         /// Points with a weight.
         points: usize,
-        /// Unknowns.
         unknowns: usize,
     },
     /// No answer of the model at the start.
@@ -131,7 +130,11 @@ type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
 const KNOWN: usize = 4;
 
 /// The result at x, computed where it is not known.
-fn known<T: Clone>(list: &Answers<T>, x: &[f64], compute: impl FnOnce() -> Option<T>) -> Option<T> {
+fn remembered<T: Clone>(
+    list: &Answers<T>,
+    x: &[f64],
+    compute: impl FnOnce() -> Option<T>,
+) -> Option<T> {
     if let Some((_, known)) = list.borrow().iter().find(|(known, _)| known == x) {
         return known.clone();
     }
@@ -143,12 +146,12 @@ fn known<T: Clone>(list: &Answers<T>, x: &[f64], compute: impl FnOnce() -> Optio
 }
 
 impl Residuals for Known<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        known(&self.at, x, || self.residuals.at(x))
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        remembered(&self.at, x, || self.residuals.residuals_at(x))
     }
 
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        known(&self.by, x, || self.residuals.by_unknowns(x))
+        remembered(&self.by, x, || self.residuals.by_unknowns(x))
     }
 }
 
@@ -175,7 +178,11 @@ impl Inner<'_> {
     /// J δ = −r in the least squares, in the unknowns that lie on no bound: none further than its
     /// scale.
     fn beside(&self) -> Result<Option<DVector<f64>>, &'static str> {
-        let at = |u: &DVector<f64>| self.residuals.at(&self.x(u)).map(|r| self.weighted(r));
+        let at = |u: &DVector<f64>| {
+            self.residuals
+                .residuals_at(&self.x(u))
+                .map(|r| self.weighted(r))
+        };
         let Some((mut j, r)) = self.jacobian().zip(at(&self.u)) else {
             return Ok(None);
         };
@@ -186,19 +193,14 @@ impl Inner<'_> {
             }
         }
         let svd = j.clone().svd(true, true);
-        let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+        let largest = peak(svd.singular_values.iter().copied());
         let Ok(step) = svd.solve(&-&r, 1e-10 * largest) else {
             return Ok(None);
         };
         let in_scales = |(k, unknown): (usize, &Unknown)| {
             (unknown.outer(self.u[k]).1 * step[k] / unknown.scale).abs()
         };
-        let far = self
-            .unknowns
-            .iter()
-            .enumerate()
-            .map(in_scales)
-            .fold(0.0, f64::max);
+        let far = peak(self.unknowns.iter().enumerate().map(in_scales));
         if far <= STEP || (&j * &step).norm_squared() <= SMALLER * r.norm_squared() {
             return Ok(None);
         }
@@ -273,8 +275,8 @@ pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Opt
         let mut down = x.to_vec();
         up[i] = (x[i] + h).min(unknown.high);
         down[i] = (x[i] - h).max(unknown.low);
-        let a = residuals.at(&up)?;
-        let b = residuals.at(&down)?;
+        let a = residuals.residuals_at(&up)?;
+        let b = residuals.residuals_at(&down)?;
         let width = up[i] - down[i];
         Some(a.iter().zip(&b).map(|(a, b)| (a - b) / width).collect())
     };
@@ -297,7 +299,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_> {
     fn residuals(&self) -> Option<DVector<f64>> {
         // Not even a wall: the iteration ends.
         cancel::check().ok()?;
-        match self.residuals.at(&self.x(&self.u)) {
+        match self.residuals.residuals_at(&self.x(&self.u)) {
             Some(r) => Some(self.weighted(r)),
             // A step to where the model has no answer is a bad step: the next one is shorter.
             None => self
@@ -376,7 +378,7 @@ pub fn estimate(
         inner.wall = Some(1e3 * (1.0 + start.amax()));
         inner = inner.minimum()?;
         let r = residuals
-            .at(&inner.x(&inner.u))
+            .residuals_at(&inner.x(&inner.u))
             .ok_or(EstimateError::Start)?;
         let next = match loss {
             Loss::Squares => break,
@@ -384,7 +386,7 @@ pub fn estimate(
             Loss::Largest => sixth_power(&r, weights, &factors),
         };
         let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs());
-        let settled = moved.fold(0.0, f64::max) < 1e-6;
+        let settled = peak(moved) < 1e-6;
         factors = next;
         all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect();
         if settled {
@@ -432,7 +434,7 @@ fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
 /// logarithm: the whole step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
 fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
-    let largest = size.iter().copied().fold(0.0, f64::max);
+    let largest = peak(size.iter().copied());
     if largest == 0.0 {
         return before.to_vec();
     }
@@ -447,7 +449,10 @@ fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
 fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
     let x = inner.x(&inner.u);
     let unknowns = inner.unknowns;
-    let residuals = inner.residuals.at(&x).ok_or(EstimateError::Start)?;
+    let residuals = inner
+        .residuals
+        .residuals_at(&x)
+        .ok_or(EstimateError::Start)?;
     let columns = slopes(inner.residuals, unknowns, &x).ok_or(EstimateError::Start)?;
     let at_bound: Vec<bool> = unknowns
         .iter()
@@ -470,7 +475,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     } else {
         DMatrix::zeros(1, 1).svd(false, false)
     };
-    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
+    let largest = peak(svd.singular_values.iter().copied());
     let mut covariance = DMatrix::<f64>::zeros(m, m);
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {

@@ -28,7 +28,7 @@ const VARIES: f64 = 0.05;
 impl PressureLog {
     /// The pressures at the times of pulls, none outside of the log, and how the two clocks were
     /// brought together.
-    pub(super) fn at(&self, times: &[f64], pulls: &[f64]) -> (Vec<Option<f64>>, String) {
+    pub(super) fn pressures_at(&self, times: &[f64], pulls: &[f64]) -> (Vec<Option<f64>>, String) {
         let mut points = self.points.clone();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (offset, how) = match self.offset_s {

@@ -60,10 +60,7 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     if length_is_l0 {
         table.rename(Meaning::Length, Meaning::RestLength);
     }
-    let (pressures, joined) = match &options.log {
-        Some(log) => join(log, &mut table)?,
-        None => (pressures(&table)?, None),
-    };
+    let (pressures, joined) = pressures_by_log(&mut table, options.log.as_ref())?;
     let rest = table.above_zero(Meaning::RestLength, MEASURE)?;
     let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
     if length_is_l0 {
@@ -83,9 +80,8 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
-        if let Some(branches) = &branches {
-            point.at.branch = Some(branches[i]);
-        }
+        let by_velocity = branches.as_ref().map(|branches| branches[i]);
+        point.at.branch = by_velocity.or(point.at.branch);
     }
     if points.is_empty() {
         return Err(table.no_points());
@@ -109,11 +105,14 @@ fn of_log(text: &str, options: &PointOptions) -> Result<Table> {
     Table::read(text, &RECORDED, &columns)
 }
 
-/// The pressures of a log at the times of the rows, without rows outside of it.
-fn join(log: &PressureLog, table: &mut Table) -> Result<(Vec<f64>, Note)> {
+/// The pressures of the rows, or those of a log at their times, without rows outside of it.
+fn pressures_by_log(table: &mut Table, log: Option<&PressureLog>) -> Result<(Vec<f64>, Note)> {
+    let Some(log) = log else {
+        return Ok((pressures(table)?, None));
+    };
     let times = table.numbers(table.needed(TIME)?)?;
     let pulls = table.numbers(table.needed(FORCE)?)?;
-    let (pressures, joined) = log.at(&times, &pulls);
+    let (pressures, joined) = log.pressures_at(&times, &pulls);
     table.retain(|row| pressures[row].is_some());
     let outside = pressures.len() - table.lines().len();
     let note = format!("{joined}; {outside} rows outside of it");

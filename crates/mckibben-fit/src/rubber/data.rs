@@ -3,9 +3,10 @@
 mod cell;
 mod sheet;
 
-use super::{Mode, TensionPoint};
+use super::TensionPoint;
 use crate::measured::distinct;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
+use mckibben::joined;
 use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood};
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
@@ -39,30 +40,16 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
         _ => vec![],
     };
     let lengths = stretches(&table, stretch, &gauges)?;
-    let mut points = vec![];
     let tests = Tests {
         table: &table,
         areas_mm2: &areas,
     };
     let has_sheets = table.column(Meaning::Stretch2).is_some();
-    if has_sheets {
-        points = tests.sheet_points(&lengths)?;
+    let points = if has_sheets {
+        tests.sheet_points(&lengths)
     } else {
-        const NEEDS: &str = "the second stretch of the specimen: a column `stretch_2`";
-        if stress.meaning == Meaning::TrueStressDifference {
-            return Err(stress.needs(NEEDS));
-        }
-        for (row, (stretch, measured)) in
-            lengths.into_iter().zip(table.numbers(stress)?).enumerate()
-        {
-            let nominal_stress_mpa = tests.nominal_mpa(row, stress, measured, stretch)?;
-            let mode = tests.mode(row)?.unwrap_or_default();
-            if mode == Mode::General {
-                return Err(stress.needs(NEEDS));
-            }
-            points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
-        }
-    }
+        tests.strip_points(&lengths, stress)
+    }?;
     if points.is_empty() {
         return Err(TableError::empty());
     }
@@ -104,11 +91,10 @@ fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Res
 
 /// The different values, for people.
 fn listed(values: &[f64]) -> String {
-    distinct(values.iter().copied())
-        .iter()
-        .map(f64::to_string)
-        .collect::<Vec<_>>()
-        .join(", ")
+    joined(
+        distinct(values.iter().copied()).iter().map(f64::to_string),
+        ", ",
+    )
 }
 
 /// L/L0, row by row.

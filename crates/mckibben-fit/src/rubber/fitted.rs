@@ -164,7 +164,7 @@ impl FittedLaw {
     }
 
     /// How the law is held stable, where it is; in words behind its name.
-    pub fn held(&self) -> &'static str {
+    pub fn stability_words(&self) -> &'static str {
         match self.form.kind().held_positive {
             Some(words) => words,
             None if self.law.locks_at().is_some() => "with a limit beyond the muscle's stretches",

@@ -27,7 +27,7 @@ struct Linear<'a> {
 }
 
 impl Residuals for Linear<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         let row = |k: usize| {
             self.columns
                 .iter()

@@ -209,7 +209,6 @@ pub enum TensionFitError {
     TooFew {
         /// Points that count.
         points: usize,
-        /// The law.
         law: String,
         /// Points that it takes.
         fewest: usize,

@@ -44,7 +44,7 @@ impl Unknowns<'_> {
 }
 
 impl Residuals for Unknowns<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.problem.residuals(&self.form.law_of(&self.turned(x))?)
     }
 }

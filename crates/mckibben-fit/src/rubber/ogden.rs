@@ -45,7 +45,7 @@ impl Terms<'_> {
 }
 
 impl Residuals for Terms<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.problem.residuals(&self.law(x))
     }
 

@@ -10,7 +10,10 @@
 //! longer side of a specimen that is pulled with its thickness held, so that squares of it compare
 //! with those of nominal stresses.
 
-use mckibben::rubber::{MUSCLE_AXIAL_STRETCH, RubberLaw};
+use mckibben::{
+    extremes::peak,
+    rubber::{MUSCLE_AXIAL_STRETCH, RubberLaw},
+};
 use serde::{Deserialize, Serialize};
 
 /// How a specimen is stretched.
@@ -181,7 +184,7 @@ impl TensionPoint {
 
     /// The largest of the three.
     pub fn largest_stretch(&self) -> f64 {
-        self.stretches().into_iter().fold(0.0, f64::max)
+        peak(self.stretches())
     }
 
     /// The larger stretch in the plane; in a mode of one stretch that one.

@@ -3,6 +3,7 @@
 use super::{Mode, TensionPoint};
 use mckibben::{
     cancel,
+    extremes::peak,
     rubber::{Law, RubberLaw},
 };
 use serde::{Deserialize, Serialize};
@@ -94,10 +95,7 @@ impl Problem {
 
     /// Largest I1 − 3 of the points.
     pub fn largest_i1_minus_3(&self) -> f64 {
-        self.points
-            .iter()
-            .map(TensionPoint::i1_minus_3)
-            .fold(0.0, f64::max)
+        peak(self.points.iter().map(TensionPoint::i1_minus_3))
     }
 
     /// Stresses of a law over the divisors; `None` where it cannot carry a stretch.

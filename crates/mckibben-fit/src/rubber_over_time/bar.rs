@@ -79,7 +79,7 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
 
     /// Nominal stress in MPa at a time and stretch; in between the stress at once went straight.
     /// The first point comes at once.
-    pub fn at(&mut self, time_s: f64, stretch: f64) -> f64 {
+    pub fn stress_at(&mut self, time_s: f64, stretch: f64) -> f64 {
         let across = stretch.powf(-0.5);
         let stretches = [stretch, across, across];
         let stress = match self.softening {
@@ -113,7 +113,7 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
         check(history)?;
         Ok(history
             .iter()
-            .map(|p| self.at(p.time_s, p.stretch))
+            .map(|p| self.stress_at(p.time_s, p.stretch))
             .collect())
     }
 

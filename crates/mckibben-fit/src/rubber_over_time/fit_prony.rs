@@ -80,9 +80,8 @@ impl PronyFit {
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
-    let first = history.first();
-    let last = history.last();
-    let duration_s = first.zip(last).map_or(0.0, |(a, b)| b.time_s - a.time_s);
+    let ends = history.first().zip(history.last());
+    let duration_s = ends.map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
         "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
          branches or a longer test"
@@ -112,9 +111,8 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         branches,
         history,
     };
-    let mu = elastic.law.shear_modulus_mpa();
     let modulus = |c: ConstantValue| {
-        let scale = c.value.abs().max(1e-2 * mu);
+        let scale = c.value.abs().max(1e-2 * elastic.law.shear_modulus_mpa());
         if c.constant.bounds.0 == 0.0 {
             Unknown::above(0.8 * c.value, 0.0, scale)
         } else {
@@ -192,7 +190,7 @@ impl Relaxing<'_> {
 }
 
 impl Residuals for Relaxing<'_> {
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         let (instantaneous, prony) = self.unpack(x);
         Bar::new(&instantaneous, None, &prony).differences(self.history)
     }

@@ -104,13 +104,15 @@ fn a_closed_cycle_loses_the_integral_of_one_minus_eta() {
                 / steps as f64
                 / 3.0
         };
-        let up: Vec<f64> = (0..=steps).map(|i| bar.at(i as f64, way(i))).collect();
+        let up: Vec<f64> = (0..=steps)
+            .map(|i| bar.stress_at(i as f64, way(i)))
+            .collect();
         let w_max = energy(&law, top);
         let down: Vec<f64> = (0..=steps)
-            .map(|i| bar.at((steps + i) as f64, way(steps - i)))
+            .map(|i| bar.stress_at((steps + i) as f64, way(steps - i)))
             .collect();
         let again: Vec<f64> = (0..=steps)
-            .map(|i| bar.at((2 * steps + i) as f64, way(i)))
+            .map(|i| bar.stress_at((2 * steps + i) as f64, way(i)))
             .collect();
         assert!((simpson(&up) - w_max).abs() < 1e-8);
         let lost = simpson(&up) - simpson(&down);
@@ -133,19 +135,19 @@ fn a_held_bar_relaxes_as_the_series_says() {
     let prony = series();
     for stretch in [0.7, 1.2, 2.5] {
         let mut bar = Bar::new(&law, None, &prony);
-        let at_once = bar.at(0.0, stretch);
+        let at_once = bar.stress_at(0.0, stretch);
         assert!((at_once / law.uniaxial_stress_mpa(stretch) - 1.0).abs() < 1e-13);
         for time in [0.1, 1.0, 30.0, 1e4] {
             let left = 1.0
                 - 0.2 * (1.0 - (-time / 2.0_f64).exp())
                 - 0.15 * (1.0 - (-time / 60.0_f64).exp());
             assert!(
-                (bar.at(time, stretch) / at_once - left).abs() < 1e-13,
+                (bar.stress_at(time, stretch) / at_once - left).abs() < 1e-13,
                 "{stretch} {time}"
             );
             assert!((prony.left_after(time) - left).abs() < 1e-14);
         }
-        assert!((bar.at(1e6, stretch) / at_once - 0.65).abs() < 1e-13);
+        assert!((bar.stress_at(1e6, stretch) / at_once - 0.65).abs() < 1e-13);
     }
 }
 
@@ -167,12 +169,12 @@ fn small_oscillations_lose_the_work_of_the_loss_modulus_with_second_order() {
         let mut bar = Bar::new(&law, None, &prony);
         let dt = std::f64::consts::TAU / omega / steps as f64;
         let mut work = 0.0;
-        let mut before = (1.0, bar.at(0.0, 1.0));
+        let mut before = (1.0, bar.stress_at(0.0, 1.0));
         // Long enough for the slowest branch to have forgotten the start.
         let cycles = 100;
         for i in 1..=cycles * steps {
             let stretch = 1.0 + strain * (omega * dt * i as f64).sin();
-            let now = (stretch, bar.at(dt * i as f64, stretch));
+            let now = (stretch, bar.stress_at(dt * i as f64, stretch));
             if i > (cycles - 1) * steps {
                 work += 0.5 * (now.1 + before.1) * (now.0 - before.0);
             }
@@ -207,7 +209,7 @@ fn cycles(law: &Law, softening: Option<OgdenRoxburgh>, prony: &Prony, rate: f64)
             out.push(TimePoint {
                 time_s,
                 stretch,
-                nominal_stress_mpa: bar.at(time_s, stretch),
+                nominal_stress_mpa: bar.stress_at(time_s, stretch),
             });
             time_s += f64::abs(to - from) / 40.0 / rate;
         }
@@ -243,7 +245,7 @@ fn a_known_series_comes_back_from_cycles_and_a_hold() {
     let mut history = cycles(&law, None, &prony, 0.05);
     let mut bar = Bar::new(&law, None, &prony);
     for p in &history {
-        bar.at(p.time_s, p.stretch);
+        bar.stress_at(p.time_s, p.stretch);
     }
     let end = history.last().unwrap().time_s;
     for i in 1..=80 {
@@ -251,7 +253,7 @@ fn a_known_series_comes_back_from_cycles_and_a_hold() {
         history.push(TimePoint {
             time_s,
             stretch: 2.0,
-            nominal_stress_mpa: bar.at(time_s, 2.0),
+            nominal_stress_mpa: bar.stress_at(time_s, 2.0),
         });
     }
     let fit = fit_prony(&history, Form::parse("yeoh")[0], 2).unwrap();
@@ -361,7 +363,7 @@ fn a_held_law_has_what_is_left_of_every_stress() {
     for law in Law::examples() {
         for held in [Held::For(0.0), Held::For(20.0), Held::Long] {
             let left = prony.left(held);
-            let later = prony.held(&law, held);
+            let later = prony.relaxed_law(&law, held);
             for stretch in [0.7, 1.2, 1.9] {
                 let a = later.uniaxial_stress_mpa(stretch);
                 let b = left * law.uniaxial_stress_mpa(stretch);

@@ -164,7 +164,7 @@ fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
 }
 
 /// What is built in, of its kind.
-fn all<T>(
+fn built_in_of_kind<T>(
     list: &'static BuiltIn,
     of: fn(&Measurement) -> Option<&T>,
 ) -> Result<Vec<&'static T>, &'static CaseError> {
@@ -173,12 +173,12 @@ fn all<T>(
 
 /// The measured muscles that are built in.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    all(&MUSCLES, Measurement::muscle)
+    built_in_of_kind(&MUSCLES, Measurement::muscle)
 }
 
 /// The measured rubbers that are built in.
 pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
-    all(&RUBBERS, Measurement::rubber)
+    built_in_of_kind(&RUBBERS, Measurement::rubber)
 }
 
 impl Measurement {

@@ -10,7 +10,7 @@ use crate::{
     measured::mean_of_data,
 };
 use mckibben::{
-    threads,
+    joined, threads,
     verification::{CaseKind, Measure, VerificationRow},
 };
 
@@ -106,7 +106,7 @@ fn rms(set: &'static MuscleCase, errors: &ForceErrors) -> VerificationRow {
         "{}: fe, {} points, {} identified",
         set.facts.title,
         errors.points,
-        free.collect::<Vec<_>>().join(" and ")
+        joined(free, " and ")
     );
     let tolerance = set.rms_of_blocked.unwrap_or(0.0);
     let some = Some(errors).filter(|errors| errors.points > 0);

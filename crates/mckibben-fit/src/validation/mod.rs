@@ -38,6 +38,7 @@ use mckibben::verification::{Measure, VerificationRow};
 use mckibben::{
     analysis::{Evaluation, Options},
     cancel::Cancelled,
+    extremes::peak,
 };
 use residual::{Fitter, ForceErrors};
 
@@ -144,7 +145,7 @@ fn row(
     (name, build, parameters, allowed): Comparison<'_>,
     points: &[MeasuredPoint],
 ) -> VerificationRow {
-    let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
+    let largest = peak(points.iter().map(|p| p.force_n));
     let rms = fitted(build, parameters, points).and_then(|m| {
         let model = build(&m).ok()?;
         let workspace = &mut Workspace::new();

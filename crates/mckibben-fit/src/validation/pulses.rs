@@ -88,7 +88,7 @@ pub fn counted() -> Vec<Counted> {
         let contraction = group[0].1;
         let tests = group.chunk_by(|a, b| a.2 == b.2).filter_map(|test| {
             let pressures: Vec<f64> = test.iter().map(|r| r.3).collect();
-            Some(place(&pressures, BETWEEN.0)? - place(&pressures, BETWEEN.1)?)
+            Some(pulses_until(&pressures, BETWEEN.0)? - pulses_until(&pressures, BETWEEN.1)?)
         });
         let counts: Vec<f64> = tests.collect();
         if contraction < TAUT && !counts.is_empty() {
@@ -104,7 +104,7 @@ pub fn counted() -> Vec<Counted> {
 
 /// After how many pulses a falling pressure reaches a value; between two it falls evenly in its
 /// logarithm.
-fn place(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
+fn pulses_until(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
     let log = |p: f64| (p + ATMOSPHERE_MPA).ln();
     let i = pressures
         .windows(2)

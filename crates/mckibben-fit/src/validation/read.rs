@@ -187,7 +187,7 @@ fn identified(files: &MeasuredFolder) -> Result<Option<Box<Muscle>>, CaseError> 
 fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, CaseError> {
     let case = &files.name;
     let name = text.name;
-    let muscle = parse_muscle(&with(files, number)?);
+    let muscle = parse_muscle(&muscle_file_of_fit(files, number)?);
     let muscle = muscle.map_err(|error| {
         CaseError::Refused(format!("{case}/muscle.toml, fit \"{name}\": {error}"))
     })?;
@@ -209,7 +209,7 @@ fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, 
 }
 
 /// The muscle file with the keys that a fit replaces.
-fn with(files: &MeasuredFolder, number: usize) -> Result<String, CaseError> {
+fn muscle_file_of_fit(files: &MeasuredFolder, number: usize) -> Result<String, CaseError> {
     let documents = (
         files.case.parse::<DocumentMut>(),
         files.muscle.parse::<DocumentMut>(),

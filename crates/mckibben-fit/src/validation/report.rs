@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben::{
     cancel::Cancelled,
+    extremes::peak,
     muscle::{Direction, Muscle},
     progress::CancelOnly,
     threads,
@@ -117,7 +118,7 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredF
         ..fitter
     };
     let one = |(case, training): &(usize, Training<'_>)| {
-        let result = run(*case, training, by);
+        let result = fit_case(*case, training, by);
         fitter
             .progress
             .report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
@@ -126,7 +127,11 @@ pub fn report(cases: &[&MuscleCase], fitter: Fitter<'_>) -> Result<Vec<MeasuredF
     threads::map(&tasks, one).into_iter().collect()
 }
 
-fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<MeasuredFit, ReportError> {
+fn fit_case(
+    number: usize,
+    training: &Training<'_>,
+    by: Fitter<'_>,
+) -> Result<MeasuredFit, ReportError> {
     by.progress.check()?;
     let &Training {
         case, fit, means, ..
@@ -188,7 +193,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
 impl Group {
     fn new(name: String, blind: bool, residuals: &[Residual]) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
-        let end = means().map(|r| r.contraction).fold(0.0, f64::max);
+        let end = peak(means().map(|r| r.contraction));
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
         let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
             let errors = ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction)));

@@ -8,6 +8,7 @@ use crate::{
 };
 use mckibben::{
     analysis::{Evaluation, Options},
+    extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
     progress::Progress,
@@ -185,7 +186,7 @@ impl ForceErrors {
     pub fn new<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
         let list: Vec<&Residual> = list.collect();
         let errors = Errors::new(list.iter().map(|r| r.difference_n));
-        let blocked_n = list.iter().map(|r| r.blocked_n).fold(0.0, f64::max);
+        let blocked_n = peak(list.iter().map(|r| r.blocked_n));
         let widths: Vec<f64> = list.iter().filter_map(|r| r.half_width_n).collect();
         let judged = widths.len() as f64;
         let held = list.iter().filter(|r| r.covered() == Some(true)).count();

@@ -57,7 +57,7 @@ impl RubberCase {
         }
     }
 
-    fn run(
+    fn fit_case(
         &self,
         fit: &RubberCaseFit,
         progress: &dyn Progress,
@@ -78,7 +78,7 @@ pub fn report(
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
             progress.check()?;
-            let result = case.run(fit, progress).map_err(|error| {
+            let result = case.fit_case(fit, progress).map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
             out.push(RubberFit {

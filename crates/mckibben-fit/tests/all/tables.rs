@@ -20,7 +20,12 @@ fn both(bytes: &[u8]) {
             },
         );
         let specimen = ["area=1mm2".to_owned(), "gauge_length=1mm".to_owned()];
-        let _ = read_tests(&text, &columns.with(&specimen, (0, 1), "test.csv").unwrap());
+        let _ = read_tests(
+            &text,
+            &columns
+                .with_constants(&specimen, (0, 1), "test.csv")
+                .unwrap(),
+        );
     }
 }
 

@@ -18,7 +18,9 @@ pub fn put(path: &Path, bytes: &[u8], overwrite: bool) -> Result<()> {
         return std::fs::write(path, bytes);
     }
     Unfinished::sweep(path);
-    Unfinished::beside(path)?.with(bytes)?.put(overwrite)
+    Unfinished::beside(path)?
+        .with_content(bytes)?
+        .put(overwrite)
 }
 
 /// Puts files into a folder, which is made where it is missing: all of them, or none where one
@@ -43,7 +45,9 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     }
     for (name, bytes) in files {
         let path = folder.join(name);
-        match Unfinished::inside(&path, overwrite).and_then(|file| file.with(bytes.as_ref())) {
+        match Unfinished::inside(&path, overwrite)
+            .and_then(|file| file.with_content(bytes.as_ref()))
+        {
             Ok(file) => whole.push((path, file)),
             Err(error) => return Err((path, error)),
         }
@@ -200,7 +204,7 @@ impl Unfinished {
     }
 
     /// The file with what is in it.
-    pub fn with(mut self, bytes: &[u8]) -> Result<Self> {
+    pub fn with_content(mut self, bytes: &[u8]) -> Result<Self> {
         self.file().write_all(bytes)?;
         Ok(self)
     }

@@ -8,7 +8,7 @@ use super::{
     vocabulary::Meaning,
 };
 use mckibben_units::{
-    Unit,
+    Unit, joined,
     nearest::{meant, nearest},
 };
 use serde::{Deserialize, Serialize};
@@ -59,7 +59,7 @@ impl Columns {
 
     /// With the constants of one of several tables: `pressure=3bar`, once for all of them or once
     /// for each; `{pressure}bar` is the number before `bar` in the name of its file.
-    pub fn with(
+    pub fn with_constants(
         mut self,
         set: &[String],
         (place, tables): (usize, usize),
@@ -161,7 +161,7 @@ impl Vocabulary {
                     },
                     what = self.what,
                     name = short(name),
-                    known = names.collect::<Vec<_>>().join(", ")
+                    known = joined(names, ", ")
                 ))
             })?;
             Ok(Choice {

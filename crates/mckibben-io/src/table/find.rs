@@ -9,6 +9,7 @@ use super::{
     number::{self, Decimal},
     vocabulary::Meaning,
 };
+use mckibben_units::joined;
 
 /// A table whose columns are known.
 #[derive(Debug)]
@@ -261,7 +262,7 @@ impl Search {
                 "the table has no heading (line {line} holds numbers): write one above it, or \
                  choose columns by their numbers with `columns` {columns}",
                 line = first.line,
-                columns = numbered.collect::<Vec<_>>().join(",")
+                columns = joined(numbered, ",")
             ));
         }
         let need = &needed[guess.lacking.first().copied().unwrap_or_default()];

@@ -5,7 +5,7 @@ use super::{
     kinds::Vocabulary,
     vocabulary::{Meaning, Words, is_spoken},
 };
-use mckibben_units::{Dimension, Unit};
+use mckibben_units::{Dimension, Unit, joined};
 
 /// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]
@@ -298,7 +298,7 @@ impl Vocabulary {
         let names = self
             .readings(meaning)
             .flat_map(|(_, dimension)| dimension.unit_names());
-        names.collect::<Vec<_>>().join(", ")
+        joined(names, ", ")
     }
 
     /// The unit that is in a heading, whatever its words.

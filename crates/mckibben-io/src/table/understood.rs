@@ -1,7 +1,7 @@
 //! What was understood of a table, for people to check.
 
 use super::{error::short, find::Table, heading::Column, number::Decimal};
-use mckibben_units::tidy;
+use mckibben_units::{joined, tidy};
 use serde::{Deserialize, Serialize};
 
 /// What was understood of a table.
@@ -64,8 +64,11 @@ impl Understood {
             };
             format!("{} → {}{about}", c.column, c.quantity)
         };
-        let columns: Vec<String> = self.columns.iter().map(column).collect();
-        let mut out = format!("{} points; {}", self.rows, columns.join(", "));
+        let mut out = format!(
+            "{} points; {}",
+            self.rows,
+            joined(self.columns.iter().map(column), ", ")
+        );
         if let Some(line) = self.heading_line.filter(|line| *line > 1) {
             out += &format!("; heading in line {line}");
         }

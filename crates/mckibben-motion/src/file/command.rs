@@ -102,11 +102,11 @@ impl Commands<'_> {
         let valves = [keys.valve, keys.valve_1, keys.valve_2];
         let volumes = [keys.volume, keys.volume_1, keys.volume_2];
         let targets = [
-            self.each(pressures, "command.pressure", OverTime::Pressure)?
+            self.commands(pressures, "command.pressure", OverTime::Pressure)?
                 .map(Target::Pressure),
-            self.each(valves, "command.valve", OverTime::Opening)?
+            self.commands(valves, "command.valve", OverTime::Opening)?
                 .map(Target::Opening),
-            self.each(volumes, "command.volume", OverTime::Volume)?
+            self.commands(volumes, "command.volume", OverTime::Volume)?
                 .map(Target::Volume),
             position.transpose()?,
         ];
@@ -126,7 +126,7 @@ impl Commands<'_> {
     }
 
     /// A command for all muscles, or one for each.
-    fn each<Q: Quantity>(
+    fn commands<Q: Quantity>(
         &self,
         [all, first, second]: [Option<Course<Q>>; 3],
         key: &str,

@@ -151,7 +151,7 @@ where
         actuator,
         fluid,
         load: line(&load, source, tables)?,
-        held: held(&load, source)?,
+        held: held_contraction(&load, source)?,
         start: load.start.map(f64::from),
         damping_n_s_per_m: load.damping.unwrap_or_default().0,
         stops_mm: load
@@ -314,7 +314,7 @@ fn line(keys: &OfLoad, source: &Source<'_>, tables: &Tables) -> Result<Option<Lo
 }
 
 /// The contraction at which both ends are held; it goes with no other key of the load.
-fn held(keys: &OfLoad, source: &Source<'_>) -> Result<Option<f64>, FileError> {
+fn held_contraction(keys: &OfLoad, source: &Source<'_>) -> Result<Option<f64>, FileError> {
     let Some(Ratio(contraction)) = keys.held else {
         return Ok(None);
     };

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     air::{Air, Heat},
-    catalogue::{CRITICAL_RATIO, known, valve_named},
+    catalogue::{CRITICAL_RATIO, valve_named, valves_known},
     drive::Actuator,
     hose::Hose,
     liquid::{Pump, Syringe},
@@ -104,7 +104,7 @@ fn of_air(valve: &OfValve, source: &Source<'_>) -> Result<Valve, FileError> {
     let unknown = |name: &str| {
         source.error(
             "valve.name",
-            format!("is not a known valve: {}", known(name)),
+            format!("is not a known valve: {}", valves_known(name)),
         )
     };
     let named = valve.name.as_deref();

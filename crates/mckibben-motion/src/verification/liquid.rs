@@ -72,6 +72,17 @@ fn valve() -> Option<Actuator> {
     }))
 }
 
+/// Time in s in which 0.6 MPa before the valve become 0.15 MPa.
+fn throttled_s() -> f64 {
+    // Δp = a Q² + b Q at 1 bar and Kv, with the laminar term of a thousandth.
+    let square = 0.1 * 0.9982 / KV_MM3_PER_S.powi(2);
+    let linear = 1e-3 * square * KV_MM3_PER_S;
+    let flow = |p: f64| ((linear * linear + 4.0 * square * p).sqrt() - linear) / (2.0 * square);
+    let fast = flow(0.6);
+    let slow = flow(0.15);
+    VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln())
+}
+
 /// The muscle with 10 kg of both comparisons.
 struct Hanging {
     model: ThickWall,
@@ -165,17 +176,7 @@ pub fn liquid() -> Vec<VerificationRow> {
             tolerance,
         )
     };
-    let nan = |value: Option<f64>| value.unwrap_or(f64::NAN);
-    // Δp = a Q² + b Q at 1 bar and Kv, with the laminar term of a thousandth; from 0.6 to 0.15 MPa.
-    let square = 0.1 * 0.9982 / KV_MM3_PER_S.powi(2);
-    let kv = KV_MM3_PER_S;
-    let linear = 1e-3 * square * kv;
-    let flow = |p: f64| ((linear * linear + 4.0 * square * p).sqrt() - linear) / (2.0 * square);
-    let fast = flow(0.6);
-    let slow = flow(0.15);
-    let until_s =
-        VOLUME_MM3 / STIFF_MPA * (2.0 * square * (fast - slow) + linear * (fast / slow).ln());
-    let valve = valve().and_then(|valve| vessel(valve, until_s));
+    let valve = valve().and_then(|valve| vessel(valve, throttled_s()));
     let pump = Pump {
         kind: ValveKind::DEFAULT,
         flow_mm3_per_s: 2.0,
@@ -187,10 +188,8 @@ pub fn liquid() -> Vec<VerificationRow> {
     let pushed = hanging.pushed();
     let last = |value: &dyn Fn(&Motion) -> Option<f64>| pushed.as_ref().and_then(value);
     let first = |m: &Motion| m.series.muscles.first().cloned();
-    let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map(value);
+    let at = |value: &dyn Fn(&Fill) -> f64| filled.as_ref().map_or(f64::NAN, value);
     let still = |value: &dyn Fn(&Response) -> f64| at(&|f| value(&f.answer.response));
-    let pressure = last(&|m| first(m)?.pressure_mpa.last().copied());
-    let contraction = last(&|m| first(m)?.contraction.last().copied());
     let work = last(&|m| Some(m.energies.exergy_j));
     let energy = last(&|m| {
         let e = m.energies;
@@ -199,8 +198,6 @@ pub fn liquid() -> Vec<VerificationRow> {
     // Both ends of the filling's work against gauge pressure; the ramp is slow and the load damped,
     // so that the piston's work has more.
     let hertz = filled.as_ref().and_then(|at| hanging.hertz(at));
-    let shut = at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU);
-    let stored = at(&|f| f.pump_work_j);
     let lost = last(&|m| Some(m.energies.damper_j + m.energies.kinetic_j + m.energies.impacts_j));
     let without_losses = work.zip(lost).map(|(work, lost)| work - lost);
     vec![
@@ -215,28 +212,28 @@ pub fn liquid() -> Vec<VerificationRow> {
         row(
             "p of a muscle on a syringe (MPa)",
             STATIC,
-            nan(still(&|r| r.pressure_mpa)),
-            pressure,
+            still(&|r| r.pressure_mpa),
+            last(&|m| first(m)?.pressure_mpa.last().copied()),
             1e-6,
         ),
         row(
             "its contraction",
             STATIC,
-            nan(still(&|r| r.contraction)),
-            contraction,
+            still(&|r| r.contraction),
+            last(&|m| first(m)?.contraction.last().copied()),
             1e-6,
         ),
         row(
             "work of its piston less what the damper took (J)",
             STATIC,
-            nan(stored),
+            at(&|f| f.pump_work_j),
             without_losses,
             1e-4,
         ),
         row(
             "10 kg on the muscle with the liquid shut in (Hz)",
             STATIC,
-            nan(shut),
+            at(&|f| (1e3 * f.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU),
             hertz,
             1e-4,
         ),

@@ -11,6 +11,7 @@ use crate::{
     Valve,
 };
 use mckibben::{
+    extremes::peak,
     model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace},
     muscle::Muscle,
     verification::VerificationRow,
@@ -91,6 +92,12 @@ pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
     Some(motion?.series.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
 }
 
+/// Temperature in K at the end of a motion.
+fn temperature(motion: Option<Motion>) -> Option<f64> {
+    let motion = motion?;
+    motion.series.muscles.first()?.temperature_k.last().copied()
+}
+
 /// Charges, discharges and balances.
 pub fn vessel() -> Vec<VerificationRow> {
     let from = ATMOSPHERE_MPA / SUPPLY_MPA;
@@ -109,21 +116,12 @@ pub fn vessel() -> Vec<VerificationRow> {
     let charge = |heat, until_s| after(heat, 1.0, 0.0, until_s);
     let discharge = |heat, until_s| after(heat, -1.0, 0.6, until_s);
     let p = |motion: Option<Motion>| pressure(motion.as_ref());
-    let k = |motion: Option<Motion>| {
-        motion?
-            .series
-            .muscles
-            .first()?
-            .temperature_k
-            .last()
-            .copied()
-    };
     let warm = charge(Heat::Adiabatic, 2.0);
     let cold = discharge(Heat::Adiabatic, 0.2);
     let warm_k = 293.15 * 1.4 / (1.0 + 0.4 * from);
     let choked = p(charge(Heat::Isothermal, choked_s));
     let late = p(charge(Heat::Isothermal, late_s));
-    let polytropic = k(charge(Heat::Polytropic(1.4), 2.0));
+    let polytropic = temperature(charge(Heat::Polytropic(1.4), 2.0));
     let out = p(discharge(Heat::Isothermal, 0.1));
     let mut rows = vec![
         row(
@@ -147,7 +145,7 @@ pub fn vessel() -> Vec<VerificationRow> {
         row(
             "T of the adiabatic charge at its end (K)",
             warm_k,
-            k(warm),
+            temperature(warm),
             1e-6,
         ),
         row(
@@ -171,38 +169,42 @@ pub fn vessel() -> Vec<VerificationRow> {
         row(
             "T of the adiabatic discharge after 0.2 s (K)",
             242.397_8,
-            k(cold),
+            temperature(cold),
             2e-7,
         ),
     ];
+    rows.extend(balances());
+    rows
+}
+
+/// What charges with each kind of heat lose of air and energy.
+fn balances() -> [VerificationRow; 2] {
     let heats = [
         Heat::Isothermal,
         Heat::Polytropic(1.2),
         Heat::Adiabatic,
         Heat::Transfer(30.0),
     ];
-    let motions = heats.map(|heat| charge(heat, 0.3));
-    let largest = |value: &dyn Fn(&Motion) -> f64| -> Option<f64> {
-        motions.iter().try_fold(0.0, |most: f64, m| {
-            m.as_ref().map(|m| most.max(value(m).abs()))
-        })
+    let motions = heats.into_iter().map(|heat| after(heat, 1.0, 0.0, 0.3));
+    let motions: Option<Vec<Motion>> = motions.collect();
+    let largest = |value: fn(&Motion) -> f64| {
+        let values = motions.as_ref()?.iter().map(value);
+        Some(peak(values.map(f64::abs)))
     };
-    let energy = largest(&|m| {
+    let energy = largest(|m| {
         let e = m.energies;
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j)
             / e.enthalpy_in_j
     });
-    let mass = (
-        "air that is lost, of that in it",
-        largest(&|m| m.mass_defect),
-        1e-12,
-    );
-    rows.extend(
-        [mass, ("energy that is lost, of the enthalpy", energy, 1e-7)].map(
-            |(name, ours, tolerance)| {
-                VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
-            },
+    [
+        (
+            "air that is lost, of that in it",
+            largest(|m| m.mass_defect),
+            1e-12,
         ),
-    );
-    rows
+        ("energy that is lost, of the enthalpy", energy, 1e-7),
+    ]
+    .map(|(name, ours, tolerance)| {
+        VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
+    })
 }

@@ -306,8 +306,7 @@ fn many_and_long_entries_stay_on_the_paper() {
 }
 
 #[test]
-fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
-    let start = std::time::Instant::now();
+fn a_thousand_marks_among_lines_have_their_texts() {
     let line = |i: u32| {
         Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"))
     };
@@ -318,8 +317,9 @@ fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
             .marks
             .push(Mark::new(x, y, format!("mark {i}")));
     }
-    parse(&figure.to_svg().unwrap());
-    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+    let texts = texts(&figure.to_svg().unwrap());
+    let marks = texts.iter().filter(|text| text.0.starts_with("mark "));
+    assert_eq!(marks.count(), 1000);
 }
 
 proptest! {

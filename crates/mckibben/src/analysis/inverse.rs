@@ -7,14 +7,13 @@
 use super::{
     error::{AnalysisError, Result},
     evaluation::{Evaluation, Options},
-    sweep::{Sweep, Zero, places},
+    sweep::Sweep,
 };
 use crate::{
     cancel,
     model::{ModelError, Workspace, root::rising_root},
     muscle::Muscle,
 };
-use std::cmp::Ordering::Equal;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 pub const HIGHEST_PRESSURE_MPA: f64 = 20.0;
@@ -156,7 +155,7 @@ impl Evaluation<'_> {
         if let Some(p) = sweep.first(upwards, false, f64::NEG_INFINITY)? {
             return Ok(p);
         }
-        if let Some(zero) = sweep.all()?.first() {
+        if let Some(zero) = sweep.all_zeros()?.first() {
             return Ok(zero.at);
         }
         let (nearest_pressure_mpa, nearest_force_n) = nearest(sweep, options, force_n, lowest)?;
@@ -225,13 +224,13 @@ impl Evaluation<'_> {
             info.range.contraction
         };
         let low = low.max(WIDEST.0);
-        let high = high.min(WIDEST.1);
+        let highest = high.min(WIDEST.1);
         let start = info.range.contraction.0.max(0.0);
         // Past the ideal maximum nothing pulls, and strands that are straight hold; those that
         // stretch reach a little further.
         let shortest = (model.muscle().max_ideal_contraction() * 1.3 + 0.05)
             .min(0.95)
-            .clamp(start, high.max(start));
+            .clamp(start, highest.max(start));
         let straight = straight_strands(model.muscle()).max(low).min(start);
         let lowest = match (options.two_sided, stretches) {
             (true, _) => low.min(start),
@@ -246,57 +245,21 @@ impl Evaluation<'_> {
             force => force.ok(),
         };
         let closed = |ws: &mut Workspace| model.contraction_at_pull(ws, force_n, pressure_mpa);
-        if let Some(e) = self.closed((lowest, high), closed)? {
+        if let Some(e) = self.closed((lowest, highest), closed)? {
             return Ok(e);
         }
-        let (branch, beyond) = if info.costly { (24, 6) } else { (80, 40) };
         let mut sweep = Sweep::new(info.costly, force_n.abs().max(1.0), |e| {
             Ok(self.force_n(pressure_mpa, e)? - force_n)
         });
-        let at_start = sweep.sample(start)?;
-        // Whether the branch that falls through the start has the pull where the muscle is longer.
-        if let Some(f) = at_start.filter(|f| *f < 0.0 && lowest < start)
-            && sweep
-                .sample(start + (shortest - start) / branch as f64)?
-                .is_none_or(|next| next < f)
-        {
-            sweep.fill((straight, start), branch)?;
-            if let Some(zero) = sweep.zeros(0)?.iter().rfind(|zero| zero.falls) {
-                return Ok(zero.at);
-            }
-        }
         // What has ceased to pull does not pull again as it shortens.
         let least = if info.costly && force_n >= 0.0 {
             -force_n
         } else {
             f64::NEG_INFINITY
         };
-        let further =
-            places((shortest, high.max(shortest)), beyond).filter(|_| least.is_infinite());
-        if let Some(e) = sweep.first(
-            places((start, shortest), branch).chain(further),
-            true,
-            least,
-        )? {
+        let places = [lowest, straight, start, shortest, highest];
+        if let Some(e) = sweep.falling(places, least)? {
             return Ok(e);
-        }
-        if lowest < start {
-            sweep.fill((straight, start), branch)?;
-            sweep.fill((lowest, straight), beyond)?;
-        }
-        let zeros = sweep.all()?;
-        let order = |zero: &Zero| {
-            (
-                !zero.falls,
-                zero.falls && zero.at < start,
-                (zero.at - start).abs(),
-            )
-        };
-        if let Some(zero) = zeros
-            .iter()
-            .min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal))
-        {
-            return Ok(zero.at);
         }
         let (nearest_contraction, nearest_force_n) = nearest(sweep, options, force_n, start)?;
         let at_rest_n = at_start_n.filter(|_| start == 0.0);

@@ -6,6 +6,7 @@
 
 use super::{golden::golden, root::find_root};
 use crate::cancel::{self, Cancelled};
+use std::cmp::Ordering::Equal;
 
 /// Steps towards an extremum or the edge of the places that have a value, of a model that is cheap
 /// and of one that is costly.
@@ -119,9 +120,53 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
         Ok(None)
     }
 
+    /// Of a function that falls as a rule, with places that rise and with `start` among them: the
+    /// zero on the branch on which it falls through the start; else the first beyond the start at
+    /// which it falls; else the one nearest to the start. A value below `least` is followed by no
+    /// zero.
+    pub fn falling(
+        &mut self,
+        [lowest, straight, start, shortest, highest]: [f64; 5],
+        least: f64,
+    ) -> Result<Option<f64>, E> {
+        let (branch, beyond) = if self.costly { (24, 6) } else { (80, 40) };
+        let at_start = self.sample(start)?;
+        // Whether the branch that falls through the start has its zero before it.
+        if let Some(f) = at_start.filter(|f| *f < 0.0 && lowest < start)
+            && self
+                .sample(start + (shortest - start) / branch as f64)?
+                .is_none_or(|next| next < f)
+        {
+            self.fill((straight, start), branch)?;
+            if let Some(zero) = self.zeros(0)?.iter().rfind(|zero| zero.falls) {
+                return Ok(Some(zero.at));
+            }
+        }
+        let further = places((shortest, highest.max(shortest)), beyond);
+        let further = further.filter(|_| least.is_infinite());
+        let beyond_start = places((start, shortest), branch).chain(further);
+        if let Some(place) = self.first(beyond_start, true, least)? {
+            return Ok(Some(place));
+        }
+        if lowest < start {
+            self.fill((straight, start), branch)?;
+            self.fill((lowest, straight), beyond)?;
+        }
+        let order = |zero: &Zero| {
+            (
+                !zero.falls,
+                zero.falls && zero.at < start,
+                (zero.at - start).abs(),
+            )
+        };
+        let zeros = self.all_zeros()?.into_iter();
+        let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
+        Ok(best.map(|zero| zero.at))
+    }
+
     /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema
     /// and, of a function that is cheap, beside the ends and where it is curved.
-    pub fn all(&mut self) -> Result<Vec<Zero>, E> {
+    pub fn all_zeros(&mut self) -> Result<Vec<Zero>, E> {
         if let [first, second, .., last_but_one, last] = self.samples[..]
             && !self.costly
         {
@@ -253,7 +298,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 }
 
 /// Rising places that cut an interval into so many parts, with its ends.
-pub fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
+fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |i| {
         if i == parts {
             to
@@ -278,7 +323,7 @@ mod tests {
     fn swept(f: impl Fn(f64) -> Option<f64>, parts: usize) -> (Vec<Zero>, (f64, f64)) {
         let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), parts).unwrap();
-        let zeros = sweep.all().unwrap();
+        let zeros = sweep.all_zeros().unwrap();
         (zeros, sweep.least(f64::abs).unwrap())
     }
 
@@ -317,7 +362,7 @@ mod tests {
         let mut sweep = Sweep::new(false, 0.0, |x| f(x).ok_or(NONE));
         sweep.fill((0.0, 1.0), 20).unwrap();
         assert!(sweep.zeros(0).unwrap().is_empty());
-        let zeros = sweep.all().unwrap();
+        let zeros = sweep.all_zeros().unwrap();
         assert_eq!(
             zeros.iter().map(|z| z.falls).collect::<Vec<_>>(),
             [true, false]

@@ -1,7 +1,10 @@
 //! The muscles a formula was made for: everything but diameter and wall.
 
 use super::file::check::{maybe_positive, positive};
-use crate::muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube};
+use crate::{
+    joined,
+    muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube},
+};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -137,15 +140,11 @@ impl MadeRubber {
 
     /// In words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.
     pub fn text(&self) -> String {
-        let list: Vec<String> = self
-            .constants
-            .iter()
-            .map(|(name, v)| format!("{name} {v}"))
-            .collect();
         let bulk = self
             .bulk_modulus_mpa
             .map_or_else(String::new, |k| format!(", bulk modulus {k} MPa"));
-        let law = format!("{}, {}{bulk}", self.law, list.join(", "));
+        let constants = self.constants.iter().map(|(name, v)| format!("{name} {v}"));
+        let law = format!("{}, {}{bulk}", self.law, joined(constants, ", "));
         self.name
             .as_ref()
             .map_or_else(|| law.clone(), |name| format!("{name} ({law})"))

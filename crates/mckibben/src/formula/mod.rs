@@ -151,7 +151,7 @@ impl Formula {
                 .force_n(pressure_mpa, contraction),
             Body::Global(t) => t
                 .section(outer_diameter_mm, wall_mm)
-                .at(pressure_mpa, contraction)[0],
+                .force_and_slopes(pressure_mpa, contraction)[0],
         }
     }
 }

@@ -79,20 +79,20 @@ impl Coefficients {
 
 impl Section {
     /// a, b, c of F = a ε² + b ε + c at a pressure in MPa.
-    pub fn at(&self, pressure_mpa: f64) -> (f64, f64, f64) {
+    pub fn quadratic_at(&self, pressure_mpa: f64) -> (f64, f64, f64) {
         let line = |(m, q): (f64, f64)| m * pressure_mpa + q;
         (line(self.a), line(self.b), line(self.c))
     }
 
     /// F in N.
     pub fn force_n(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let (a, b, c) = self.at(pressure_mpa);
+        let (a, b, c) = self.quadratic_at(pressure_mpa);
         (a * contraction + b) * contraction + c
     }
 
     /// ∂F/∂ε in N.
     pub fn by_contraction(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let (a, b, _) = self.at(pressure_mpa);
+        let (a, b, _) = self.quadratic_at(pressure_mpa);
         2.0 * a * contraction + b
     }
 
@@ -110,7 +110,7 @@ impl Section {
     /// Contraction at which F has a value, on the branch where F falls with ε; `None` where there
     /// is none.
     pub fn contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let (a, b, c) = self.at(pressure_mpa);
+        let (a, b, c) = self.quadratic_at(pressure_mpa);
         let c = c - force_n;
         let root = (b * b - 4.0 * a * c).sqrt();
         // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form allows a = 0

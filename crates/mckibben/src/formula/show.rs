@@ -1,6 +1,7 @@
 //! A formula for readers: its equation in words and in LaTeX.
 
 use super::{Body, Formula, terms::name};
+use crate::joined;
 
 /// Digits of a coefficient for readers; the file has all of them.
 fn digits(v: f64) -> String {
@@ -47,9 +48,10 @@ impl Formula {
                             let inner = powers.filter(|(v, _)| **v != 0.0);
                             format!("({}){s}", sum(inner.map(|(v, d)| (*v, d.to_owned()))))
                         };
-                        let parts: Vec<String> =
-                            rows.iter().zip([" s^2", " s", ""]).map(part).collect();
-                        out.push_str(&format!("{symbol}_{letter} &= {}\\\\\n", parts.join(" + ")));
+                        out.push_str(&format!(
+                            "{symbol}_{letter} &= {}\\\\\n",
+                            joined(rows.iter().zip([" s^2", " s", ""]).map(part), " + ")
+                        ));
                     }
                 }
                 out.push_str("\\end{aligned}\n");

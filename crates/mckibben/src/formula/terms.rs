@@ -125,7 +125,7 @@ impl GlobalTerms {
 
 impl GlobalSection {
     /// F in N, ∂F/∂ε in N, ∂F/∂P in mm².
-    pub fn at(&self, pressure_mpa: f64, contraction: f64) -> [f64; 3] {
+    pub fn force_and_slopes(&self, pressure_mpa: f64, contraction: f64) -> [f64; 3] {
         let p = pressure_mpa / self.pressure_scale;
         let e = contraction / self.contraction_scale;
         // d(vⁿ)/dv, which is 0 for n = 0 also where v = 0.

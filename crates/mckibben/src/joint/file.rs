@@ -35,7 +35,7 @@ impl JointFile {
     }
 
     /// The joint with its muscles, in the order of [`JointFile::files`].
-    pub fn with(&self, muscles: Vec<Muscle>) -> Result<Joint, JointError> {
+    pub fn with_muscles(&self, muscles: Vec<Muscle>) -> Result<Joint, JointError> {
         let given = muscles.len();
         let at = |(muscle, &(_, path, contraction_at_neutral)): (Muscle, &(String, Path, f64))| {
             JointMuscle {

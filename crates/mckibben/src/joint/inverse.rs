@@ -120,7 +120,7 @@ impl JointModel<'_> {
                 line.pressures(workspaces, zero.at)?
             }
         };
-        self.at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+        self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
     }
 }
 

@@ -158,7 +158,7 @@ impl<'m> JointModel<'m> {
     }
 
     /// Everything at pressures (one a muscle) and an angle; `workspaces` holds one for each muscle.
-    pub fn at(
+    pub fn point_at(
         &self,
         workspaces: &mut [Workspace],
         pressures_mpa: &[f64],

@@ -1,4 +1,4 @@
-//! How a joint's angle shortens what pulls at it.
+//! How the angle of a joint shortens a muscle or a spring.
 
 /// The way of a muscle (with its rope) or a spring about a joint in a plane.
 ///

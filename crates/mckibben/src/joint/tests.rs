@@ -69,7 +69,7 @@ fn a_rest_and_a_table_have_one_torque() {
         let pressures = [random.one_of(&[0.0, 0.01, 0.1]), 0.0];
         for angle_deg in [-25.0, -10.0, 0.0, 5.0, 20.0] {
             let table = model
-                .at(w, &pressures, angle_deg, Turning::Mean)
+                .point_at(w, &pressures, angle_deg, Turning::Mean)
                 .unwrap()
                 .torque_nm;
             let fixed = &mut model.fixed(w, &pressures).unwrap();
@@ -79,7 +79,7 @@ fn a_rest_and_a_table_have_one_torque() {
         }
         for rest in model.rests(w, &pressures, 0.0).unwrap() {
             let torque = model
-                .at(w, &pressures, rest.angle_deg(), Turning::Mean)
+                .point_at(w, &pressures, rest.angle_deg(), Turning::Mean)
                 .unwrap()
                 .torque_nm;
             let nothing = torque.abs() < 1e-6 || matches!(rest, Rest::Limit { .. });
@@ -109,7 +109,7 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
             let mut pressures = point.pressures_mpa.clone();
             pressures[i] += step;
             model
-                .at(w, &pressures, 10.0, Turning::Mean)
+                .point_at(w, &pressures, 10.0, Turning::Mean)
                 .unwrap()
                 .torque_nm
         };
@@ -122,7 +122,7 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     }
     let pressures = [0.2, 0.15];
     let rest = model.rests(w, &pressures, 0.0).unwrap()[0].angle_deg();
-    let point = model.at(w, &pressures, rest, Turning::Mean).unwrap();
+    let point = model.point_at(w, &pressures, rest, Turning::Mean).unwrap();
     let half = model.angle_uncertainty_deg(&point).unwrap();
     // The rest itself moves by it under a torque from outside as large as the ±, to the first
     // order: of a thousandth of the ±.
@@ -152,7 +152,7 @@ fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
     let way_mm = 0.37 * m.max_ideal_contraction() * m.length_mm();
     let single_models = models(&single, ModelKind::ThickWall);
     let of_one = bound(&single, &single_models)
-        .at(&mut w[..1], &[0.2], 10.0, Turning::Mean)
+        .point_at(&mut w[..1], &[0.2], 10.0, Turning::Mean)
         .unwrap();
     let parts = of_one.muscles[0].answer.uncertainty_parts_n.unwrap();
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
@@ -164,7 +164,7 @@ fn the_uncertainty_of_the_torque_is_that_of_the_pulls_on_their_arms() {
     );
     let both_models = models(&both, ModelKind::ThickWall);
     let of_both = bound(&both, &both_models)
-        .at(w, &[0.2, 0.1], 10.0, Turning::Mean)
+        .point_at(w, &[0.2, 0.1], 10.0, Turning::Mean)
         .unwrap();
     let [a, b] = [0, 1].map(|i| of_both.muscles[i].answer.uncertainty_parts_n.unwrap());
     let torque = of_both.uncertainty_parts_nm.unwrap();
@@ -203,7 +203,7 @@ fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
         let models = models(joint, ModelKind::ThickWall);
         let w = &mut [Workspace::new(), Workspace::new()][..];
         bound(joint, &models)
-            .at(w, &[0.25, 0.15], 15.0, Turning::Mean)
+            .point_at(w, &[0.25, 0.15], 15.0, Turning::Mean)
             .unwrap()
     };
     let [known, stiffer, softer] =
@@ -226,7 +226,9 @@ fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let models = models(&joint, ModelKind::Universal);
     let model = bound(&joint, &models);
     let w = &mut [Workspace::new(), Workspace::new()][..];
-    let point = model.at(w, &[0.02, 0.2], 60.0, Turning::Mean).unwrap();
+    let point = model
+        .point_at(w, &[0.02, 0.2], 60.0, Turning::Mean)
+        .unwrap();
     assert!(
         point.muscles[0].answer.slack && !point.muscles[1].answer.slack,
         "{point:?}"
@@ -255,7 +257,12 @@ fn friction_lies_on_both_sides_of_the_mean() {
     let models = models(&joint, ModelKind::Ideal);
     let model = bound(&joint, &models);
     let w = &mut [Workspace::new(), Workspace::new()][..];
-    let mut torque = |turning| model.at(w, &[0.2, 0.1], 10.0, turning).unwrap().torque_nm;
+    let mut torque = |turning| {
+        model
+            .point_at(w, &[0.2, 0.1], 10.0, turning)
+            .unwrap()
+            .torque_nm
+    };
     let mean = torque(Turning::Mean);
     let plus = torque(Turning::Plus);
     let minus = torque(Turning::Minus);
@@ -293,11 +300,16 @@ fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
     let w = &mut [Workspace::new(), Workspace::new()][..];
     for turning in [Turning::Mean, Turning::Plus, Turning::Minus] {
         for deg in [-15.0, 0.0, 10.0] {
-            let mut torque = |deg: f64| model.at(w, &[0.2, 0.15], deg, turning).unwrap().torque_nm;
+            let mut torque = |deg: f64| {
+                model
+                    .point_at(w, &[0.2, 0.15], deg, turning)
+                    .unwrap()
+                    .torque_nm
+            };
             let h = 0.01;
             let slope = (torque(deg - h) - torque(deg + h)) / (2.0 * f64::to_radians(h));
             let there = model
-                .at(w, &[0.2, 0.15], deg, turning)
+                .point_at(w, &[0.2, 0.15], deg, turning)
                 .unwrap()
                 .stiffness_nm_per_rad;
             assert!(
@@ -321,7 +333,7 @@ fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
     let joint = |lines: &str| {
         text(lines)
             .unwrap()
-            .with(vec![Muscle::prototype(); 2])
+            .with_muscles(vec![Muscle::prototype(); 2])
             .unwrap()
     };
     let without = joint("");
@@ -330,7 +342,7 @@ fn a_rope_on_its_pulley_takes_the_capstan_factor_of_the_pull() {
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let mut at = |joint, deg, turning| {
         bound(joint, &models)
-            .at(w, &[0.2, 0.1], deg, turning)
+            .point_at(w, &[0.2, 0.1], deg, turning)
             .unwrap()
     };
     let pulls = at(&without, 20.0, Turning::Plus).muscles;
@@ -380,7 +392,7 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
         panic!("{error}")
     };
     let all = model
-        .at(w, &[0.25, 0.0], 0.0, Turning::Mean)
+        .point_at(w, &[0.25, 0.0], 0.0, Turning::Mean)
         .unwrap()
         .torque_nm;
     assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
@@ -410,11 +422,11 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
         "{low:?}"
     );
     assert!(matches!(
-        model.at(w, &[0.1, 0.1], 70.0, Turning::Mean),
+        model.point_at(w, &[0.1, 0.1], 70.0, Turning::Mean),
         Err(JointError::Angle { .. })
     ));
     assert!(matches!(
-        model.at(w, &[0.1], 0.0, Turning::Mean),
+        model.point_at(w, &[0.1], 0.0, Turning::Mean),
         Err(JointError::Pressures { .. })
     ));
 }
@@ -443,7 +455,7 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
             );
             if !point.at_limit {
                 let there = model
-                    .at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
+                    .point_at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
                     .unwrap();
                 assert!((there.stiffness_nm_per_rad - point.stiffness_nm_per_rad).abs() < 1e-6);
                 compared += 1;
@@ -489,7 +501,7 @@ fn a_map_goes_on_beside_pressures_without_a_state() {
     for point in map.points.iter().flatten() {
         let w = &mut [Workspace::new()][..];
         let here = model
-            .at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
+            .point_at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean)
             .unwrap();
         assert!(here.torque_nm.abs() < 1e-5, "{point:?} {here:?}");
     }
@@ -569,7 +581,7 @@ fn geometry_that_cannot_be_built_is_refused() {
 fn files_say_where_they_are_wrong() {
     let good = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n";
     let file = parse_joint(good).unwrap();
-    let joint = file.with(vec![Muscle::prototype()]).unwrap();
+    let joint = file.with_muscles(vec![Muscle::prototype()]).unwrap();
     assert_eq!(joint.range_deg(), (-60.0, 60.0));
     for (text, said) in [
         ("", "muscle_1"),
@@ -620,7 +632,7 @@ fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
         let w = &mut [Workspace::new(), Workspace::new()][..];
         let pressures = [0.22, 0.13];
         let angle = 7.0;
-        let point = model.at(w, &pressures, angle, Turning::Mean).unwrap();
+        let point = model.point_at(w, &pressures, angle, Turning::Mean).unwrap();
         for (n, said) in [
             (1.0, point.shut.isothermal_nm_per_rad),
             (1.4, point.shut.adiabatic_nm_per_rad),
@@ -651,7 +663,7 @@ fn shut_valves_have_the_slope_of_the_torque_at_constant_mass_of_air() {
                     *p = low;
                 }
                 model
-                    .at(w, &shut, angle + step, Turning::Mean)
+                    .point_at(w, &shut, angle + step, Turning::Mean)
                     .unwrap()
                     .torque_nm
             };

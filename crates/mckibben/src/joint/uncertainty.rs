@@ -50,7 +50,7 @@ impl JointModel<'_> {
             .map(|(parts, _)| parts.friction_known)
             .min()
             .unwrap_or_default();
-        let parts = UncertaintyParts::of(std::array::from_fn(joined), known);
+        let parts = UncertaintyParts::from_parts(std::array::from_fn(joined), known);
         Some(match self.shared_shifts(workspaces, muscles, &each) {
             Some(shifts) => UncertaintyParts {
                 rubber: shifts.rubber(),

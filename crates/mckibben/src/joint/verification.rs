@@ -79,7 +79,9 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     let pressures = [0.2, 0.12];
     let at = |deg: f64| {
         let workspaces = &mut model.workspaces();
-        model.at(workspaces, &pressures, deg, Turning::Mean).ok()
+        model
+            .point_at(workspaces, &pressures, deg, Turning::Mean)
+            .ok()
     };
     let work = |deg: f64| {
         let angle = deg.to_radians();
@@ -140,7 +142,9 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
         ] => Some(angle_deg),
         _ => None,
     };
-    let point = model.at(workspaces, &[0.2, 0.2], 0.0, Turning::Mean).ok()?;
+    let point = model
+        .point_at(workspaces, &[0.2, 0.2], 0.0, Turning::Mean)
+        .ok()?;
     let k = ideals[0]
         .response(&mut Workspace::new(), 0.2, 0.1)
         .ok()?
@@ -223,7 +227,7 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     let ideals = ideals(&joint);
     let model = model(&joint, &ideals)?;
     let w = &mut model.workspaces();
-    let there = model.at(w, &p, deg, Turning::Mean).ok()?;
+    let there = model.point_at(w, &p, deg, Turning::Mean).ok()?;
     if there.muscles.iter().any(|m| m.answer.slack) {
         return None;
     }

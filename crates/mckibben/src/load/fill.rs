@@ -130,7 +130,7 @@ impl Evaluation<'_> {
         };
         let (walked, is_in) = way.walk(highest_mpa, furthest)?;
         let (leg, _, at) = walked[walked.len() - 1];
-        let (pressure_mpa, contraction) = way.place(leg, at)?;
+        let (pressure_mpa, contraction) = way.state_on_leg(leg, at)?;
         let volume_mm3 = filling.volume_mm3;
         if !is_in {
             let largest_mm3 = way.pushed_mm3(leg, at)?;

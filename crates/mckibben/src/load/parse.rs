@@ -17,7 +17,7 @@ impl Load {
     /// ```
     pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, Refused> {
         let mut loads = parts(text)
-            .map(|part| one(part.trim(), table))
+            .map(|part| parse_part(part.trim(), table))
             .collect::<Result<Vec<_>, _>>()?;
         match (loads.pop(), loads.is_empty()) {
             (Some(only), true) => Ok(only),
@@ -60,19 +60,46 @@ fn not_a_load(text: &str) -> Refused {
     ))
 }
 
-fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Refused> {
+fn refuse(load: &str, what: &str) -> Refused {
+    refused(format!("load {load}: {what}"))
+}
+
+fn quantity(load: &str, part: &str, dimension: Dimension) -> Result<f64, Refused> {
+    parse_quantity(part, dimension).map_err(|error| refuse(load, &error.to_string()))
+}
+
+fn above_zero(load: &str, part: &str, dimension: Dimension, what: &str) -> Result<f64, Refused> {
+    match quantity(load, part, dimension)? {
+        value if value > 0.0 => Ok(value),
+        _ => Err(refuse(load, &format!("{what} must be above zero"))),
+    }
+}
+
+/// A lever with its mass and the quantities behind `@`.
+fn lever(load: &str, mass: &str, behind: &str) -> Result<Load, Refused> {
+    let wrong = || {
+        refuse(
+            load,
+            "expected a mass, its distance from the pivot, the pulley's radius and the angle from \
+             the horizontal, as in lever:5kg@300mm/40mm/-30deg",
+        )
+    };
+    let (arm, radius, from) = match behind.split('/').collect::<Vec<_>>()[..] {
+        [arm, radius] => (arm, radius, None),
+        [arm, radius, from] => (arm, radius, Some(from)),
+        _ => return Err(wrong()),
+    };
+    let mass = above_zero(load, mass, Dimension::Mass, "the mass")?;
+    let arm = above_zero(load, arm, Dimension::Length, "the distance")?;
+    let radius = above_zero(load, radius, Dimension::Length, "the radius")?;
+    let from = from.map_or(Ok(0.0), |from| quantity(load, from, Dimension::Angle))?;
+    Lever::new(mass, arm, radius, from)
+        .map(Load::Lever)
+        .ok_or_else(wrong)
+}
+
+fn parse_part(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Refused> {
     let (kind, rest) = text.split_once(':').ok_or_else(|| not_a_load(text))?;
-    let quantity = |part: &str, dimension| {
-        parse_quantity(part, dimension).map_err(|error| refused(format!("load {text}: {error}")))
-    };
-    let above = |value: f64, what: &'static str| {
-        if value > 0.0 {
-            Ok(value)
-        } else {
-            Err(refused(format!("load {text}: {what} must be above zero")))
-        }
-    };
-    let wrong = |expected| refused(format!("load {text}: expected {expected}"));
     let (main, behind) = match rest.split_once('@') {
         Some((main, behind)) => (main, Some(behind)),
         None => (rest, None),
@@ -80,53 +107,30 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
     match (kind.trim(), behind) {
         ("table", _) => table(rest)
             .map(Load::Table)
-            .ok_or_else(|| refused(format!("load {text}: there is no such table"))),
+            .ok_or_else(|| refuse(text, "there is no such table")),
         ("force", None) => {
-            let force_n = above(quantity(main, Dimension::Force)?, "the force")?;
+            let force_n = above_zero(text, main, Dimension::Force, "the force")?;
             Ok(Load::Force { force_n })
         }
-        ("mass", behind) => {
-            let mass_kg = above(quantity(main, Dimension::Mass)?, "the mass")?;
-            match behind.map(str::trim) {
-                None => Ok(Load::Mass {
-                    mass_kg,
-                    level: false,
-                }),
-                Some("level") => Ok(Load::Mass {
-                    mass_kg,
-                    level: true,
-                }),
-                Some(_) => Err(wrong(
-                    "a hanging mass, such as mass:20kg, or mass:20kg@level",
-                )),
-            }
-        }
-        ("spring", behind) => {
-            let rate_n_per_mm = above(quantity(main, Dimension::Stiffness)?, "the rate")?;
-            let preload_n = behind.map_or(Ok(0.0), |b| quantity(b, Dimension::Force))?;
-            Ok(Load::Spring {
-                rate_n_per_mm,
-                preload_n,
-            })
-        }
-        ("lever", behind) => {
-            let expected = "a mass, its distance from the pivot, the pulley's radius and the angle \
-                from the horizontal, as in lever:5kg@300mm/40mm/-30deg";
-            let list: Vec<&str> = behind.map(|b| b.split('/').collect()).unwrap_or_default();
-            let (arm, radius, from) = match list[..] {
-                [arm, radius] => (arm, radius, None),
-                [arm, radius, from] => (arm, radius, Some(from)),
-                _ => return Err(wrong(expected)),
-            };
-            let mass = above(quantity(main, Dimension::Mass)?, "the mass")?;
-            let arm = above(quantity(arm, Dimension::Length)?, "the distance")?;
-            let radius = above(quantity(radius, Dimension::Length)?, "the radius")?;
-            let from = from.map_or(Ok(0.0), |f| quantity(f, Dimension::Angle))?;
-            Lever::new(mass, arm, radius, from)
-                .map(Load::Lever)
-                .ok_or_else(|| wrong(expected))
-        }
-        ("force", Some(_)) => Err(wrong("a force alone, such as force:300N")),
+        ("mass", behind) => Ok(Load::Mass {
+            mass_kg: above_zero(text, main, Dimension::Mass, "the mass")?,
+            level: match behind.map(str::trim) {
+                None => false,
+                Some("level") => true,
+                Some(_) => {
+                    return Err(refuse(
+                        text,
+                        "expected a hanging mass, such as mass:20kg, or mass:20kg@level",
+                    ));
+                }
+            },
+        }),
+        ("spring", behind) => Ok(Load::Spring {
+            rate_n_per_mm: above_zero(text, main, Dimension::Stiffness, "the rate")?,
+            preload_n: behind.map_or(Ok(0.0), |b| quantity(text, b, Dimension::Force))?,
+        }),
+        ("lever", behind) => lever(text, main, behind.unwrap_or_default()),
+        ("force", Some(_)) => Err(refuse(text, "expected a force alone, such as force:300N")),
         _ => Err(not_a_load(text)),
     }
 }

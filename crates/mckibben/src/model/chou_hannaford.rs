@@ -30,7 +30,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let braid = Pantograph::from_muscle(muscle);
     let wall_mm = muscle.wall_mm();
     let per_pressure = move |contraction: f64| {
-        let g = braid.at(contraction)?;
+        let g = braid.shape_at(contraction)?;
         let bore = g.r - wall_mm;
         if bore <= 0.0 {
             return Err(braid.no_shape(contraction));

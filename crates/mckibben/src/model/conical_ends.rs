@@ -48,7 +48,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     };
     let braid = Pantograph::from_muscle(muscle);
     let per_pressure = move |contraction: f64| {
-        let g = braid.at(contraction)?;
+        let g = braid.shape_at(contraction)?;
         if contraction > 0.0 && g.l <= 2.0 * kc * contraction {
             let lowest = 1.0 - 1.0 / braid.cos;
             return Err(ModelError::Geometry {

@@ -1,16 +1,17 @@
 //! Why a model has no answer.
 
 use super::RangeViolation;
-use crate::{cancel::Cancelled, status::Status};
+use crate::{cancel::Cancelled, joined, status::Status};
 use thiserror::Error;
 
 fn list(violations: &[RangeViolation], make: &[String]) -> String {
-    violations
-        .iter()
-        .map(ToString::to_string)
-        .chain(make.iter().cloned())
-        .collect::<Vec<_>>()
-        .join("; ")
+    joined(
+        violations
+            .iter()
+            .map(ToString::to_string)
+            .chain(make.iter().cloned()),
+        "; ",
+    )
 }
 
 /// What a model answers, or why it has no answer.

@@ -22,7 +22,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
 };
 
 pub fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
-    let g = braid.at(contraction)?;
+    let g = braid.shape_at(contraction)?;
     let bore = braid.bore(&g, contraction)?;
     let sin2 = 1.0 - g.cos * g.cos;
     let cot2 = g.cos * g.cos / sin2;

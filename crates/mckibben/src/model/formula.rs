@@ -64,12 +64,12 @@ impl FormulaModel {
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
-    fn at(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3]> {
+    fn force_and_slopes(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3]> {
         let p = pressure_mpa;
         let e = contraction;
         let all = match &self.bound {
             Bound::Paper(s) => [s.force_n(p, e), s.by_contraction(p, e), s.by_pressure(e)],
-            Bound::Global(s) => s.at(p, e),
+            Bound::Global(s) => s.force_and_slopes(p, e),
         };
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
@@ -89,7 +89,8 @@ impl ForceModel for FormulaModel {
     }
 
     fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
+        let [force_n, by_contraction, by_pressure] =
+            self.force_and_slopes(pressure_mpa, contraction)?;
         Ok(Response {
             pressure_mpa,
             contraction,
@@ -101,7 +102,8 @@ impl ForceModel for FormulaModel {
     }
 
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        self.at(pressure_mpa, contraction).map(|all| all[0])
+        self.force_and_slopes(pressure_mpa, contraction)
+            .map(|all| all[0])
     }
 
     fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {

@@ -1,4 +1,4 @@
-//! What a model is, apart from its answers.
+//! Data of a model besides its results: name, source, range of validity, accuracy.
 
 use super::{Accuracy, ModelRange, Reference, notes};
 use crate::muscle::Muscle;

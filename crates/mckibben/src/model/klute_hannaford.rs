@@ -122,7 +122,7 @@ impl ForceModel for KluteHannaford {
         force_n: f64,
         contraction: f64,
     ) -> Option<f64> {
-        self.braid.at(contraction).ok()?;
+        self.braid.shape_at(contraction).ok()?;
         self.ideal.pressure_at_pull(
             workspace,
             force_n - self.elastic_pull(contraction),

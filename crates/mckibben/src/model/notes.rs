@@ -1,4 +1,4 @@
-//! Sentences about what of a muscle a model does not use.
+//! Notes: which data of a muscle a model does not use, in sentences.
 
 use crate::muscle::{Bulk, Muscle};
 

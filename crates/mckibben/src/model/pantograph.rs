@@ -66,7 +66,7 @@ impl Pantograph {
     }
 
     /// Shape at a contraction.
-    pub fn at(&self, contraction: f64) -> Result<Shape> {
+    pub fn shape_at(&self, contraction: f64) -> Result<Shape> {
         let l = 1.0 - contraction;
         let cos = l * self.cos;
         if !(l > 0.0 && cos < 1.0) {

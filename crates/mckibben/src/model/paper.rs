@@ -116,7 +116,7 @@ mod tests {
         let rows: Vec<[f64; 4]> = csv.deserialize().map(Result::unwrap).collect();
         assert_eq!(rows.len(), 5);
         for [p, a, b, c] in rows {
-            let (fa, fb, fc) = section.at(p);
+            let (fa, fb, fc) = section.quadratic_at(p);
             for (formula, table) in [(fa, a), (fb, b), (fc, c)] {
                 assert!(
                     (formula / table - 1.0).abs() < 0.018,

@@ -1,4 +1,4 @@
-//! What a model knows at one pressure and contraction.
+//! The results of a model at one pressure and contraction.
 
 use super::{ModelError, Result};
 use crate::muscle::Muscle;

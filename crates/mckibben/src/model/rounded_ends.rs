@@ -61,7 +61,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
 /// λm and dλm/dλ at a contraction of the whole muscle.
 fn middle(b: &Pantograph, turn: f64, contraction: f64) -> Result<(f64, f64)> {
     let l = 1.0 - contraction;
-    let length = |lm: f64| match b.at(1.0 - lm) {
+    let length = |lm: f64| match b.shape_at(1.0 - lm) {
         Ok(g) => (
             lm + 2.0 * (g.r - b.r0) / b.length - l,
             1.0 + 2.0 * g.r1 / b.length,

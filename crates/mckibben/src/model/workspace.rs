@@ -1,4 +1,4 @@
-//! What changes while a model answers.
+//! Memory that a model uses and changes while it computes an answer.
 
 use crate::muscle::EndState;
 use std::{any::Any, fmt, sync::Arc};

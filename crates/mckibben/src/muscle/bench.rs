@@ -1,4 +1,5 @@
-//! What a bench says of the muscle whose constants were identified from its points.
+//! The bench: the range and the scatter of the measured points that a muscle's constants were
+//! identified from.
 
 use super::{
     BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube,
@@ -6,7 +7,7 @@ use super::{
 };
 use crate::units::{
     NotNegative,
-    typed::{Force, Length, Pressure, Ratio, one, pair, several},
+    typed::{Force, Length, Pressure, Ratio, pair, read_quantity, several},
 };
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -48,7 +49,10 @@ pub struct Bench {
     #[schemars(with = "(Ratio, Ratio)")]
     pub contraction: (f64, f64),
     /// 95 % half-width of one point about the fit, in N.
-    #[serde(rename = "scatter", deserialize_with = "one::<NotNegative<Force>, _>")]
+    #[serde(
+        rename = "scatter",
+        deserialize_with = "read_quantity::<NotNegative<Force>, _>"
+    )]
     #[schemars(with = "NotNegative<Force>")]
     pub scatter_n: f64,
     /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal

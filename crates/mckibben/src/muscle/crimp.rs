@@ -28,7 +28,7 @@ impl Crimp {
 
     /// Energy, force and tangent at a strain, each over k.
     #[inline]
-    pub fn at(&self, strain: f64) -> [f64; 3] {
+    pub fn energy_and_slopes(&self, strain: f64) -> [f64; 3] {
         let kappa = self.stiffness_ratio;
         let width = BLEND * self.strain;
         let rest = 1.0 - kappa;
@@ -55,7 +55,7 @@ impl Crimp {
     /// Force over k at a strain, of strands with crimp or without.
     #[inline]
     pub fn force(crimp: Option<&Self>, strain: f64) -> f64 {
-        crimp.map_or(strain, |crimp| crimp.at(strain)[1])
+        crimp.map_or(strain, |crimp| crimp.energy_and_slopes(strain)[1])
     }
 
     /// The strain at a force over k.
@@ -93,8 +93,11 @@ mod tests {
         let h = 1e-6;
         for i in -20..60 {
             let c = 4e-4 * f64::from(i) + 1e-5;
-            let [_, f, t] = CRIMP.at(c);
-            let ([above, f_above, _], [below, f_below, _]) = (CRIMP.at(c + h), CRIMP.at(c - h));
+            let [_, f, t] = CRIMP.energy_and_slopes(c);
+            let ([above, f_above, _], [below, f_below, _]) = (
+                CRIMP.energy_and_slopes(c + h),
+                CRIMP.energy_and_slopes(c - h),
+            );
             assert!(((above - below) / (2.0 * h) - f).abs() < 1e-9, "{c}");
             assert!(((f_above - f_below) / (2.0 * h) - t).abs() < 1e-6, "{c}");
             assert!(
@@ -108,11 +111,11 @@ mod tests {
     /// line by (1 − κ) c1.
     #[test]
     fn values_by_hand_and_the_limits_of_no_crimp() {
-        let [_, middle, slope] = CRIMP.at(0.01);
+        let [_, middle, slope] = CRIMP.energy_and_slopes(0.01);
         assert!(
             (middle - (0.001 + 0.9 * 0.0025 / 4.0)).abs() < 1e-17 && (slope - 0.55).abs() < 1e-12
         );
-        assert!((CRIMP.at(0.05)[1] - (0.05 - 0.9 * 0.01)).abs() < 1e-15);
+        assert!((CRIMP.energy_and_slopes(0.05)[1] - (0.05 - 0.9 * 0.01)).abs() < 1e-15);
         for c in [-0.01, 0.001, 0.02] {
             let none = [0.5 * c * c, c, 1.0];
             for (crimp, off) in [
@@ -131,7 +134,7 @@ mod tests {
                     if c < 0.0 { 1.0 } else { 1e-12 },
                 ),
             ] {
-                for (a, b) in crimp.at(c).into_iter().zip(none) {
+                for (a, b) in crimp.energy_and_slopes(c).into_iter().zip(none) {
                     assert!((a - b).abs() <= off, "{crimp:?} {c}");
                 }
             }

@@ -1,4 +1,4 @@
-//! What the ends take of a muscle: a length that is held, a seating, a slip.
+//! The ends of a muscle: gripped length, seating and slip reduce what is free between them.
 //!
 //! The muscle between its ends, La = L0 − 2h long at rest, is contracted by x where the whole is
 //! contracted by ε:

@@ -1,6 +1,6 @@
-//! The muscle and its words: tube, braid, terminals, and what is derived from them.
+//! The muscle and its parts: tube, braid, terminals, and what is derived from them.
 //!
-//! Everything is checked once, in [`Muscle::new`]; whoever holds a [`Muscle`] may rely on it.
+//! All values are checked once, in [`Muscle::new`]; a [`Muscle`] is therefore always valid.
 
 mod bench;
 mod braid;
@@ -16,6 +16,7 @@ mod lay;
 pub mod measures;
 mod presliding;
 mod reach;
+mod relations;
 mod rubber;
 mod sleeve;
 mod stated;
@@ -41,10 +42,7 @@ pub use stated::Stated;
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
-use crate::{
-    refused::Refused,
-    rubber::{RubberLaw, library},
-};
+use crate::rubber::{RubberLaw, library};
 use std::sync::Arc;
 
 /// A muscle whose parts have been checked against each other.
@@ -56,9 +54,6 @@ pub struct Muscle {
     /// The rubber at the temperature of the tube, where that is stated.
     warm: Option<Arc<Rubber>>,
 }
-
-/// Thinner than one fibre of carbon or glass, in mm.
-const THINNEST_STRAND_MM: f64 = 0.003;
 
 impl Muscle {
     /// Puts a muscle together. A rubber of the library has the law for the stretches that this
@@ -83,117 +78,7 @@ impl Muscle {
 
     /// The same of parts in one.
     pub fn from_parts(mut parts: Parts) -> Result<Self, MuscleError> {
-        let Parts {
-            tube,
-            braid,
-            terminals,
-            ..
-        } = &parts;
-        parts.check("tube")?;
-        tube.check()?;
-        braid.check()?;
-        parts.check("braid")?;
-        braid.check_crimp()?;
-        parts.check("terminals")?;
-        terminals.check()?;
-        let length_mm = tube.length_mm;
-        if let Some(MeasuredStrand {
-            strand_length_mm, ..
-        }) = braid.measured
-        {
-            Refused::unless(
-                strand_length_mm > length_mm,
-                ["braid.strand_length"],
-                || {
-                    format!(
-                        "braid.strand_length is {strand_length_mm}\u{a0}mm, not above the muscle's \
-                         length of {length_mm}\u{a0}mm, which it must span slantwise"
-                    )
-                },
-            )?;
-        }
-        parts.check("friction")?;
-        let without = parts
-            .friction
-            .is_some_and(|f| f.presliding_mm.is_some() && f.is_zero());
-        Refused::unless(!without, ["friction.presliding"], || {
-            "friction.presliding needs the friction itself: friction.lever, or \
-             friction.coefficient and friction.exponent"
-                .into()
-        })?;
-        braid.check_on(tube)?;
-        let seating_mm = terminals.seating_mm.unwrap_or(0.0);
-        let grip_mm = terminals.grip_mm.unwrap_or(0.0);
-        Refused::unless(
-            seating_mm < length_mm,
-            ["terminals.seating", "tube.length"],
-            || {
-                format!(
-                    "terminals.seating is {seating_mm}\u{a0}mm; it must be below the muscle's \
-                     length of {length_mm}\u{a0}mm"
-                )
-            },
-        )?;
-        let held_mm = seating_mm + 2.0 * grip_mm;
-        Refused::unless(
-            held_mm < length_mm,
-            ["terminals.grip", "tube.length"],
-            || {
-                format!(
-                    "terminals.grip is {grip_mm}\u{a0}mm at each end; twice that, with a seating \
-                     of {seating_mm}\u{a0}mm, must be below the muscle's length of \
-                     {length_mm}\u{a0}mm"
-                )
-            },
-        )?;
-        let plug_mm = 2.0 * parts.plug_radius_mm();
-        let bore_mm = 2.0 * tube.inner_radius_mm();
-        let (least, largest) = Terminals::PLUG_OF_BORE;
-        let closes = (least * bore_mm..=largest * bore_mm).contains(&plug_mm);
-        Refused::unless(
-            closes,
-            ["terminals.plug_diameter", "tube.outer_diameter"],
-            || {
-                format!(
-                    "terminals.plug_diameter is {plug_mm}\u{a0}mm, and the bore of the tube \
-                     {bore_mm}\u{a0}mm: a plug has between half of the bore and twice the bore"
-                )
-            },
-        )?;
-        let widened = braid.angle_rad().sin() * parts.clamped_radius_mm() / tube.outer_radius_mm();
-        Refused::unless(
-            widened < 1.0,
-            ["terminals.plug_diameter", "braid.angle"],
-            || {
-                format!(
-                    "terminals.plug_diameter is {plug_mm}\u{a0}mm; a braid with an angle of {} \
-                     degrees does not widen to the tube on it, with an outer diameter of \
-                     {:.1}\u{a0}mm: take a narrower plug",
-                    braid.angle_deg,
-                    2.0 * parts.clamped_radius_mm()
-                )
-            },
-        )?;
-        let section = braid.strands.and_then(|s| s.section);
-        let strand_mm = section.map_or(0.0, |s| (4.0 * s.0 / std::f64::consts::PI).sqrt());
-        const STRAND: [&str; 2] = ["braid.strand_diameter", "braid.strand_area"];
-        Refused::unless(
-            strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM,
-            STRAND,
-            || {
-                format!(
-                    "braid: a strand of {strand_mm:.2e} mm is thinner than a single fibre; is its \
-                     unit mm (or mm2)?"
-                )
-            },
-        )?;
-        let outer_mm = tube.outer_diameter_mm;
-        Refused::unless(strand_mm <= outer_mm, STRAND, || {
-            format!(
-                "braid: a strand of {strand_mm:.4} mm is thicker than the tube, which has \
-                 {outer_mm} mm; is its unit mm (or mm2)?"
-            )
-        })?;
+        parts.check_together()?;
         let reach = parts.reach();
         parts.tube.rubber = library::following(parts.tube.rubber, reach);
         let warm = parts

@@ -1,7 +1,10 @@
 //! The braid that a sleeve is on a tube.
 
 use super::{Braid, BraidStiffness, Muscle, MuscleError, Strands};
-use crate::sleeve::{Sleeve, library, refused};
+use crate::{
+    joined,
+    sleeve::{Sleeve, library, refused},
+};
 
 impl Sleeve {
     /// The strands of a braid.
@@ -15,13 +18,12 @@ impl Sleeve {
             })
         } else {
             let missing = self.missing();
-            let keys: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
             Err(refused(format!(
                 "the source of {} does not state {}; give {} or `stiffness`, or take strands \
                  that do not stretch (stiffness inextensible)",
                 self.shape.name,
                 missing.join(" and "),
-                keys.join(" and ")
+                joined(missing.iter().map(|key| format!("`{key}`")), " and ")
             )))
         }
     }

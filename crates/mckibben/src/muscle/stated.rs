@@ -140,7 +140,7 @@ impl Stated {
             .or(area.map(|a| 2.0 * (a / PI).sqrt()));
         let count = self.measures.get(&STRANDS).map(|count| count as u32);
         let [modulus, strength] = [&STRAND_MODULUS, &STRAND_STRENGTH].map(|m| self.measures.get(m));
-        let sleeve = sleeve.with(count, diameter, modulus, strength);
+        let sleeve = sleeve.with_measured(count, diameter, modulus, strength);
         let (stiffness, mut strands, factor) = match self.stiffness {
             Some(stiffness) => (stiffness, sleeve.strands_beside_stiffness(), 1.0),
             None => (

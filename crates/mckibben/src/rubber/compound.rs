@@ -84,7 +84,7 @@ pub struct Rubber {
     /// section have it.
     pub conditioned: Option<Conditioned>,
     /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every
-    /// model; [`Rubber::held`] is the one of later.
+    /// model; [`Rubber::relaxed`] is the one of later.
     pub prony: Option<Prony>,
 }
 
@@ -115,18 +115,18 @@ impl Rubber {
         }
     }
 
-    /// This rubber after it was held: the law with its remaining moduli ([`Prony::held`]), without
+    /// This rubber after it was held: the law with its remaining moduli ([`Prony::relaxed_law`]), without
     /// the series. Softening keeps its shape: its m, an energy, goes with the law. A bulk modulus
     /// stays.
     #[must_use]
-    pub fn held(self, held: Held) -> Self {
+    pub fn relaxed(self, held: Held) -> Self {
         let Some(prony) = self.prony else { return self };
         let softening = self.softening.map(|s| OgdenRoxburgh {
             m_mpa: prony.left(held) * s.m_mpa,
             ..s
         });
         Self {
-            law: prony.held(&self.law, held),
+            law: prony.relaxed_law(&self.law, held),
             softening,
             prony: None,
             ..self

@@ -1,4 +1,4 @@
-//! The laws as something with unknown constants.
+//! The form of a law: its equation with unknown constants, before a fit.
 
 use super::{InvariantLaw, Law, LawKind, LawVisitor, RubberLaw};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};

@@ -96,7 +96,11 @@ impl BuiltIn {
         let table = Source::parse(text).and_then(|source| source.read());
         let mut table: Self = table.map_err(damaged)?;
         for material in &mut table.material {
-            material.source = table.sources.of(Some(&material.source)).0.to_owned();
+            material.source = table
+                .sources
+                .source_and_terms(Some(&material.source))
+                .0
+                .to_owned();
         }
         Ok(table)
     }

@@ -197,7 +197,7 @@ impl Sleeve {
     /// This sleeve with what was measured on it in place of the stated numbers: strands, diameter
     /// of one (mm), modulus (MPa), strength (N). Another diameter has as many times the strength as
     /// it has the section, where the strength is an estimate.
-    pub fn with(
+    pub fn with_measured(
         mut self,
         strands: Option<u32>,
         diameter_mm: Option<f64>,

@@ -141,7 +141,7 @@ impl SleeveRow {
             ),
             None => (self.name.clone(), title.clone()),
         };
-        let (source, terms) = sources.of(self.source.as_deref());
+        let (source, terms) = sources.source_and_terms(self.source.as_deref());
         // What its strands are taken to be, where their material is not stated or not one of the
         // table.
         let like = self.like.as_deref().unwrap_or(material);

@@ -175,7 +175,7 @@ fn what_is_not_stated_is_an_estimate_and_can_be_given() {
     assert_eq!((strands.count, braid.stiffness_factor), (346, 3.0));
     assert!((strands.strength_n.unwrap() - 19.98).abs() < 0.01);
     // Twice as thick: four times the strength; the modulus is still an estimate.
-    let thick = sleeve.clone().with(None, Some(0.5), None, None);
+    let thick = sleeve.clone().with_measured(None, Some(0.5), None, None);
     assert!((thick.strand_strength_n.unwrap() - 79.92).abs() < 0.01);
     assert_eq!(
         (thick.estimated.clone(), thick.stiffness_factor()),
@@ -185,21 +185,23 @@ fn what_is_not_stated_is_an_estimate_and_can_be_given() {
         )
     );
     // Measured: the rest is that the strands may not touch all along.
-    let measured = sleeve.clone().with(None, Some(0.25), Some(8530.0), None);
+    let measured = sleeve
+        .clone()
+        .with_measured(None, Some(0.25), Some(8530.0), None);
     assert_eq!(
         (measured.strand_count(), measured.stiffness_factor()),
         (Some(346), 1.25)
     );
     assert_eq!(
         measured
-            .with(Some(300), None, None, Some(30.0))
+            .with_measured(Some(300), None, None, Some(30.0))
             .stiffness_factor(),
         1.0
     );
     let thin = library::find("s-muscle-20").unwrap();
     assert_eq!(thin.estimated, ["strand_modulus", "strand_strength"]);
     assert_eq!(
-        thin.with(None, None, Some(5e3), None)
+        thin.with_measured(None, None, Some(5e3), None)
             .on(2.0)
             .unwrap()
             .strands
@@ -239,7 +241,7 @@ fn every_sleeve_of_the_library_makes_a_muscle_somewhere() {
         let modulus = sleeve.strand_modulus_mpa.or(Some(5e3));
         let diameter = sleeve.strand_diameter_mm.or(Some(0.2));
         let braid = sleeve
-            .with(None, diameter, modulus, None)
+            .with_measured(None, diameter, modulus, None)
             .on(middle)
             .unwrap();
         assert!(Muscle::prototype().with_braid(braid).is_ok(), "{name}");

@@ -202,7 +202,7 @@ impl UncertaintyParts {
     }
 
     /// From the parts in the order of their fields.
-    pub(crate) fn of(parts: [Option<f64>; 10], friction_known: FrictionKnown) -> Self {
+    pub(crate) fn from_parts(parts: [Option<f64>; 10], friction_known: FrictionKnown) -> Self {
         let mut out = Self {
             friction_known,
             ..Self::default()
@@ -541,7 +541,7 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
         let mixed = ((1.0 - x) * square(inner[i]) + x * square(outer[i])).sqrt();
         inner[i].or(outer[i]).map(|_| mixed)
     };
-    UncertaintyParts::of(std::array::from_fn(part), inside.friction_known)
+    UncertaintyParts::from_parts(std::array::from_fn(part), inside.friction_known)
 }
 
 /// Half-width of the difference between finite elements and a measured muscle in N, for its blocked

@@ -5,16 +5,16 @@ use crate::{
     print::{Page, Table},
     units::{DEGREES, GRAMS, NORMAL_LITRES, PERCENT},
 };
+use mckibben::joined;
 
 impl DesignAnswer {
     /// The candidates with what differs among them; with `is_full` everything that is known of
     /// them.
-    pub(super) fn candidates_onto(&self, page: &mut Page, u: &Units, is_full: bool) {
+    fn table(&self, u: &Units, is_full: bool) -> Table<'_, CandidateAnswer> {
         let list = &self.candidates;
         let have_tubes = list.iter().any(|c| c.candidate.tube.is_some());
         let have_lengths =
             self.searched.length_mm.is_none() || differ(list, |c| c.muscle.length_mm);
-        let highest_differ = differ(list, |c| c.candidate.highest_pressure_mpa);
         let (length, length_3) = (u.length.digits(4), u.length.digits(3));
         let pressure = u.pressure.digits(3);
         let ranks = (1..=list.len()).map(|rank| format!("{rank}."));
@@ -40,10 +40,10 @@ impl DesignAnswer {
             .text(&u.pressure.heading("P required"), |c| {
                 let points = c.candidate.points.iter();
                 let needs = points.map(|q| u.pressure.to(q.response.pressure_mpa, 3));
-                needs.collect::<Vec<_>>().join(", ")
+                joined(needs, ", ")
             })
             .quantity("P sure", &pressure, |c| c.candidate.sure_pressure_mpa);
-        if highest_differ {
+        if self.highest_differ() {
             table = table.quantity("P max", &pressure, |c| c.candidate.highest_pressure_mpa);
         }
         if is_full {
@@ -58,14 +58,12 @@ impl DesignAnswer {
         table = table.quantity("bulged D", &length_3, |c| c.bulged_diameter_mm);
         if is_full {
             let force = u.force.digits(3);
-            table = table.quantity("stiffness", &u.stiffness().digits(3), |c| {
-                c.stiffness_n_per_mm
-            });
-            table = if list.iter().any(|c| c.liquid_volume_mm3.is_some()) {
-                table.quantity("liquid", &u.volume.digits(3), |c| c.liquid_volume_mm3)
-            } else {
-                table.quantity("air", &NORMAL_LITRES.digits(3), |c| c.air_normal_litres)
-            };
+            table = table
+                .quantity("stiffness", &u.stiffness().digits(3), |c| {
+                    c.stiffness_n_per_mm
+                })
+                .quantity("liquid", &u.volume.digits(3), |c| c.liquid_volume_mm3)
+                .quantity("air", &NORMAL_LITRES.digits(3), |c| c.air_normal_litres);
             table = if list.iter().any(|c| c.strand_tension_n.is_some()) {
                 table.quantity("strand", &force, |c| c.strand_tension_n)
             } else {
@@ -87,13 +85,23 @@ impl DesignAnswer {
         if !have_tubes && differ(list, |c| &c.muscle.rubber) {
             table = table.text("rubber", |c| &c.muscle.rubber);
         }
-        page.table(table);
+        table
+    }
+
+    fn highest_differ(&self) -> bool {
+        differ(&self.candidates, |c| c.candidate.highest_pressure_mpa)
+    }
+
+    /// The table of the candidates, and what its headings mean.
+    pub(super) fn candidates_onto(&self, page: &mut Page, u: &Units, is_full: bool) {
+        page.table(self.table(u, is_full));
+        let list = &self.candidates;
         let sure = if list.iter().any(|c| c.candidate.sure_pressure_mpa.is_some()) {
             " P sure: that at which the lower end of the ± meets it."
         } else {
             ""
         };
-        let max = if highest_differ {
+        let max = if self.highest_differ() {
             " P max: what supply and muscle allow."
         } else {
             ""

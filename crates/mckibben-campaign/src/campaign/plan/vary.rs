@@ -5,6 +5,7 @@ use super::{
     sampling::Sampling,
 };
 use mckibben::{
+    joined,
     muscle::{
         Muscle, NEUTRAL_ANGLE_DEG,
         file::{FileError, Source},
@@ -62,11 +63,10 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         let law = &base.tube().rubber.law;
         let constants = law.constants();
         let Some(constant) = constants.iter().find(|c| c.name == name) else {
-            let names: Vec<&str> = constants.iter().map(|c| c.name.as_str()).collect();
             return Err(format!(
                 "is not a constant of the {} law of the base muscle; its constants are {}",
                 law.name(),
-                names.join(", ")
+                joined(constants.iter().map(|c| c.name.as_str()), ", ")
             ));
         };
         least = constant.constant.bounds.0;

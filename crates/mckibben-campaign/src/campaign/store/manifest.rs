@@ -57,7 +57,9 @@ impl Manifest {
             let put = || {
                 let text = serde_json::to_vec(&ours)?;
                 let exists = path.exists();
-                Unfinished::inside(&path, exists)?.with(&text)?.put(exists)
+                Unfinished::inside(&path, exists)?
+                    .with_content(&text)?
+                    .put(exists)
             };
             match put() {
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

@@ -9,7 +9,7 @@
 mod variables;
 
 use super::{
-    c::{MCKIBBEN_JOINT, rendered, sources},
+    c::{MCKIBBEN_JOINT, SOURCES, Source, files},
     zip::zip,
 };
 use crate::{
@@ -117,6 +117,17 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     })
 }
 
+/// A file of a unit: its path, and its content.
+type Entry = (String, Vec<u8>);
+
+/// What all units have beside the functions of target C.
+const OF_UNIT: [Source; 4] = [
+    ("air.c", "", include_str!("../../../templates/air.c")),
+    MCKIBBEN_JOINT,
+    ("fmu2.c", "", include_str!("../../../templates/fmu2.c")),
+    ("fmu3.c", "", include_str!("../../../templates/fmu3.c")),
+];
+
 /// The unit of a kind in both versions of FMI.
 fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> Result<[File; 2]> {
     let (id, facts, hash) = match joint {
@@ -138,55 +149,31 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
     };
     let token = format!("{{mckibben-{about}{hash}}}");
     let variables = variables::variables(muscle, kind);
+    let said = format!("{} {}", facts[0], facts[2]).replace('"', "'");
+    let units = include_str!("../../../templates/fmu_units.xml");
     let values = [
         ("id", id.clone()),
         ("guid", token.clone()),
-        (
-            "said",
-            format!("{} {}", facts[0], facts[2]).replace('"', "'"),
-        ),
+        ("said", said),
         ("version", muscle.version.into()),
-        (
-            "units",
-            include_str!("../../../templates/fmu_units.xml")
-                .trim_end()
-                .into(),
-        ),
+        ("units", units.trim_end().into()),
         ("events", variables::events(&variables).to_string()),
     ];
-    let source = |template: &str| rendered(template, muscle).into_bytes();
-    let mut common = vec![
-        (
-            "resources/muscle.bin".to_owned(),
-            resource(muscle, joint, &token, &variables),
-        ),
-        (
-            "sources/air.c".to_owned(),
-            source(include_str!("../../../templates/air.c")),
-        ),
-        (
-            "sources/mckibben_joint.h".to_owned(),
-            source(MCKIBBEN_JOINT.2),
-        ),
-        (
-            "sources/fmu2.c".to_owned(),
-            source(include_str!("../../../templates/fmu2.c")),
-        ),
-        (
-            "sources/fmu3.c".to_owned(),
-            source(include_str!("../../../templates/fmu3.c")),
-        ),
-    ];
-    for file in sources(muscle)
-        .into_iter()
-        .filter(|file| file.name.starts_with("mckibben"))
-    {
-        common.push((
-            format!("sources/{}", file.name),
-            file.content.bytes().to_vec(),
-        ));
-    }
-    let unit = |version, template: &str, files: Vec<(String, Vec<u8>)>| {
+    let mut common = vec![(
+        "resources/muscle.bin".to_owned(),
+        resource(muscle, joint, &token, &variables),
+    )];
+    // Without the numbers of the muscle.
+    let functions = &SOURCES[..3];
+    common.extend(
+        files(muscle, &[&OF_UNIT[..], functions].concat())
+            .into_iter()
+            .map(|file| {
+                let name = format!("sources/{}", file.name);
+                (name, file.content.bytes().to_vec())
+            }),
+    );
+    let unit = |version, template: &str, files: Vec<Entry>| {
         let (list, structure) = description(&variables, version);
         let places = [
             &values[..],
@@ -197,27 +184,15 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         let all = std::iter::once(("modelDescription.xml".to_owned(), description)).chain(files);
         zip(all.chain(common.iter().cloned()))
     };
-    let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
     let build = render(
         include_str!("../../../templates/fmu3_build.xml"),
         &facts,
         &values,
     )
     .into_bytes();
-    let mut second = vec![];
-    let mut third = vec![("sources/buildDescription.xml".to_owned(), build)];
-    for system in SYSTEMS {
-        third.push((
-            library(system.third, system.ending),
-            system.library.to_vec(),
-        ));
-        second.extend(
-            system
-                .second
-                .map(|folder| (library(folder, system.ending), system.library.to_vec())),
-        );
-    }
-    second.push((library("darwin64", "dylib"), universal(&MACOS)));
+    let (second, of_third) = libraries(&id);
+    let build = ("sources/buildDescription.xml".to_owned(), build);
+    let third = [vec![build], of_third].concat();
     let second = unit(
         Version::Second,
         include_str!("../../../templates/fmu2.xml"),
@@ -232,6 +207,26 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         File::bytes(id.clone() + second_ending, what, second),
         File::bytes(id.clone() + third_ending, "the same, FMI 3.0", third),
     ])
+}
+
+/// The libraries of all systems in FMI 2.0 and in FMI 3.0.
+fn libraries(id: &str) -> (Vec<Entry>, Vec<Entry>) {
+    let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
+    let mut second = vec![];
+    let mut third = vec![];
+    for system in SYSTEMS {
+        third.push((
+            library(system.third, system.ending),
+            system.library.to_vec(),
+        ));
+        second.extend(
+            system
+                .second
+                .map(|folder| (library(folder, system.ending), system.library.to_vec())),
+        );
+    }
+    second.push((library("darwin64", "dylib"), universal(&MACOS)));
+    (second, third)
 }
 
 /// `muscle.bin`, as fmu2.c reads it.

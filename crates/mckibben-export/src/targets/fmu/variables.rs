@@ -3,6 +3,7 @@
 use super::{Kind, Version};
 use crate::{ExportedMuscle, template::number};
 use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
+use mckibben::joined;
 use std::fmt::Write as _;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -89,7 +90,7 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         Kind::Joint(1) => (["any", "joint", ""], "pressure_1 angle"),
         Kind::Joint(_) => (["any", "joint", "second"], "pressure_1 pressure_2 angle"),
     };
-    let volume_m3 = form.at(0.0, 0.0).volume_m3;
+    let volume_m3 = form.point_at(0.0, 0.0).volume_m3;
     let value = |text: &str| match text {
         "max" => f64::MAX,
         "-max" => -f64::MAX,
@@ -243,17 +244,12 @@ const UNKNOWNS: [Unknowns; 4] = [
 /// 3.0 by its value reference.
 pub fn description(variables: &[Variable], version: Version) -> (String, String) {
     let is_third = version == Version::Third;
-    let place = |name: &str| {
-        variables
-            .iter()
-            .position(|v| v.name == name)
-            .map_or(0, |at| at + 1)
-    };
     let key = |name: &str| {
         if is_third {
             reference(name)
         } else {
-            place(name)
+            let place = variables.iter().position(|v| v.name == name);
+            place.map_or(0, |place| place + 1)
         }
         .to_string()
     };
@@ -299,12 +295,7 @@ pub fn description(variables: &[Variable], version: Version) -> (String, String)
             "      <Unknown index".into()
         };
         let unknown = |v: &Variable| {
-            let on = states_dependencies.then(|| {
-                v.on.iter()
-                    .map(|name| key(name))
-                    .collect::<Vec<_>>()
-                    .join(" ")
-            });
+            let on = states_dependencies.then(|| joined(v.on.iter().map(|name| key(name)), " "));
             format!(
                 "{start}=\"{}\"{}/>\n",
                 key(v.name),

@@ -70,7 +70,7 @@ pub fn homogeneous(rows: &mut Rows) {
                 ("nominal stress (MPa)", exact),
                 ("largest displacement off (mm)", 0.0),
             ];
-            rows.each(
+            rows.add_each(
                 &format!("{name}, patch test, {what} λ = 2: "),
                 exact,
                 stress(brick, 2.0, y),
@@ -123,7 +123,7 @@ pub fn shear(rows: &mut Rows) {
             ("σ22 − σ33 (MPa)", -2.0 * 0.02 * GAMMA * GAMMA),
             ("largest displacement off (mm)", 0.0),
         ];
-        rows.each(
+        rows.add_each(
             &format!("{name}, simple shear γ = 1: "),
             exact,
             sheared(brick),

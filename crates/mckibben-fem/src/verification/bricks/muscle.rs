@@ -87,7 +87,7 @@ fn axisymmetric_limit(rows: &mut Rows, d: f64, s: f64) {
             let force = (a.force_n - b.force_n) / blocked;
             Some([force.abs(), (a.volume_mm3? / b.volume_mm3? - 1.0).abs()])
         });
-        rows.each(
+        rows.add_each(
             &format!("muscle D0 {d} s {s}, ε {e}, P {p}: 3D less axisymmetric, "),
             [("F over blocked F", 0.0), ("V", 0.0)],
             off,

@@ -147,7 +147,7 @@ fn rows_that_are_not_filled_in_are_left_out() {
 
 fn constants(set: &[&str], of: (usize, usize), file: &str) -> Result<Columns, TableError> {
     let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
-    Columns::default().with(&set, of, file)
+    Columns::default().with_constants(&set, of, file)
 }
 
 /// The pull of a testing machine at a constant pressure, from the length at which the muscle bears

@@ -1,7 +1,7 @@
 //! Stress and mode of a row, and the limits of rubbers.
 
 use super::Result;
-use crate::rubber::Mode;
+use crate::rubber::{Mode, TensionPoint};
 use mckibben_io::table::{Column, Meaning, Table, TableError};
 
 /// Groups of [`TESTS`](mckibben_io::table::TESTS).
@@ -41,6 +41,24 @@ impl Tests<'_> {
             return Err(self.table.impossible(row, stress, expected));
         }
         Ok(nominal_stress_mpa)
+    }
+
+    /// All points of a table without second stretches.
+    pub fn strip_points(&self, stretches: &[f64], stress: &Column) -> Result<Vec<TensionPoint>> {
+        let two_axes = || stress.needs("the second stretch of the specimen: a column `stretch_2`");
+        if stress.meaning == Meaning::TrueStressDifference {
+            return Err(two_axes());
+        }
+        let measured = self.table.numbers(stress)?.into_iter();
+        let rows = measured.zip(stretches).enumerate();
+        rows.map(|(row, (measured, &stretch))| {
+            let stress_mpa = self.nominal_mpa(row, stress, measured, stretch)?;
+            match self.mode(row)?.unwrap_or_default() {
+                Mode::General => Err(two_axes()),
+                mode => Ok(TensionPoint::new(mode, stretch, stress_mpa)),
+            }
+        })
+        .collect()
     }
 
     /// The mode that a row states.

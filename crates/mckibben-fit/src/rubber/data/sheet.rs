@@ -9,7 +9,7 @@ use super::{
     cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests},
 };
 use crate::rubber::{Mode, TensionPoint};
-use mckibben_io::table::{Meaning, TableError};
+use mckibben_io::table::{Column, Meaning, TableError};
 
 /// Columns beside the first stretch.
 pub const MEANINGS: [Meaning; 7] = [
@@ -29,49 +29,39 @@ impl Tests<'_> {
     /// All points of a table, whose first stretches are known.
     pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
         let table = self.table;
-        let across = table.some_numbers(Meaning::Stretch2)?;
-        let column =
-            |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
-        let along = [
-            column(Meaning::NominalStress)?,
-            column(Meaning::TrueStress)?,
-            column(Meaning::Force)?,
-        ];
-        let second = [
-            column(Meaning::NominalStress2)?,
-            column(Meaning::TrueStress2)?,
-        ];
-        let differences = column(Meaning::TrueStressDifference)?;
-        let has_modes = table.column(Meaning::Mode).is_some();
+        let cells = |meaning: &Meaning| -> Result<Vec<Option<(&Column, f64)>>> {
+            let values = table.some_numbers(*meaning)?.into_iter();
+            Ok(values
+                .map(|value| table.column(*meaning).zip(value))
+                .collect())
+        };
+        let columns = MEANINGS.iter().map(cells).collect::<Result<Vec<_>>>()?;
+        let (along, second, differences) = (&columns[1..4], &columns[4..6], &columns[6]);
         let mut out = vec![];
         for (row, &stretch) in lengths.iter().enumerate() {
-            let stated = match table.text(row, Meaning::Mode) {
-                Some((_, text)) if !text.trim().is_empty() => self.mode(row)?,
-                _ => None,
+            let across = columns[0][row].map(|(_, value)| value);
+            let cell = table.text(row, Meaning::Mode);
+            let stated = if cell.is_some_and(|(_, text)| !text.trim().is_empty()) {
+                self.mode(row)?
+            } else {
+                across.map(|_| Mode::General)
             };
-            let mode = match (stated, across[row]) {
-                (Some(mode), _) => mode,
-                (None, Some(_)) => Mode::General,
-                (None, None) if has_modes => Mode::Uniaxial,
-                (None, None) => Mode::default(),
-            };
-            let lambda_2 = self.second_stretch(row, mode, stretch, across[row])?;
-            let first = |columns: &[(Option<_>, Vec<Option<f64>>)], along| {
-                let stress = columns
-                    .iter()
-                    .find_map(|(column, values)| Some(((*column)?, values[row]?)));
+            let mode = stated.unwrap_or_default();
+            let lambda_2 = self.second_stretch(row, mode, stretch, across)?;
+            let first = |columns: &[Vec<Option<(&Column, f64)>>], along| {
+                let stress = columns.iter().find_map(|cells| cells[row]);
                 stress
                     .map(|(column, value)| self.nominal_mpa(row, column, value, along))
                     .transpose()
             };
             let before = out.len();
-            if let Some(stress) = first(&along, stretch)? {
+            if let Some(stress) = first(along, stretch)? {
                 out.push(match mode {
                     Mode::General => TensionPoint::general(stretch, lambda_2, stress),
                     mode => TensionPoint::new(mode, stretch, stress),
                 });
             }
-            match (first(&second, lambda_2)?, mode) {
+            match (first(second, lambda_2)?, mode) {
                 (Some(stress), Mode::Equibiaxial) => {
                     out.push(TensionPoint::new(mode, lambda_2, stress))
                 }
@@ -79,7 +69,7 @@ impl Tests<'_> {
                 (None, _) | (_, Mode::Uniaxial) => {}
                 (Some(stress), _) => out.push(TensionPoint::general(lambda_2, stretch, stress)),
             }
-            if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
+            if let Some((column, value)) = differences[row] {
                 if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
                     let expected =
                         "is not a difference of stresses that a rubber can bear; check its unit";
@@ -88,10 +78,11 @@ impl Tests<'_> {
                 out.push(TensionPoint::from_difference(stretch, lambda_2, value));
             }
             if out.len() == before {
+                let [_, along @ .., _, _, difference] = MEANINGS;
                 let column = along
-                    .iter()
-                    .chain([&differences])
-                    .find_map(|(column, _)| *column);
+                    .into_iter()
+                    .chain([difference])
+                    .find_map(|meaning| table.column(meaning));
                 let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
                 let expected = "is not a valid stress, nor is there another in its line";
                 return Err(table.impossible(row, column, expected));

@@ -17,7 +17,7 @@ fn headings_and_units_are_understood() {
             .replace("\\u{feff}", "\u{feff}");
         let columns = Columns::parse(columns)
             .unwrap()
-            .with(&specimen, (0, 1), "test.csv")
+            .with_constants(&specimen, (0, 1), "test.csv")
             .unwrap();
         let (points, understood) =
             read_tests(&text, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -45,7 +45,7 @@ fn headings_and_units_are_understood() {
 fn a_table_states_its_mode_and_its_specimen() {
     let read = |text: &str, set: &[&str]| {
         let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
-        let columns = Columns::default().with(&set, (0, 1), "test.csv")?;
+        let columns = Columns::default().with_constants(&set, (0, 1), "test.csv")?;
         Ok::<_, TableError>(read_tests(text, &columns)?.0[0])
     };
     let text = "Traversenweg [mm];Standardkraft [N]\n20;3\n";

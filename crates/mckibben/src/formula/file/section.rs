@@ -146,7 +146,7 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
                 "A11 … A63, B11 … B63, C11 … C62",
             )
         };
-        let (f, k, j) = place(name).ok_or_else(unknown)?;
+        let (f, k, j) = place_of_coefficient(name).ok_or_else(unknown)?;
         if given[f][k][j].replace(*value).is_some() {
             return Err(FormulaError::twice(name));
         }
@@ -171,7 +171,7 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
 }
 
 /// `A11` → family, k, column.
-fn place(name: &str) -> Option<(usize, usize, usize)> {
+fn place_of_coefficient(name: &str) -> Option<(usize, usize, usize)> {
     let letters: Vec<char> = name.chars().collect();
     let [letter, k, number] = letters.as_slice() else {
         return None;

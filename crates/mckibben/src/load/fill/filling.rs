@@ -1,4 +1,4 @@
-//! What is pushed into a muscle, and what holds it.
+//! The liquid pushed into a muscle, and the load or length against which it is filled.
 
 use crate::{liquid::Liquid, load::Load};
 

@@ -48,7 +48,7 @@ impl Way<'_> {
         let sign = if extends { -1.0 } else { 1.0 };
         let stop = held_at.filter(|e| sign * e <= sign * furthest);
         // The pressure at which the load is lifted.
-        let lifted_mpa = match self.place(Leg::Load, 0.0) {
+        let lifted_mpa = match self.state_on_leg(Leg::Load, 0.0) {
             _ if held_at == Some(0.0) => None,
             Ok((p, _)) => Some(p),
             Err(AnalysisError::NoPressure { .. }) => None,
@@ -66,7 +66,7 @@ impl Way<'_> {
                     lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(furthest)))
                 }
                 Leg::Load if stop == Some(at) => {
-                    let (from, _) = self.place(leg, at)?;
+                    let (from, _) = self.state_on_leg(leg, at)?;
                     Some((Leg::At(at), from, highest_mpa))
                 }
                 _ => None,
@@ -76,7 +76,7 @@ impl Way<'_> {
     }
 
     /// (P, ε) at a place of a leg.
-    pub fn place(&mut self, leg: Leg, at: f64) -> Result<(f64, f64)> {
+    pub fn state_on_leg(&mut self, leg: Leg, at: f64) -> Result<(f64, f64)> {
         match leg {
             Leg::At(contraction) => Ok((at, contraction)),
             Leg::Load => Ok((self.evaluation.pressure_at(self.load_n(at), at)?, at)),
@@ -85,7 +85,7 @@ impl Way<'_> {
 
     /// ΔV that brings the muscle to a place of a leg, in mm³.
     pub fn pushed_mm3(&mut self, leg: Leg, at: f64) -> Result<f64> {
-        let (p, e) = self.place(leg, at)?;
+        let (p, e) = self.state_on_leg(leg, at)?;
         let cavity_mm3 = self.evaluation.cavity_mm3(p, e)?;
         Ok(self.filling.liquid.pushed_mm3(
             (self.rest_mm3, cavity_mm3),
@@ -110,7 +110,7 @@ impl Way<'_> {
         }
         let shares = (0..=STEPS).map(|i| (i as f64 / STEPS as f64).powi(2));
         let share = match sweep.first(shares, false, f64::NEG_INFINITY)? {
-            None => sweep.all()?.first().map(|zero| zero.at),
+            None => sweep.all_zeros()?.first().map(|zero| zero.at),
             share => share,
         };
         let largest = sweep.least(f64::abs).map_or(0.0, |(share, _)| share);
@@ -124,7 +124,7 @@ impl Way<'_> {
         for &(x, weight) in gauss(POINTS) {
             let at = from + 0.5 * (to - from) * (1.0 + x);
             let step = 0.5 * (to - from) * weight;
-            let (p, e) = self.place(leg, at)?;
+            let (p, e) = self.state_on_leg(leg, at)?;
             let slopes = Slopes::at(&mut self.evaluation, p, e)?;
             cavity += step
                 * p

@@ -1,4 +1,4 @@
-//! What the thick-wall model answers, and what it can do besides.
+//! Results of the thick-wall model, and its own inverses and derivatives.
 
 use super::ThickWall;
 use crate::{

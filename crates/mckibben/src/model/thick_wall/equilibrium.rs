@@ -82,7 +82,7 @@ impl ThickWall {
         let (w, [_, force, t]) = match &self.crimp {
             None => (0.5 * c * strain * strain, [0.0, strain, 1.0]),
             Some(crimp) => {
-                let at = crimp.at(strain);
+                let at = crimp.energy_and_slopes(strain);
                 (c * at[0], at)
             }
         };
@@ -235,7 +235,7 @@ impl ThickWall {
             let step = -g / g_r;
             // The last digit of λf is worth r/sin²θ0 of them in r.
             if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r / self.sin2) {
-                return self.at(&trial);
+                return self.state_of(&trial);
             }
             if g > 0.0 {
                 high = r;
@@ -254,7 +254,7 @@ impl ThickWall {
                 if g < 0.0 && k > 0.0 {
                     break;
                 }
-                return self.at(&Trial { radius: r, ..trial });
+                return self.state_of(&Trial { radius: r, ..trial });
             }
         }
         if r >= 0.999 * self.largest_radius(l) {
@@ -275,7 +275,7 @@ impl ThickWall {
     }
 
     /// The equilibrium at a trial without a radial force.
-    fn at(&self, trial: &Trial) -> Result<State> {
+    fn state_of(&self, trial: &Trial) -> Result<State> {
         let &Trial {
             pressure: p,
             stretch: l,

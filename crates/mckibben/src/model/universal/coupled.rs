@@ -34,15 +34,6 @@ const LARGEST_STEP: f64 = 0.1;
 /// −2δ/Ro over the bulge 1 − Ro/b, for first guesses.
 const START: f64 = 0.8;
 
-/// A point to start from.
-struct Start {
-    l: f64,
-    /// λf² of the middle
-    q: f64,
-    /// λs at both sections
-    stretches: [f64; 2],
-}
-
 #[derive(Debug, Clone, Copy)]
 pub struct Root {
     pub force: f64,
@@ -54,8 +45,8 @@ pub struct Root {
 }
 
 impl Universal {
-    /// A start from nothing.
-    fn start(&self, p: f64, contraction: f64) -> Start {
+    /// A start from nothing: λ and λf² of the middle, λs at both sections.
+    fn start(&self, p: f64, contraction: f64) -> (f64, f64, [f64; 2]) {
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
         let ro = self.zone.ro;
@@ -84,7 +75,7 @@ impl Universal {
             let strand = 1.0 + strain / square;
             ((strand * strand - hoop) / cos2).max(0.01).sqrt()
         });
-        Start { l, q, stretches }
+        (l, q, stretches)
     }
 
     /// Whether there is something to couple: ends that are membranes, strands that stretch.
@@ -103,11 +94,7 @@ impl Universal {
         let (sin2, cos2) = wall.squares();
         let b = sin2 / (self.zone.ro * self.zone.ro);
         let section = wall.section();
-        let Start {
-            mut l,
-            mut q,
-            mut stretches,
-        } = self.start(p, contraction);
+        let (mut l, mut q, mut stretches) = self.start(p, contraction);
         for _ in 0..ITERATIONS {
             let x = wall.square_at(q, l);
             if !(l > 0.0 && x * l > section) {
@@ -138,15 +125,14 @@ impl Universal {
             let radii = self.zone.radii(way);
             let at_start = self.stepped(radii[0], h, stretches[0])?;
             let on_way = self.stepped(radii[1], h, stretches[1])?;
-            let first = at_start.section;
-            let second = on_way.section;
+            let sections = [at_start.section, on_way.section];
             let middle = Uniform {
                 stretch: Dual::new(l, [1.0]),
                 pressure: Dual::constant(p),
                 radius,
                 tension,
             };
-            let end = self.zone.shape(&middle, way, [first, second])?;
+            let end = self.zone.shape(&middle, way, sections)?;
             let delta = self.deficit.with_wall(&end, strain);
             let slope = 1.0 + 2.0 * delta.by[0] / self.length;
             let left = 1.0 - l - 2.0 * delta.v / self.length - contraction;
@@ -166,8 +152,7 @@ impl Universal {
                 && on_way.settled(step, flat);
             l += step;
             q += b * dx + q_l * step;
-            stretches =
-                [&first, &second].map(|section| section.stretch.v + section.stretch.by[0] * step);
+            stretches = sections.map(|s| s.stretch.v + s.stretch.by[0] * step);
             if settled {
                 let force = tension.v - p * PI * x1 + force_l * step;
                 let r = r + radius.by[0] * step;

@@ -16,7 +16,7 @@ const TANH_IS_ONE: f64 = 20.0;
 /// One number for each derivative: a loop is inlined wherever it is used, `std::array::from_fn` and
 /// `map` are not.
 #[inline(always)]
-fn each<const N: usize>(f: impl Fn(usize) -> f64) -> [f64; N] {
+fn array_of<const N: usize>(f: impl Fn(usize) -> f64) -> [f64; N] {
     let mut out = [0.0; N];
     for (k, place) in out.iter_mut().enumerate() {
         *place = f(k);
@@ -40,7 +40,7 @@ impl<const N: usize> Dual<N> {
     pub fn chain(self, v: f64, slope: f64) -> Self {
         Self {
             v,
-            by: each(|k| slope * self.by[k]),
+            by: array_of(|k| slope * self.by[k]),
         }
     }
 
@@ -95,7 +95,7 @@ impl<const N: usize> Dual<N> {
         let by_c = 0.5 * c.v * i;
         Self {
             v,
-            by: each(|k| by_x * self.by[k] + by_c * c.by[k]),
+            by: array_of(|k| by_x * self.by[k] + by_c * c.by[k]),
         }
     }
 }
@@ -106,7 +106,7 @@ impl<const N: usize> Add for Dual<N> {
     fn add(self, o: Self) -> Self {
         Self {
             v: self.v + o.v,
-            by: each(|k| self.by[k] + o.by[k]),
+            by: array_of(|k| self.by[k] + o.by[k]),
         }
     }
 }
@@ -117,7 +117,7 @@ impl<const N: usize> Sub for Dual<N> {
     fn sub(self, o: Self) -> Self {
         Self {
             v: self.v - o.v,
-            by: each(|k| self.by[k] - o.by[k]),
+            by: array_of(|k| self.by[k] - o.by[k]),
         }
     }
 }
@@ -137,7 +137,7 @@ impl<const N: usize> Mul for Dual<N> {
     fn mul(self, o: Self) -> Self {
         Self {
             v: self.v * o.v,
-            by: each(|k| self.by[k] * o.v + self.v * o.by[k]),
+            by: array_of(|k| self.by[k] * o.v + self.v * o.by[k]),
         }
     }
 }
@@ -158,7 +158,7 @@ impl<const N: usize> Div for Dual<N> {
         let v = self.v * i;
         Self {
             v,
-            by: each(|k| (self.by[k] - v * o.by[k]) * i),
+            by: array_of(|k| (self.by[k] - v * o.by[k]) * i),
         }
     }
 }

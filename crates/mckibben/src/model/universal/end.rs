@@ -109,7 +109,7 @@ struct Point<const N: usize> {
 impl EndZone {
     /// The end of a muscle whose middle is in a state, from guesses of λs at both sections; `None`
     /// where no section is found.
-    pub fn at(&self, p: f64, l: f64, state: &State, near: Option<[f64; 2]>) -> Option<End> {
+    pub fn end_at(&self, p: f64, l: f64, state: &State, near: Option<[f64; 2]>) -> Option<End> {
         let lambda = Dual::new(l, [1.0, 0.0]);
         let axial = Dual::new(state.axial, state.axial_by);
         let h = Dual::new(state.energy, state.energy_by) - axial * lambda;

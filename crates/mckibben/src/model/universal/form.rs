@@ -86,7 +86,7 @@ impl Bound {
 
     /// δ in mm, and the end where the form is that of a membrane, from guesses of λs at its
     /// sections.
-    pub fn at(
+    pub fn deficit_at(
         &self,
         p: f64,
         l: f64,
@@ -96,7 +96,7 @@ impl Bound {
     ) -> Option<(Dual, Option<End>)> {
         let (delta, end) = match self.form {
             Form::Membrane => {
-                let end = zone.at(p, l, state, near)?;
+                let end = zone.end_at(p, l, state, near)?;
                 (
                     self.with_wall(&end, Dual::new(state.strain, state.strain_by)),
                     Some(end),
@@ -128,7 +128,7 @@ impl Bound {
     ) -> Option<(f64, Vec<f64>)> {
         let (start, inner) = match self.form {
             Form::Membrane => {
-                let end = zone.at(p, l, state, None)?;
+                let end = zone.end_at(p, l, state, None)?;
                 (
                     end.deficit.v,
                     self.of_membrane(&end, Dual::new(state.strain, state.strain_by)),

@@ -176,7 +176,7 @@ impl ForceModel for Universal {
         contraction: f64,
     ) -> Result<Response> {
         let p = pressure_mpa;
-        let place = self.place(workspace, p, contraction)?;
+        let place = self.middle_at(workspace, p, contraction)?;
         let s = &place.state;
         let volume = self.volume(p, &place);
         let response = Response {

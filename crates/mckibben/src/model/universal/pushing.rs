@@ -1,4 +1,4 @@
-//! Behind the contraction at which the muscle ceases to pull.
+//! The universal formula beyond the contraction at which the muscle ceases to pull.
 //!
 //! There the membrane would be under compression and has no shape; its floors keep δ finite, but
 //! not ε(λ) monotone. So δ goes on along its tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ −

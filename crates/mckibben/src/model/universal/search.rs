@@ -60,7 +60,7 @@ impl Universal {
         state: State,
         near: Option<[f64; 2]>,
     ) -> Option<Middle> {
-        let (deficit, end) = self.deficit.at(p, l, &state, &self.zone, near)?;
+        let (deficit, end) = self.deficit.deficit_at(p, l, &state, &self.zone, near)?;
         Some(Middle {
             l,
             state,
@@ -186,7 +186,7 @@ impl Universal {
     }
 
     /// The middle at a question, with its derivatives.
-    pub(super) fn place(
+    pub(super) fn middle_at(
         &self,
         workspace: &mut Workspace,
         p: f64,

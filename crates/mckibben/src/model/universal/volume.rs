@@ -12,7 +12,7 @@ impl Universal {
         let ends = &place.ends;
         let ends = match ends.volume_mm3 {
             Some(volume) => volume,
-            None => self.zone.at(p, ends.l, &ends.state, None)?.volume_mm3,
+            None => self.zone.end_at(p, ends.l, &ends.state, None)?.volume_mm3,
         };
         let l = Dual::new(place.l, [1.0, 0.0]);
         let r = Dual::new(place.state.r, place.state.r_by);

@@ -6,6 +6,7 @@ use super::{
     source::{Source, shortened},
 };
 use crate::{
+    joined,
     nearest::{meant, nearest},
     rubber::{Law, foreign},
     units::Dimension,
@@ -90,7 +91,7 @@ impl Keys {
         Self(generated::<T>().to_value())
     }
 
-    fn at(&self, dotted: &str) -> Option<&Value> {
+    fn schema_of_key(&self, dotted: &str) -> Option<&Value> {
         // All tables of a list have the same keys.
         let is_key = |part: &&str| !part.is_empty() && part.parse::<usize>().is_err();
         let mut parts = dotted.split('.').filter(is_key);
@@ -99,7 +100,7 @@ impl Keys {
 
     /// What the number at a dotted key measures.
     pub fn dimension(&self, dotted: &str) -> Option<Dimension> {
-        let schema = self.at(dotted)?;
+        let schema = self.schema_of_key(dotted)?;
         let is_plain = || schema["type"].to_string().contains("number");
         dimension(schema).or_else(|| is_plain().then_some(Dimension::Ratio))
     }
@@ -112,8 +113,8 @@ impl Keys {
             Wrongness::Expected(given, expected) => {
                 // Some expectations alone do not say what is in a text or a list.
                 let said = match expected.as_str() {
-                    TEXT => self.at(&path),
-                    LIST | PAIR => self.at(&path).map(list),
+                    TEXT => self.schema_of_key(&path),
+                    LIST | PAIR => self.schema_of_key(&path).map(list),
                     _ => None,
                 };
                 let about = said.map_or(String::new(), about);
@@ -122,10 +123,13 @@ impl Keys {
             }
             Wrongness::Missing(key) => {
                 let mut key = join(&path, key);
-                while let Some(needed) = self.at(&key).and_then(|s| s["required"][0].as_str()) {
+                while let Some(needed) = self
+                    .schema_of_key(&key)
+                    .and_then(|s| s["required"][0].as_str())
+                {
                     key = join(&key, needed);
                 }
-                let expected = self.at(&key).map_or(String::new(), expected);
+                let expected = self.schema_of_key(&key).map_or(String::new(), expected);
                 source.error(&path, format!("{key} is missing; expected {expected}"))
             }
             Wrongness::Unknown(key) => self.unknown(source, &path, &key),
@@ -139,7 +143,7 @@ impl Keys {
         if let Some(law) = law.and_then(Law::kind_named).filter(|_| is_constant) {
             return source.key_error(&join(path, key), span, foreign(law));
         }
-        let table = self.at(path).and_then(properties);
+        let table = self.schema_of_key(path).and_then(properties);
         let known: Vec<&str> = table
             .into_iter()
             .flat_map(Map::keys)
@@ -188,8 +192,10 @@ fn dotted(path: &str, table: &Value, out: &mut Vec<String>) {
 fn expected(schema: &Value) -> String {
     let what = match (schema["enum"].as_array(), dimension(schema)) {
         (Some(words), _) => {
-            let words: Vec<&str> = words.iter().filter_map(Value::as_str).collect();
-            format!("one of {}", words.join(", "))
+            format!(
+                "one of {}",
+                joined(words.iter().filter_map(Value::as_str), ", ")
+            )
         }
         (None, Some(dimension)) => dimension.expectation(),
         (None, None) if schema["type"] == "number" => PLAIN.into(),

@@ -260,7 +260,7 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
         // Before its stresses are taken as less, the series must be one.
         let checked = rubber.check();
         checked.map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
-        rubber = rubber.held(held);
+        rubber = rubber.relaxed(held);
     }
     // Constants that are written are those of this muscle, also where they are the library's for
     // another one.

@@ -70,7 +70,7 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
         let place = std::str::from_utf8(&bytes[..offset])
             .ok()
-            .map(|t| source::place(t, offset));
+            .map(|t| source::position_at(t, offset));
         let hint = if utf16 {
             " (this looks like UTF-16: save it as UTF-8)"
         } else {

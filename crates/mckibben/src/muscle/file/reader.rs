@@ -1,4 +1,4 @@
-//! TOML → structs, by serde: an error knows the key, what stood there and what is expected.
+//! TOML → structs, by serde: an error names the key, the value that was found and what is expected.
 
 use super::keys::join;
 use crate::{

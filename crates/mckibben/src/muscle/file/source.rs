@@ -1,11 +1,14 @@
-//! A parsed file that knows the place of everything, and its values in the units used inside.
+//! A parsed file with the position of each key, and its values in the units used inside.
 
 use super::{
     error::{FileError, TextPosition},
     keys::Keys,
     reader::At,
 };
-use crate::units::{Dimension, typed::read_number};
+use crate::{
+    joined,
+    units::{Dimension, typed::read_number},
+};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::{fmt, ops::Range};
@@ -15,7 +18,7 @@ use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
 pub const MAX_BYTES: usize = 1 << 20;
 
 /// Where a byte offset lies in a text.
-pub fn place(text: &str, offset: usize) -> TextPosition {
+pub fn position_at(text: &str, offset: usize) -> TextPosition {
     let before = text.get(..offset).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
     TextPosition {
@@ -152,7 +155,7 @@ impl<'t> Source<'t> {
         span: Option<Range<usize>>,
         problem: impl Into<String>,
     ) -> FileError {
-        let place = span.map(|span| place(self.text, span.start));
+        let place = span.map(|span| position_at(self.text, span.start));
         FileError {
             place,
             key: Some(dotted.to_owned()),
@@ -163,7 +166,7 @@ impl<'t> Source<'t> {
 
 /// A text on one line, and not longer than a message can bear.
 pub fn shortened(text: &str) -> String {
-    let mut out: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out: String = joined(text.split_whitespace(), " ");
     if let Some((cut, _)) = out.char_indices().nth(60) {
         out.truncate(cut);
         out.push('…');
@@ -197,7 +200,7 @@ fn syntax(text: &str, error: &TomlError) -> FileError {
     };
     let problem = format!("not valid TOML: {message} in `{line}`{hint}");
     FileError {
-        place: Some(place(text, span.start)),
+        place: Some(position_at(text, span.start)),
         ..FileError::new(problem)
     }
 }

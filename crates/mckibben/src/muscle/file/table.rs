@@ -18,7 +18,6 @@ use std::{borrow::Cow, fmt, marker::PhantomData};
 
 /// The keys of a table beside its measures.
 pub trait Beside: DeserializeOwned + JsonSchema + Default {
-    /// The table.
     const TABLE: &'static str;
 }
 

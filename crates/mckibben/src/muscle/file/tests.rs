@@ -413,7 +413,10 @@ fn named_sleeves_are_read_and_written_by_name() {
         "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = \"0.2 mm\"",
     );
     let sleeve = crate::sleeve::library::find("flexo-overexpanded-0.38in").unwrap();
-    let same = sleeve.with(None, Some(0.2), None, None).on(12.0).unwrap();
+    let same = sleeve
+        .with_measured(None, Some(0.2), None, None)
+        .on(12.0)
+        .unwrap();
     assert_eq!(muscle.braid(), &same);
     assert!(
         text.contains("strands = 290") && text.contains("strand_area = "),

@@ -1,5 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
+use crate::joined;
 use mckibben_units::clean::is_unseen;
 use std::fmt::Write;
 
@@ -44,8 +45,7 @@ impl Text {
 
 /// A list of values.
 pub fn list<T>(values: &[T], one: impl Fn(&T) -> String) -> String {
-    let all: Vec<String> = values.iter().map(one).collect();
-    format!("[{}]", all.join(", "))
+    format!("[{}]", joined(values.iter().map(one), ", "))
 }
 
 /// A ratio in percent that reads back as the same number, where there is one.

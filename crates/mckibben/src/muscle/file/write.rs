@@ -81,8 +81,7 @@ impl Text {
 
     fn rubber(&mut self, rubber: &Rubber, reach: f64) {
         let is_named = |name: &&str| library::find_for(name, reach).is_ok_and(|r| r == *rubber);
-        let named = rubber.name.as_deref().filter(is_named);
-        if let Some(name) = named {
+        if let Some(name) = rubber.name.as_deref().filter(is_named) {
             self.key(
                 "rubber",
                 &text(name),
@@ -104,12 +103,8 @@ impl Text {
                     number(*v)
                 }
             };
-            let terms: Vec<f64> = values
-                .iter()
-                .copied()
-                .skip(i)
-                .step_by(kind.constants.len())
-                .collect();
+            let terms = values.iter().skip(i).step_by(kind.constants.len());
+            let terms: Vec<f64> = terms.copied().collect();
             let value = if kind.is_sum {
                 list(&terms, one)
             } else {
@@ -230,9 +225,7 @@ impl Text {
             .on_diameter(outer_diameter_mm)
             .map(|b| b.angle_deg);
         let is_usual = sleeve.is_some() && angle_deg == Ok(braid.angle_deg);
-        let angle = Some(braid.angle_deg)
-            .filter(|_| !is_usual)
-            .map(|angle_deg| quantity(angle_deg, "deg"));
+        let angle = (!is_usual).then(|| quantity(braid.angle_deg, "deg"));
         self.stated("angle", angle, "strands to the muscle's axis, at rest");
         let stiffness = match braid.stiffness {
             BraidStiffness::Paper => Some(text("paper")),

@@ -66,19 +66,19 @@ pub fn following(rubber: Rubber, reach: f64) -> Rubber {
     if rubber.name.is_none() || rubber == Rubber::paper() {
         return rubber;
     }
-    let followed = known(&rubber)
+    let followed = library_entry(&rubber)
         .and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)));
     followed.unwrap_or(rubber)
 }
 
 /// Entry and law of a rubber of the library, with its constants.
-fn known(rubber: &Rubber) -> Option<(&'static RubberEntry, Option<&str>)> {
+fn library_entry(rubber: &Rubber) -> Option<(&'static RubberEntry, Option<&str>)> {
     exactly(rubber.name.as_deref()?).filter(|(entry, law)| entry.has(*law, rubber))
 }
 
 /// Whether a rubber is one of the library whose law follows the muscle.
 pub fn follows(rubber: &Rubber) -> bool {
-    known(rubber).is_some_and(|(entry, law)| entry.each(law).nth(1).is_some())
+    library_entry(rubber).is_some_and(|(entry, law)| entry.fits_of_law(law).nth(1).is_some())
 }
 
 /// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what
@@ -102,7 +102,7 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
     if let Some(Ok((named, factor))) = hardness::find(name) {
         return if named.law == rubber.law { factor } else { 1.0 };
     }
-    known(rubber).map_or(1.0, |(entry, _)| entry.factor)
+    library_entry(rubber).map_or(1.0, |(entry, _)| entry.factor)
 }
 
 /// Entry and law of a name that the library itself gave.
@@ -182,7 +182,7 @@ impl RubberEntry {
     /// constants the energy lies between the two. Beyond all data the fit to all.
     pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<LibraryFit<'_>> {
         let mut lower: Option<LibraryFit<'_>> = None;
-        for mut fit in self.each(law) {
+        for mut fit in self.fits_of_law(law) {
             let end = fit.fitted_to_stretch;
             if let Some((end, (lower, start))) =
                 end.zip(lower.and_then(|l| Some((l.law, l.fitted_to_stretch?))))
@@ -208,7 +208,7 @@ impl RubberEntry {
 
     /// The fits of a law, or those that the name alone means, from the smallest range to the
     /// widest.
-    pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit<'_>> {
+    pub(super) fn fits_of_law(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit<'_>> {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
         // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);

@@ -106,7 +106,7 @@ impl Prony {
     /// Exact at t → ∞, whatever went before, and for a deformation that came at once and stayed;
     /// between, where a muscle creeps or its ends move, it leaves out that later strains are
     /// younger than earlier ones.
-    pub fn held(&self, law: &Law, held: Held) -> Law {
+    pub fn relaxed_law(&self, law: &Law, held: Held) -> Law {
         law.scaled(self.left(held))
     }
 

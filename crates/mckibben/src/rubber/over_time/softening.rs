@@ -8,7 +8,7 @@ use super::{
 use crate::{
     refused::Refused,
     rubber::{Biaxial, Principal, RubberLaw},
-    units::typed::{Pressure, one},
+    units::typed::{Pressure, read_quantity},
 };
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -36,7 +36,7 @@ pub struct OgdenRoxburgh {
     /// r (–).
     pub r: f64,
     /// m in MPa.
-    #[serde(rename = "m", deserialize_with = "one::<Pressure, _>")]
+    #[serde(rename = "m", deserialize_with = "read_quantity::<Pressure, _>")]
     #[schemars(with = "Pressure")]
     pub m_mpa: f64,
     /// β (–).

@@ -1,4 +1,4 @@
-//! The door: who may come in, for how long, and what every answer carries.
+//! What guards requests: who may come in, for how long, and what every answer carries.
 
 use crate::refusal::Refusal;
 use axum::{

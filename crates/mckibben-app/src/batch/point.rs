@@ -50,7 +50,7 @@ impl BoundModel {
         for (index, ((&a, &b), places)) in points.enumerate() {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
-            match self.one((a, b), many, &mut Workspace::new(), &mut free, places) {
+            match self.answer_point((a, b), many, &mut Workspace::new(), &mut free, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
@@ -118,7 +118,7 @@ impl BoundModel {
 
     /// One point with its derivatives. `free` holds a pressure, and a contraction from which on the
     /// muscle is slack there: finite elements that push take long.
-    fn one(
+    fn answer_point(
         &self,
         (a, b): (f64, f64),
         many: &Many,
