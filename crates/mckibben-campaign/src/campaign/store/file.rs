@@ -162,7 +162,9 @@ pub fn write(
     };
     let mut group = Table::new(provenance.layout.fields());
     let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
-    let pairs = provenance.write(which);
+    let pairs = provenance
+        .write(which)
+        .map_err(|e| failed(TableError::Io(e.into())))?;
     let program = format!("mckibben {VERSION}");
     let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
     for table in tables {

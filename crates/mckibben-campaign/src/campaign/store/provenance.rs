@@ -8,14 +8,14 @@ use crate::{
     },
     hash,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// This version of the program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a table comes from. No time and no host: the same plan gives the same bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Provenance {
     /// Version of the program.
     pub version: String,
@@ -48,7 +48,19 @@ pub enum Which {
     Part(u64),
 }
 
-const PREFIX: &str = "mckibben.";
+/// The key that holds all of it as JSON; some of it has keys of its own, for people.
+const STORED: &str = "mckibben.campaign";
+
+/// What [`STORED`] holds.
+#[derive(Serialize, Deserialize)]
+struct Stored {
+    #[serde(flatten)]
+    provenance: Provenance,
+    muscles_per_part: u64,
+    #[serde(flatten)]
+    layout: Layout,
+    part: Option<u64>,
+}
 
 impl Provenance {
     /// Of the table of a plan.
@@ -119,70 +131,48 @@ impl Provenance {
         }
     }
 
-    pub(crate) fn write(&self, which: Which) -> Vec<(String, String)> {
-        let mut pairs = vec![
-            ("version", self.version.clone()),
-            ("plan_sha256", self.plan_sha256.clone()),
-            ("plan", self.plan.clone()),
-            ("model", self.model.clone()),
-            ("sampling", self.sampling.clone()),
-            ("muscles", self.muscles.to_string()),
-            ("points_per_muscle", self.points_per_muscle.to_string()),
-            ("muscles_per_part", self.block.to_string()),
-            ("constants", self.layout.constants.join(",")),
-            ("measures", self.layout.measures.join(",")),
-            ("sensitivities", self.layout.sensitivities.join(",")),
-        ];
-        pairs.extend(self.seed.map(|seed| ("seed", seed.to_string())));
-        if let Which::Part(part) = which {
-            pairs.push(("part", part.to_string()));
+    /// All of it as JSON.
+    pub(crate) fn to_json(&self, which: Which) -> serde_json::Result<String> {
+        let part = match which {
+            Which::Whole => None,
+            Which::Part(part) => Some(part),
+        };
+        serde_json::to_string(&Stored {
+            provenance: self.clone(),
+            muscles_per_part: self.block,
+            layout: self.layout.clone(),
+            part,
+        })
+    }
+
+    pub(crate) fn from_json(text: &[u8]) -> Result<(Self, Which), String> {
+        let stored: Stored = serde_json::from_slice(text).map_err(|e| format!("{STORED}: {e}"))?;
+        let provenance = Self {
+            block: stored.muscles_per_part.max(1),
+            layout: stored.layout,
+            ..stored.provenance
+        };
+        if hash::hex(provenance.plan.as_bytes()) != provenance.plan_sha256 {
+            return Err("the plan in its metadata does not match its hash".into());
         }
-        pairs
-            .into_iter()
-            .map(|(key, value)| (format!("{PREFIX}{key}"), value))
-            .collect()
+        Ok((provenance, stored.part.map_or(Which::Whole, Which::Part)))
+    }
+
+    /// Keys and values in the metadata of a file.
+    pub(crate) fn write(&self, which: Which) -> serde_json::Result<Vec<(String, String)>> {
+        let mut pairs = vec![
+            (STORED, self.to_json(which)?),
+            ("mckibben.version", self.version.clone()),
+            ("mckibben.plan", self.plan.clone()),
+            ("mckibben.plan_sha256", self.plan_sha256.clone()),
+        ];
+        pairs.extend(self.seed.map(|seed| ("mckibben.seed", seed.to_string())));
+        Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())
     }
 
     pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Which), String> {
-        let find = |key: &str| {
-            let pair = pairs.iter().find(|p| p.0.strip_prefix(PREFIX) == Some(key));
-            pair.map(|p| p.1.clone())
-        };
-        let text =
-            |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
-        let number = |text: String| {
-            text.parse::<u64>()
-                .map_err(|_| format!("\"{text}\" is not a number"))
-        };
-        let list = |text: String| {
-            text.split(',')
-                .filter(|t| !t.is_empty())
-                .map(str::to_owned)
-                .collect()
-        };
-        let out = Self {
-            version: text("version")?,
-            plan_sha256: text("plan_sha256")?,
-            plan: text("plan")?,
-            model: text("model")?,
-            sampling: text("sampling")?,
-            seed: find("seed").map(number).transpose()?,
-            muscles: number(text("muscles")?)?,
-            points_per_muscle: number(text("points_per_muscle")?)?,
-            block: number(text("muscles_per_part")?)?.max(1),
-            layout: Layout {
-                constants: list(text("constants")?),
-                measures: list(text("measures")?),
-                sensitivities: list(text("sensitivities")?),
-            },
-        };
-        if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
-            return Err("the plan in its metadata does not match its hash".into());
-        }
-        let which = find("part")
-            .map(number)
-            .transpose()?
-            .map_or(Which::Whole, Which::Part);
-        Ok((out, which))
+        let stored = pairs.iter().find(|(key, _)| key == STORED);
+        let (_, text) = stored.ok_or_else(|| format!("its metadata have no {STORED}"))?;
+        Self::from_json(text.as_bytes())
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     file::part,
     folder::{Folder, check_name, is_file_name},
-    manifest::Manifest,
+    manifest,
     merge::Parts,
     provenance::Provenance,
     resume::{Recomputed, existing, finished},
@@ -177,7 +177,7 @@ impl Run<'_> {
             return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
         }
         let folder = Folder::for_writing(self.out, self.options.shard)?;
-        Manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
+        manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
         self.complete(&folder)
     }
 
