@@ -106,17 +106,13 @@ pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>
 
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
     pub fn new(count: usize) -> Self {
-        let rest_mm = [0.0; N];
-        let now_mm = [0.0; N];
-        let stretches = [0.0; 3];
-        let stress_mpa = [0.0; M];
         Self(vec![
             (
                 FieldNode {
-                    rest_mm,
-                    now_mm,
-                    stretches,
-                    stress_mpa
+                    rest_mm: [0.0; N],
+                    now_mm: [0.0; N],
+                    stretches: [0.0; 3],
+                    stress_mpa: [0.0; M]
                 },
                 0.0
             );

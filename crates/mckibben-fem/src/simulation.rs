@@ -125,9 +125,8 @@ impl<D: Divided> FiniteElements<D> {
         accuracy: Accuracy,
         notes: Vec<String>,
     ) -> Self {
-        let range = ModelRange::open().stretched(muscle.braid().angle_deg);
         let info = ModelInfo {
-            range,
+            range: ModelRange::open().stretched(muscle.braid().angle_deg),
             accuracy,
             costly: true,
             notes,

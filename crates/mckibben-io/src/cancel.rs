@@ -47,9 +47,8 @@ impl Cancel {
     /// Makes this the flag of the work that this thread does, until what is returned is dropped.
     #[must_use = "the flag ends where this is dropped"]
     pub fn enter(&self) -> Entered {
-        let before = CURRENT.replace(Some(self.clone()));
         Entered {
-            before,
+            before: CURRENT.replace(Some(self.clone())),
             of_this_thread: PhantomData,
         }
     }

@@ -55,7 +55,6 @@ pub fn compared(
             "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
              so that its errors cannot be stated as shares of its blocked force"
         ));
-        let blocked_n = blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1;
         let isobar_n = isobars
             .get(&(key(p), bits(p.pressure_mpa)))
             .copied()
@@ -63,7 +62,7 @@ pub fn compared(
         Ok(Compared {
             point: *p,
             difference_n: difference_n(p),
-            blocked_n,
+            blocked_n: blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1,
             isobar_n,
         })
     };

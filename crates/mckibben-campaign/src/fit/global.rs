@@ -159,11 +159,13 @@ fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Proble
             matrix[(i, j)] = weight * Term::product(*powers, variables);
         }
     }
-    let values = DVector::from_iterator(
-        used.len(),
-        used.iter().map(|c| c.point.force_n / c.blocked_n),
-    );
-    Problem { matrix, values }
+    Problem {
+        matrix,
+        values: DVector::from_iterator(
+            used.len(),
+            used.iter().map(|c| c.point.force_n / c.blocked_n),
+        ),
+    }
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.

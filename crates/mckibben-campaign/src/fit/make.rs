@@ -142,13 +142,12 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         ),
         errors: e.summary,
     });
-    let unused = request.points.len() - points.len();
     Ok(FittedFormula {
         formula,
         paper,
         global,
         compared: list,
-        unused,
+        unused: request.points.len() - points.len(),
     })
 }
 

@@ -246,11 +246,10 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
         let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
         fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
     };
-    let lines = [line(0)?, line(1)?, line(2)?];
     Ok(LineFit {
         outer_diameter_mm: d,
         wall_mm: s,
-        lines,
+        lines: [line(0)?, line(1)?, line(2)?],
         pressures: used.len(),
     })
 }
@@ -323,9 +322,8 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let matrix = DMatrix::from_fn(points.len(), N, |i, j| (points[i].0 / scale).powi(power(j)));
     let values = DVector::from_iterator(points.len(), points.iter().map(|p| p.1));
     let solved = least_squares(matrix, values)?;
-    let coefficients = std::array::from_fn(|j| solved[j] / scale.powi(power(j)));
     let mut fitted = PolynomialFit {
-        coefficients,
+        coefficients: std::array::from_fn(|j| solved[j] / scale.powi(power(j))),
         r2: 1.0,
     };
     let mean = points.iter().map(|p| p.1).sum::<f64>() / points.len() as f64;

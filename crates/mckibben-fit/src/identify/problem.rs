@@ -74,14 +74,12 @@ fn local(
 ) -> Result<Local> {
     let mut model = Evaluation::new(m, w, branch);
     let r = model.response(p, e)?;
-    let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
-    let by_pressure = model.force_per_pressure_mm2(&r)?;
     Ok(Local {
         pressure_mpa: p,
         contraction: e,
         force: r.force_n,
-        by_contraction,
-        by_pressure,
+        by_contraction: -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm(),
+        by_pressure: model.force_per_pressure_mm2(&r)?,
     })
 }
 

@@ -51,17 +51,14 @@ impl<'a> Request<'a> {
         points: &'a [DataPoint],
         build: &'a Build<'a>,
     ) -> Self {
-        let fixed = &[];
-        let progress = &Silent;
-        let loss = Loss::Squares;
         Self {
             muscle,
             free,
-            fixed,
+            fixed: &[],
             points,
             build,
-            progress,
-            loss,
+            progress: &Silent,
+            loss: Loss::Squares,
             two_sided: false,
             history: false,
         }
@@ -144,9 +141,12 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     let without = points.iter().find(|p| p.error.is_none());
     if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
-        let all = points.len();
-        let line = *line;
-        return Err(DataError::SomeErrors { stated, all, line }.into());
+        return Err(DataError::SomeErrors {
+            stated,
+            all: points.len(),
+            line: *line,
+        }
+        .into());
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
     Ok((points.iter().map(one).collect(), stated > 0))
@@ -187,12 +187,10 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
     let too_few = |points| {
-        let dropped = slack.len();
-        let parameters = unknowns.len();
         IdentifyError::Data(DataError::TooFew {
             points,
-            dropped,
-            parameters,
+            dropped: slack.len(),
+            parameters: unknowns.len(),
         })
     };
     if counted.len() <= unknowns.len() {

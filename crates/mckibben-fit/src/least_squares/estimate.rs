@@ -344,8 +344,10 @@ pub fn estimate(
     loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
-        let unknown = unknowns[index];
-        return Err(EstimateError::Unsound { index, unknown });
+        return Err(EstimateError::Unsound {
+            index,
+            unknown: unknowns[index],
+        });
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {

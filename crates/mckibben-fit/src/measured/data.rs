@@ -112,15 +112,13 @@ pub struct DataPoint {
 impl DataPoint {
     /// A measured pull of the muscle itself.
     pub fn new(at: MeasuredPoint) -> Self {
-        let measured = Quantity::Force;
-        let section = Section::default();
         Self {
             at,
-            measured,
+            measured: Quantity::Force,
             volume_mm3: None,
             error: None,
             weight: 1.0,
-            section,
+            section: Section::default(),
             line: 0,
             set: 0,
         }

@@ -124,11 +124,10 @@ pub fn fit_tension_with(
         laws.iter()
             .flat_map(|l| warning::for_law(l, settings.hoop_stretch)),
     );
-    let left_out = points.len() - count - held_out.len();
     Ok(TensionFit {
         points: problem.points,
+        left_out: points.len() - count - held_out.len(),
         held_out,
-        left_out,
         fitted_to_stretch,
         laws,
         failed,
@@ -183,15 +182,11 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
         .filter(|f| points >= f.fewest_points())
         .collect();
     match (forms.is_empty(), requested.first()) {
-        (true, Some(first)) => {
-            let law = first.name();
-            let fewest = first.fewest_points();
-            Err(TensionFitError::TooFew {
-                points,
-                law,
-                fewest,
-            })
-        }
+        (true, Some(first)) => Err(TensionFitError::TooFew {
+            points,
+            law: first.name(),
+            fewest: first.fewest_points(),
+        }),
         _ => Ok(forms),
     }
 }

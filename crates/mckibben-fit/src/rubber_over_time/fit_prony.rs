@@ -186,8 +186,12 @@ impl Relaxing<'_> {
             share: b / whole,
             time_constant_s: t.exp(),
         };
-        let branches = over.iter().zip(times).map(branch).collect();
-        (long_time.scaled(whole), Prony { branches })
+        (
+            long_time.scaled(whole),
+            Prony {
+                branches: over.iter().zip(times).map(branch).collect(),
+            },
+        )
     }
 }
 

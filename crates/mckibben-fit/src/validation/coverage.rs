@@ -41,12 +41,11 @@ pub(super) fn validated(
     measure: Measure,
     error: Option<f64>,
 ) -> VerificationRow {
-    let ok = error.is_some_and(|e| e <= row.tolerance);
     VerificationRow {
         kind: CaseKind::Validation,
         measure,
         error,
-        ok,
+        ok: error.is_some_and(|e| e <= row.tolerance),
         ..row
     }
 }

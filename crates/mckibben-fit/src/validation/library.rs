@@ -93,13 +93,12 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
         largest_n,
         ..
     } = ForceErrors::new(on_bench.iter().chain(&others));
-    let bench_points = bench.map_or(0, |_| on_bench.len());
     LibraryAgreement {
         points,
         rms_n,
         rms_of_blocked,
         largest_n,
-        bench_points,
+        bench_points: bench.map_or(0, |_| on_bench.len()),
         held,
     }
 }

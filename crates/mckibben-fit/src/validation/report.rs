@@ -174,11 +174,10 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
             group(training.label(&[*v]), true, &keep)
         }));
     }
-    let fitted_to = if nothing { "nothing".into() } else { label };
     Ok(MeasuredFit {
         case: number,
         fit: fit.name.clone(),
-        fitted_to,
+        fitted_to: if nothing { "nothing".into() } else { label },
         parameters,
         muscle,
         groups,
@@ -190,14 +189,18 @@ impl Group {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = means().map(|r| r.contraction).fold(0.0, f64::max);
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
-        let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
-            let errors = ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction)));
-            MeasuredBin { from, to, errors }
-        });
-        let by_branch = [Direction::Contraction, Direction::Elongation].map(|branch| {
-            let errors = ForceErrors::new(residuals.iter().filter(|r| r.branch == branch));
-            MeasuredBranch { branch, errors }
-        });
+        let bins = bins
+            .take_while(|bin| bin.0 <= end)
+            .map(|(from, to)| MeasuredBin {
+                from,
+                to,
+                errors: ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction))),
+            });
+        let by_branch =
+            [Direction::Contraction, Direction::Elongation].map(|branch| MeasuredBranch {
+                branch,
+                errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
+            });
         let branches = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
             of: name,

@@ -77,8 +77,11 @@ fn residual(
     let mut evaluation = Evaluation::new(model, blocked, options);
     let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
     let half_width_n = |parts: UncertaintyParts| {
-        let friction = parts.friction.filter(|_| !branch.is_mean());
-        UncertaintyParts { friction, ..parts }.total()
+        UncertaintyParts {
+            friction: parts.friction.filter(|_| !branch.is_mean()),
+            ..parts
+        }
+        .total()
     };
     Some(Residual {
         contraction,

@@ -41,11 +41,10 @@ impl RubberCase {
         } else {
             read_tests(points, &Columns::default()).map(|read| Points::Tests(read.0))
         };
-        let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
         Ok(Self {
+            points: points.map_err(|error| CaseError::Points(facts.name.clone(), error))?,
             facts,
             fits,
-            points,
         })
     }
 

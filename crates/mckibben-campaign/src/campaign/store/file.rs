@@ -37,8 +37,9 @@ impl Opened {
     pub(crate) fn file(path: &Path) -> Result<Self> {
         let file = open(path).map_err(CampaignError::read(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
-            let limit = MAX_BYTES;
-            return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
+            return Err(CampaignError::read(path)(ReadError::TooLarge {
+                limit: MAX_BYTES,
+            }));
         }
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);

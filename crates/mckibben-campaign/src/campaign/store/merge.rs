@@ -70,8 +70,10 @@ impl Parts {
             let why = format!("the plan has only {count} parts");
             return Err(CampaignError::damaged(path, why));
         }
-        let files = parts.into_values().collect();
-        Ok(Self { provenance, files })
+        Ok(Self {
+            provenance,
+            files: parts.into_values().collect(),
+        })
     }
 
     /// Each is opened when its turn comes, and checked against the plan it must belong to.
