@@ -29,7 +29,7 @@ pub use targets::Target;
 const MARK: &str = "exported by mckibben";
 
 /// The files of a muscle for a target.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Artefact {
     /// The files: the one to begin with first.
     pub files: Vec<File>,
@@ -38,7 +38,7 @@ pub struct Artefact {
 }
 
 /// Root mean square and largest error of the form of a host, shares of the blocked force.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct HostError {
     pub rms: f64,
     pub worst: f64,

@@ -9,7 +9,7 @@ use crate::{
 use mckibben::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Equilibrium {
     /// q in mm or rad.
     pub coordinate: f64,

@@ -26,7 +26,7 @@ impl Quantity {
 }
 
 /// What a muscle answers at a gauge pressure and contraction.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
@@ -71,7 +71,7 @@ impl Answer {
 pub type Moment = [(Quantity, f64); 4];
 
 /// What replaces the model between two answers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Substitute {
     /// At one moment within a step.
     Moment(Answer),

@@ -80,7 +80,7 @@ pub fn extents(panel: &Panel) -> Extents {
 }
 
 /// Room kept on the four sides of a plot.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Gutters {
     left: f64,
     right: f64,

@@ -8,7 +8,7 @@ use mckibben_io::clean;
 use std::fmt::Write as _;
 
 /// A report.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Document {
     /// Its title.
     pub title: String,
@@ -23,7 +23,7 @@ pub struct Document {
 }
 
 /// A part of a report.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub enum Part {
     /// A heading.
     Heading(String),

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, FigureError, Result};
 
 /// The drawn range of an axis with its ticks.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Scale {
     pub low: f64,
     pub high: f64,

@@ -8,7 +8,7 @@ use mckibben::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     #[serde(flatten)]
     pub summary: ErrorSummary,

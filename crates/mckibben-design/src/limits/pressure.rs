@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Below {
     /// It keeps its distance from a failure at this pressure in MPa.
     Failure(FailureMode, f64),

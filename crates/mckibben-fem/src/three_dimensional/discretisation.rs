@@ -79,7 +79,7 @@ pub struct Discretisation {
 }
 
 /// One material of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Material {
     /// Its bricks.
     pub bricks: Range<usize>,

@@ -9,7 +9,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 pub const MAX_BYTES: usize = 32 << 20;
 
 /// What is between two fields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Separator {
     Mark(char),
     /// Spaces, as many as there are.
@@ -30,7 +30,7 @@ impl Separator {
 }
 
 /// A line with its fields, without the spaces around them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct TableRow {
     /// Its number from 1.
     pub line: u64,

@@ -3,7 +3,7 @@
 use super::delimited::Separator;
 
 /// Which mark is before the decimals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decimal {
     Point,
     Comma,
@@ -12,7 +12,7 @@ pub enum Decimal {
 }
 
 /// Why a field is no number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoNumber {
     Text,
     /// `1.234` could be a thousand or one and a bit.

@@ -25,7 +25,7 @@ use std::{
 };
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
 pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
@@ -44,7 +44,7 @@ pub struct Counts {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// The file or folder.
     pub output: PathBuf,
@@ -70,7 +70,7 @@ pub struct Outcome {
 const FLUSH: Duration = Duration::from_millis(500);
 
 /// How a plan is run.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct RunOptions {
     /// Only this share of the plan.
     pub shard: Option<Shard>,

@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// A point of a muscle where it pulls.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct PullPoint {
     /// P in MPa.
     pub pressure_mpa: f64,

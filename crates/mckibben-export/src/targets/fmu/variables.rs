@@ -5,7 +5,7 @@ use crate::{ExportedMuscle, template::number};
 use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 use std::fmt::Write as _;
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 enum Role {
     Input,
     Fixed,
