@@ -29,7 +29,7 @@ mod parsers {
 
     /// A word of an enum: its variants are the possible values, with their documentation.
     #[derive(Debug)]
-pub struct Word<T>(PhantomData<T>);
+    pub struct Word<T>(PhantomData<T>);
 
     impl<T> Clone for Word<T> {
         fn clone(&self) -> Self {
@@ -80,7 +80,7 @@ pub struct Word<T>(PhantomData<T>);
     /// A text for which there are names: completion offers them, and what else is typed is judged
     /// by whoever reads it.
     #[derive(Clone)]
-pub struct Names<T> {
+    pub struct Names<T> {
         list: fn() -> Vec<String>,
         read: fn(&str) -> Result<T, Problem>,
     }

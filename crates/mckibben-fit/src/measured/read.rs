@@ -9,7 +9,7 @@ use mckibben_io::table::{
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 /// What the table does not state.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct PointOptions {
     /// Columns whose heading does not say what they are.
     pub columns: Columns,

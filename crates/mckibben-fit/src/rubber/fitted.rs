@@ -28,7 +28,7 @@ pub struct Parameter {
 }
 
 /// Differences of nominal stress over some points.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StressErrors {
     /// How many points.
     pub points: usize,

@@ -226,7 +226,7 @@ pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError
 }
 
 /// Settings of a fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct FitSettings {
     /// The laws; none means all that the number of points determines.

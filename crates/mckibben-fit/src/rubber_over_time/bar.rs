@@ -15,7 +15,7 @@ use mckibben::rubber::{
 use mckibben_io::table::{Columns, HISTORIES, Table, TableError};
 
 /// A point of a history.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct TimePoint {
     /// In s.
     pub time_s: f64,
@@ -50,7 +50,7 @@ pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, Tab
 }
 
 /// A bar of a law with memory.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Bar<'a, L> {
     law: &'a L,
     softening: Option<OgdenRoxburgh>,

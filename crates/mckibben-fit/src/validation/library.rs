@@ -8,7 +8,8 @@
 //! machines, and the pull does not change with it.
 
 use super::{
-    case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file},
+    built_in::{IDENTIFIED, muscles, text_of, with_file},
+    case::{CaseError, CaseFit, MuscleCase},
     held_out::fit_points,
     residual::{ForceErrors, Residual, residuals},
 };

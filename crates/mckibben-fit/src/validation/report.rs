@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;
 
 /// Why there is no validation report.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, PartialEq, Error)]
 pub enum ReportError {
     /// The caller wanted it to end.
     #[error(transparent)]
@@ -54,7 +54,7 @@ pub struct MeasuredFit {
 }
 
 /// Errors at some points: measured − computed.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Group {
     /// The points that are compared.
     pub of: String,
@@ -76,7 +76,7 @@ pub struct Group {
 }
 
 /// Errors of a fit at the points of one branch of the hysteresis.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation`
     /// back.
@@ -87,7 +87,7 @@ pub struct MeasuredBranch {
 }
 
 /// Errors of a fit at points of about one contraction.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
     pub from: f64,
@@ -307,7 +307,7 @@ impl Training<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::muscles;
+    use super::super::built_in::muscles;
     use super::super::elements;
     use super::*;
     use mckibben::cancel::Cancelled;

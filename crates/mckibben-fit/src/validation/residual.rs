@@ -16,7 +16,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// One measured point beside what a model says of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Residual {
     /// ε.
     pub contraction: f64,
@@ -162,7 +162,7 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
 }
 
 /// Errors of a model at some points: measured less computed.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
 pub struct ForceErrors {
     /// How many points.
     pub points: usize,

@@ -1,6 +1,9 @@
 //! A law fitted to measured stresses, and its errors there.
 
-use super::rubber::{RubberCaseFit, RubberFit, RubberGroup};
+use super::{
+    case::RubberCaseFit,
+    rubber::{RubberFit, RubberGroup},
+};
 use crate::{
     rubber::{
         FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with,
