@@ -1,6 +1,6 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::{BAND, caption, curves::MOST_BANDS};
+use super::{caption, curves::MOST_BANDS, said};
 use crate::{JointAnswer, JointRow, Units};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
@@ -11,7 +11,6 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         .first()
         .map_or_else(String::new, |m| m.line(u));
     let mut figure = Figure::new("Joint").palette(Palette::Sequential);
-    let mut said = "";
     let mut bands = vec![];
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
@@ -30,42 +29,35 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
                 u.pressure.bare(first.pressure_1_mpa),
                 u.pressure.name
             );
-            let line = |of: &dyn Fn(&JointRow) -> Option<f64>| -> Vec<(f64, f64)> {
-                family
+            let line = |of: fn(&JointRow) -> Option<f64>| {
+                let points = family
                     .iter()
-                    .filter_map(|q| Some((q.point.angle_deg, of(q)?)))
-                    .collect()
+                    .filter_map(|q| Some((q.point.angle_deg, of(q)?)));
+                Series::line("", points).colour(i)
             };
-            panel = panel.series(
-                Series::line("", line(&|q| Some(q.point.torque_nm)))
-                    .colour(i)
-                    .end_label(label),
-            );
+            panel = panel.series(line(|q| Some(q.point.torque_nm)).end_label(label));
             let edges: Vec<(f64, f64, f64)> = family
                 .iter()
                 .filter_map(|q| {
-                    let half = q.point.uncertainty_nm?;
-                    Some((
-                        q.point.angle_deg,
-                        q.point.torque_nm - half,
-                        q.point.torque_nm + half,
-                    ))
+                    let p = &q.point;
+                    let half = p.uncertainty_nm?;
+                    Some((p.angle_deg, p.torque_nm - half, p.torque_nm + half))
                 })
                 .collect();
             bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));
             for branch in [
-                line(&|q| q.torque_turning_plus_nm),
-                line(&|q| q.torque_turning_minus_nm),
+                line(|q| q.torque_turning_plus_nm),
+                line(|q| q.torque_turning_minus_nm),
             ] {
-                if !branch.is_empty() {
-                    panel = panel.series(Series::new("", branch).style(Style::Dotted).colour(i));
+                if !branch.points.is_empty() {
+                    panel = panel.series(branch.style(Style::Dotted));
                 }
             }
         }
-        if bands.len() <= MOST_BANDS && !bands.is_empty() {
-            panel.series.append(&mut bands);
-            said = BAND;
+        if bands.len() > MOST_BANDS {
+            bands.clear();
         }
+        panel.series.extend_from_slice(&bands);
         figure = figure.panel(panel);
     }
     if let Some(map) = &answer.map {
@@ -75,28 +67,21 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         )
         .title("reachable at rest");
         let at = |q: &mckibben::joint::MapPoint| (q.angle_deg, q.stiffness_nm_per_rad);
-        let points: Vec<(f64, f64)> = map
-            .points
-            .iter()
-            .flatten()
-            .filter(|q| !q.at_limit)
-            .map(at)
-            .collect();
-        let border: Vec<(f64, f64)> = map.border.iter().map(at).collect();
+        let points = map.points.iter().flatten().filter(|q| !q.at_limit);
         panel = panel
-            .series(Series::scatter("", points).colour(0))
-            .series(Series::line("", border).neutral());
+            .series(Series::scatter("", points.map(at)).colour(0))
+            .series(Series::line("", map.border.iter().map(at)).neutral());
         let mut torques = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"))
             .title("largest torques");
         for of in [
             |t: &(f64, f64, f64)| (t.0, t.1),
             |t: &(f64, f64, f64)| (t.0, t.2),
         ] {
-            let line: Vec<(f64, f64)> = map.torques.iter().map(of).collect();
-            torques = torques.series(Series::line("", line).neutral());
+            torques = torques.series(Series::line("", map.torques.iter().map(of)).neutral());
         }
         figure = figure.panel(panel).panel(torques);
     }
+    let said = said(&bands, "");
     let figure = figure.caption(caption(format!("Model {}{said}. {about}", answer.model)));
     (!figure.panels.is_empty()).then_some(figure)
 }

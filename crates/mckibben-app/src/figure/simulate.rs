@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{MuscleSummary, Simulated, Units, percent};
 use mckibben::curve::Test;
-use mckibben_fem::results::Solution;
+use mckibben_fem::results::{Solution, StrandState};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Shapes are drawn of so many points at most.
@@ -28,11 +28,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             .filter(|q| key(test, q) == value)
             .map(|q| coordinates(test, q, u))
             .collect();
-        longest = longest.max(
-            line.iter()
-                .filter(|(x, y)| x.is_finite() && y.is_finite())
-                .count(),
-        );
+        let known = line.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+        longest = longest.max(known.count());
         curve = curve.series(
             Series::line("", line)
                 .colour(i)
@@ -55,7 +52,7 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             percent(s.response.contraction)
         )
     };
-    let at = |(z, r): (f64, f64)| (u.length.value(z), u.length.value(r));
+    let at = |z, r| (u.length.value(z), u.length.value(r));
     let mut shape = Panel::new(
         Axis::new(u.length.heading("z from the middle")).from_zero(),
         Axis::new(u.length.heading("r")).from_zero(),
@@ -70,30 +67,18 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
         Axis::new("strand angle θ [°]"),
     );
     for (i, (q, s)) in shown.iter().enumerate() {
-        curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
-        let outer: Vec<(f64, f64)> = s
-            .profile
-            .iter()
-            .map(|x| at((x.outer_z_mm, x.outer_r_mm)))
-            .collect();
-        let inner: Vec<(f64, f64)> = s
-            .profile
-            .iter()
-            .map(|x| at((x.inner_z_mm, x.inner_r_mm)))
-            .collect();
+        curve = curve.series(Series::scatter("", [coordinates(test, q, u)]).colour(i));
+        let outer = s.profile.iter().map(|x| at(x.outer_z_mm, x.outer_r_mm));
+        let inner = s.profile.iter().map(|x| at(x.inner_z_mm, x.inner_r_mm));
         shape = shape
             .series(Series::line(name(s), outer).colour(i))
             .series(Series::line("", inner).colour(i));
-        let along = |of: &dyn Fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
-            s.strands
-                .iter()
-                .map(|x| (u.length.value(x.rest_mm), of(x)))
-                .collect()
+        let along = |of: &dyn Fn(&StrandState) -> f64| {
+            let line = s.strands.iter().map(|x| (u.length.value(x.rest_mm), of(x)));
+            Series::line(name(s), line).colour(i)
         };
-        tension = tension.series(
-            Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i),
-        );
-        angle = angle.series(Series::line(name(s), along(&|x| x.angle_deg)).colour(i));
+        tension = tension.series(along(&|x| per_width.value(x.tension_n_per_mm)));
+        angle = angle.series(along(&|x| x.angle_deg));
     }
     // A curve of one point is none.
     if longest > 1 {
@@ -102,13 +87,7 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     figure = figure
         .panel(shape.title("outer and inner surface"))
         .panel(tension.title("strand tension"));
-    let drawn = shown.len();
-    let all = solved.len();
-    let some = if drawn < all {
-        some_of(drawn, all, "shapes")
-    } else {
-        String::new()
-    };
+    let some = some_of(shown.len(), solved.len(), "shapes");
     let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
     figure.panel(angle.title("strand angle")).caption(caption)
 }

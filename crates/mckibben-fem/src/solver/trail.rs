@@ -3,7 +3,7 @@
 use super::body::State;
 
 /// Along what a path runs.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Along {
     /// Pressures at one length or one pull.
     Pressure,
