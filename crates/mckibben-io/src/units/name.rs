@@ -49,7 +49,7 @@ impl NamedUnit {
     /// use mckibben_io::units::NamedUnit;
     /// assert_eq!(NamedUnit::of_field("slip_mm_per_n").map(|u| u.unit), Some("mm/N"));
     /// assert_eq!(NamedUnit::of_field("force_per_pressure_n_per_mpa").map(|u| u.unit), Some("N/MPa"));
-    /// assert_eq!(NamedUnit::of_field("turns"), None);
+    /// assert!(NamedUnit::of_field("turns").is_none());
     /// ```
     pub fn of_field(name: &str) -> Option<Self> {
         let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::inside(d))));
