@@ -81,9 +81,7 @@ impl Sheet {
 
     fn path(&mut self, points: Vec<[f64; 2]>) -> String {
         let places: Vec<Spot> = points.into_iter().map(|point| self.place(point)).collect();
-        let mut d = String::new();
-        through(&mut d, &places);
-        d
+        through(&places)
     }
 
     /// A line through points.
