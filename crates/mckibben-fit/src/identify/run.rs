@@ -253,8 +253,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         bench: None,
     };
     out.bench = bench(request, &out, &minimum);
-    let after = advice::after(&out, request);
-    out.notes.extend(after);
+    out.notes.extend(advice::after(&out, request));
     Ok(out)
 }
 
@@ -345,9 +344,9 @@ fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result
         let which = format!("{n} of {all} points at the starting values (first: line {line})");
         return Err(IdentifyError::Start(which, error));
     }
-    let at = advice::lines(&lines);
     let note = format!(
-        "{n} points ({at}) have no answer of the model at the start and were left out: {error}"
+        "{n} points ({}) have no answer of the model at the start and were left out: {error}",
+        advice::lines(&lines)
     );
     Ok((kept, residuals, Some(note)))
 }

@@ -87,8 +87,7 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
                 .map(|c| (c, None)),
         );
     }
-    let understood = table.understood(&used);
-    Ok((points, understood))
+    Ok((points, table.understood(&used)))
 }
 
 /// A dimension of the specimen of each row.

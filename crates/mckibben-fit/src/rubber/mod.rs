@@ -60,12 +60,11 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit> {
     check(settings)?;
-    let history = || runs::Sorted {
-        kept: points.to_vec(),
-        ..Default::default()
-    };
     let sorted = if settings.history {
-        history()
+        runs::Sorted {
+            kept: points.to_vec(),
+            ..Default::default()
+        }
     } else {
         runs::sort(points)
     };
@@ -86,8 +85,8 @@ pub fn fit_tension_with(
     );
     let count = problem.counting();
     let forms = chosen(settings, count)?;
-    if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
-        let modulus_mpa = problem.modulus_mpa;
+    let modulus_mpa = problem.modulus_mpa;
+    if !(modulus_mpa > 0.0 && modulus_mpa.is_finite()) {
         return Err(TensionFitError::Refused(format!(
             "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the \
              stretch is above 1; check the columns and their signs"

@@ -58,8 +58,7 @@ pub fn cases(
         Err(error) => {
             let name = format!("measured muscles: {error}");
             let none = ForceErrors::default();
-            let least = Coverage::Calibrated;
-            return Ok(vec![share_row(name, "", &none, least)]);
+            return Ok(vec![share_row(name, "", &none, Coverage::Calibrated)]);
         }
     };
     let mut rows = hand_made(elements, progress)?;

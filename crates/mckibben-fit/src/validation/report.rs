@@ -152,10 +152,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
         let all = points.len();
         let residuals = residuals(by.build, &muscle, points, case.friction_share());
-        Group {
-            unanswered: all - residuals.len(),
-            ..Group::new(name, blind, &residuals)
-        }
+        Group::new(name, blind, &residuals, all - residuals.len())
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];
     let values = training.values(&others);
@@ -185,7 +182,7 @@ fn run(number: usize, training: &Training<'_>, by: Fitter<'_>) -> Result<Measure
 }
 
 impl Group {
-    fn new(name: String, blind: bool, residuals: &[Residual]) -> Self {
+    fn new(of: String, blind: bool, residuals: &[Residual], unanswered: usize) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = means().map(|r| r.contraction).fold(0.0, f64::max);
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
@@ -196,24 +193,21 @@ impl Group {
                 to,
                 errors: ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction))),
             });
-        let by_branch =
-            [Direction::Contraction, Direction::Elongation].map(|branch| MeasuredBranch {
-                branch,
-                errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
-            });
-        let branches = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
+        let branches = [Direction::Contraction, Direction::Elongation].into_iter();
+        let by_branch = branches.map(|branch| MeasuredBranch {
+            branch,
+            errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
+        });
+        let single = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
-            of: name,
+            of,
             blind,
-            unanswered: 0,
+            unanswered,
             by_contraction: bins.filter(|bin| bin.errors.points > 0).collect(),
-            by_branch: by_branch
-                .into_iter()
-                .filter(|b| b.errors.points > 0)
-                .collect(),
+            by_branch: by_branch.filter(|b| b.errors.points > 0).collect(),
             means: ForceErrors::new(means()),
-            branch_points: branches.points,
-            branch_held: branches.held,
+            branch_points: single.points,
+            branch_held: single.held,
         }
     }
 }
@@ -222,9 +216,9 @@ impl Group {
 #[derive(Clone, Copy)]
 struct Training<'a> {
     case: &'a MuscleCase,
-    pub fit: &'a CaseFit,
+    fit: &'a CaseFit,
     /// The points of the case, with the means of its branches.
-    pub means: &'a [DataPoint],
+    means: &'a [DataPoint],
     /// Both ends in it.
     range: (f64, f64),
     /// Fitted are those outside.
@@ -264,7 +258,7 @@ fn trainings<'a>(
 
 impl Training<'_> {
     /// The quantity that divides the points.
-    pub fn value(&self, point: &DataPoint) -> Option<f64> {
+    fn value(&self, point: &DataPoint) -> Option<f64> {
         Some(match self.fit.split?.by {
             By::Length => point
                 .section
@@ -275,7 +269,7 @@ impl Training<'_> {
         })
     }
 
-    pub fn holds(&self, point: &DataPoint) -> bool {
+    fn holds(&self, point: &DataPoint) -> bool {
         let Some(v) = self.value(point) else {
             return true;
         };
@@ -285,12 +279,12 @@ impl Training<'_> {
     }
 
     /// The values of points, each once.
-    pub fn values(&self, points: &[DataPoint]) -> Vec<f64> {
+    fn values(&self, points: &[DataPoint]) -> Vec<f64> {
         distinct(points.iter().filter_map(|p| self.value(p)))
     }
 
     /// `233, 281 mm`, or `0.04 to 0.6 MPa` where there are many.
-    pub fn label(&self, values: &[f64]) -> String {
+    fn label(&self, values: &[f64]) -> String {
         let unit = match self.fit.split.map(|split| split.by) {
             None => return "all".into(),
             Some(By::Length) => " mm",
@@ -375,7 +369,7 @@ mod tests {
             point(Elongation, 2.0, Some(3.0)),
             point(Elongation, 2.0, None),
         ];
-        let group = Group::new("all".into(), true, &points);
+        let group = Group::new("all".into(), true, &points, 0);
         let of = |errors: &ForceErrors| (errors.points, errors.bias_n, errors.rms_n, errors.held);
         assert_eq!(of(&group.means), (1, 0.5, 0.5, Some(1.0)));
         let branches = group.by_branch.iter().map(|b| (b.branch, of(&b.errors)));
@@ -388,7 +382,7 @@ mod tests {
         );
         assert_eq!((group.branch_points, group.branch_held), (5, Some(0.75)));
         // A branch that was not measured has no row.
-        let rising = Group::new("some".into(), true, &points[..1]);
+        let rising = Group::new("some".into(), true, &points[..1], 0);
         assert_eq!(rising.by_branch.len(), 1);
     }
 

@@ -21,7 +21,6 @@ use serde::Serialize;
 use std::{
     path::{Path, PathBuf},
     sync::atomic::{AtomicBool, Ordering},
-    time::{Duration, Instant},
 };
 
 /// How far a run came.
@@ -65,9 +64,6 @@ pub struct Outcome {
     #[serde(skip)]
     pub store: PathBuf,
 }
-
-/// Parts are brought to the disk this often.
-const FLUSH: Duration = Duration::from_millis(500);
 
 /// How a plan is run.
 #[derive(Debug, Default)]
@@ -258,9 +254,7 @@ impl Run<'_> {
     ) -> Result<()> {
         let report = |c: &Counts| self.progress.report(c.muscles as usize, c.of as usize);
         report(counts);
-        let mut pending = vec![];
         let mut ended = Ok(());
-        let mut flushed = Instant::now();
         // A separate flag: an error here is not the user's wish to end.
         let failed = AtomicBool::new(false);
         let halted = || self.progress.cancelled() || failed.load(Ordering::Relaxed);
@@ -271,13 +265,9 @@ impl Run<'_> {
                     counts.muscles += self.muscles_of([done.part].into_iter());
                     counts.points += done.points;
                     counts.failed += done.failed;
-                    pending.push((done.part, done.bytes));
+                    folder.write(done.part, done.bytes)?;
                 }
                 report(counts);
-                if flushed.elapsed() > FLUSH {
-                    folder.write(&mut pending)?;
-                    flushed = Instant::now();
-                }
                 Ok(())
             };
             if ended.is_ok() {
@@ -285,8 +275,7 @@ impl Run<'_> {
                 failed.store(ended.is_err(), Ordering::Relaxed);
             }
         });
-        ended?;
-        folder.write(&mut pending)
+        ended
     }
 
     /// One part; `None` where the run is to end.
