@@ -108,12 +108,9 @@ impl Plan {
             tie.width_mm,
             foot_mm,
         );
-        let clamps = Clamps::for_load(tie, stem.grooves, end_load_n);
         let fitting = wishes
             .fitting
             .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let air_plug = AirPlug::new(stem, fitting);
-        let eye_plug = EyePlug::new(stem, bolt_mm);
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
@@ -121,9 +118,9 @@ impl Plan {
             cut,
             end_load_n,
             tie_holds_n: tie.holds_n(),
-            clamps,
-            air_plug,
-            eye_plug,
+            clamps: Clamps::for_load(tie, stem.grooves, end_load_n),
+            air_plug: AirPlug::new(stem, fitting),
+            eye_plug: EyePlug::new(stem, bolt_mm),
             safety: Safety::new(&operating),
             parts: vec![],
             test: test_points::points(&operating),

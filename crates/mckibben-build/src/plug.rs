@@ -78,12 +78,11 @@ impl Stem {
         let (share, least, most) = INTERFERENCE;
         let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
         let diameter_mm = ends.plug_diameter_mm.unwrap_or(usual_mm);
-        let interference_mm = diameter_mm - bore_mm;
         let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
         let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
         Self {
             diameter_mm,
-            interference_mm,
+            interference_mm: diameter_mm - bore_mm,
             length_mm,
             // Builders: two narrow ties hold where a wide one leaked.
             grooves: [2, 1]

@@ -159,9 +159,8 @@ impl Demand {
                     torque_nm: factor * t.torque_nm,
                     ..*t
                 };
-                let torques = joint.torques.iter().map(one).collect();
                 Self::Joint(JointDemand {
-                    torques,
+                    torques: joint.torques.iter().map(one).collect(),
                     ..joint.clone()
                 })
             }

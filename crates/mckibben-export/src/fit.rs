@@ -156,10 +156,9 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitte
         .flatten()
         .for_each(|value| *value *= blocked_n);
     volumes(&mut form, &at, &model.info().name)?;
-    let errors = errors(&form, &held_out, &ends, blocked_n);
     Ok(Fitted {
+        errors: errors(&form, &held_out, &ends, blocked_n),
         form,
-        errors,
         blocked_n,
         held_out,
     })

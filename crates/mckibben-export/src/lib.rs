@@ -57,9 +57,8 @@ impl std::fmt::Display for HostError {
 
 impl HostError {
     fn from_errors(errors: &[f64]) -> Self {
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
         Self {
-            rms,
+            rms: (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt(),
             worst: errors.iter().map(|e| e.abs()).fold(0.0, f64::max),
         }
     }

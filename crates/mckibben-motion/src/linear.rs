@@ -84,12 +84,10 @@ impl Linear {
             system.offset.set(0.0);
             rates
         };
-        let b = DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step));
-        let per_coordinate = drive.mechanism.position_per_coordinate();
         Ok(Self {
             a,
-            b,
-            per_coordinate,
+            b: DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step)),
+            per_coordinate: drive.mechanism.position_per_coordinate(),
             coordinate,
         })
     }

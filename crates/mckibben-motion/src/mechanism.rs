@@ -110,14 +110,12 @@ pub struct SingleMuscle {
 impl SingleMuscle {
     /// The muscle of a model against a load, without damper and stops.
     pub fn new(model: &dyn ForceModel, load: Load) -> Self {
-        let length_mm = model.muscle().length_mm();
-        let stops_mm = (f64::NEG_INFINITY, f64::INFINITY);
         Self {
-            length_mm,
+            length_mm: model.muscle().length_mm(),
             load,
             added_mass_kg: 0.0,
             damping_n_s_per_m: 0.0,
-            stops_mm,
+            stops_mm: (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
 

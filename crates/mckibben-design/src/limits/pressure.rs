@@ -124,10 +124,9 @@ impl PressureLimit {
         Some(match self {
             Self::Supply => {
                 let pressure_mpa = three_digits(needed_mpa, true);
-                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
                 let change = Relaxation::MaxPressure {
                     pressure_mpa,
-                    extrapolated,
+                    extrapolated: pressure_mpa > trial.model.info().range.pressure_mpa.1,
                 };
                 ((pressure_mpa / supply_mpa).ln(), change)
             }
