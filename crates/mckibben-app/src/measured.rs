@@ -200,14 +200,10 @@ fn rubbers(
         }
     };
     let stresses = reported.iter().flat_map(|r| {
-        let stress = |group: &RubberGroup| {
-            let case = cases[r.case].facts.name.clone();
-            let fit = r.fit.clone();
-            MeasuredStress {
-                case,
-                fit,
-                group: group.clone(),
-            }
+        let stress = |group: &RubberGroup| MeasuredStress {
+            case: cases[r.case].facts.name.clone(),
+            fit: r.fit.clone(),
+            group: group.clone(),
         };
         r.groups.iter().map(stress)
     });

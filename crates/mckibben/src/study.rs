@@ -138,9 +138,8 @@ where
             for curve in
                 Evaluation::new(ideal, workspace, options).curves(test, &[value], &pressures)
             {
-                let label = format!("{equation} with D0 = {d0} mm");
                 list.push(StudyCurve {
-                    label,
+                    label: format!("{equation} with D0 = {d0} mm"),
                     wall_mm: None,
                     curve,
                 });
@@ -152,11 +151,10 @@ where
             curves: list,
         });
     }
-    let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
     Ok(Study {
         model: models[0].info().name.to_string(),
         panels,
-        findings,
+        findings: findings(&models, &mut workspaces, &ideals, options.direction)?,
     })
 }
 

@@ -348,11 +348,10 @@ fn judged(
         |e| Status::from(&ModelError::from(e.clone())),
         |_| Status::Ok,
     );
-    let slack = hangs || pushes && shortened.is_some();
     Simulated {
         requested,
         solution,
-        slack,
+        slack: hangs || pushes && shortened.is_some(),
         free_contraction: past_free,
         status,
     }

@@ -170,11 +170,10 @@ impl Universal {
                 [&first, &second].map(|section| section.stretch.v + section.stretch.by[0] * step);
             if settled {
                 let force = tension.v - p * PI * x1 + force_l * step;
-                let r = r + radius.by[0] * step;
                 return (force >= 0.0).then_some(Root {
                     force,
                     l,
-                    r,
+                    r: r + radius.by[0] * step,
                     stretches,
                 });
             }
@@ -194,12 +193,10 @@ impl Universal {
         let slope = 1.0 / (s * e.ll);
         let step = (e.w - s * e.l - h.v) * slope;
         let by = ((e.x - s * e.lx) * x.by[0] - h.by[0]) * slope;
-        let stretch = Dual::new(s + step, [by]);
-        let tension = Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]);
         let section = Section {
             radius,
-            stretch,
-            tension,
+            stretch: Dual::new(s + step, [by]),
+            tension: Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]),
         };
         (e.ll > 0.0).then_some(Stepped {
             section,
