@@ -138,8 +138,9 @@ where
             for curve in
                 Evaluation::new(ideal, workspace, options).curves(test, &[value], &pressures)
             {
+                let label = format!("{equation} with D0 = {d0} mm");
                 list.push(StudyCurve {
-                    label: format!("{equation} with D0 = {d0} mm"),
+                    label,
                     wall_mm: None,
                     curve,
                 });
@@ -151,10 +152,11 @@ where
             curves: list,
         });
     }
+    let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
     Ok(Study {
         model: models[0].info().name.to_string(),
         panels,
-        findings: findings(&models, &mut workspaces, &ideals, options.direction)?,
+        findings,
     })
 }
 

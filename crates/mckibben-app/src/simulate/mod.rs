@@ -348,10 +348,11 @@ fn judged(
         |e| Status::from(&ModelError::from(e.clone())),
         |_| Status::Ok,
     );
+    let slack = hangs || pushes && shortened.is_some();
     Simulated {
         requested,
         solution,
-        slack: hangs || pushes && shortened.is_some(),
+        slack,
         free_contraction: past_free,
         status,
     }

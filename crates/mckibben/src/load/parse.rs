@@ -81,9 +81,10 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
         ("table", _) => table(rest)
             .map(Load::Table)
             .ok_or_else(|| refused(format!("load {text}: there is no such table"))),
-        ("force", None) => Ok(Load::Force {
-            force_n: above(quantity(main, Dimension::Force)?, "the force")?,
-        }),
+        ("force", None) => {
+            let force_n = above(quantity(main, Dimension::Force)?, "the force")?;
+            Ok(Load::Force { force_n })
+        }
         ("mass", behind) => {
             let mass_kg = above(quantity(main, Dimension::Mass)?, "the mass")?;
             match behind.map(str::trim) {
@@ -100,10 +101,14 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Re
                 )),
             }
         }
-        ("spring", behind) => Ok(Load::Spring {
-            rate_n_per_mm: above(quantity(main, Dimension::Stiffness)?, "the rate")?,
-            preload_n: behind.map_or(Ok(0.0), |b| quantity(b, Dimension::Force))?,
-        }),
+        ("spring", behind) => {
+            let rate_n_per_mm = above(quantity(main, Dimension::Stiffness)?, "the rate")?;
+            let preload_n = behind.map_or(Ok(0.0), |b| quantity(b, Dimension::Force))?;
+            Ok(Load::Spring {
+                rate_n_per_mm,
+                preload_n,
+            })
+        }
         ("lever", behind) => {
             let expected = "a mass, its distance from the pivot, the pulley's radius and the angle \
                 from the horizontal, as in lever:5kg@300mm/40mm/-30deg";
