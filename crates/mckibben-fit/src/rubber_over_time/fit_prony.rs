@@ -80,9 +80,8 @@ impl PronyFit {
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
-    let first = history.first();
-    let last = history.last();
-    let duration_s = first.zip(last).map_or(0.0, |(a, b)| b.time_s - a.time_s);
+    let ends = history.first().zip(history.last());
+    let duration_s = ends.map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
         "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
          branches or a longer test"

@@ -3,7 +3,7 @@
 use super::{
     file::Opened,
     folder::{Folder, MANIFEST},
-    provenance::{Provenance, Which},
+    provenance::Provenance,
 };
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, read};
@@ -40,7 +40,7 @@ pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<
         }
         let put = || {
             let exists = path.exists();
-            let text = provenance.to_json(Which::Whole)?;
+            let text = provenance.to_json(None)?;
             Unfinished::inside(&path, exists)?
                 .with(text.as_bytes())?
                 .put(exists)

@@ -3,7 +3,7 @@
 use super::{
     file::{Opened, chained, write},
     folder::{Folder, is_file_name, part_name},
-    provenance::{Provenance, Which},
+    provenance::Provenance,
 };
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
@@ -78,9 +78,9 @@ impl Parts {
 
     /// Each is opened when its turn comes, and checked against the plan it must belong to.
     pub fn opened(self) -> impl Iterator<Item = Result<Opened>> {
-        (0..).zip(self.files).map(move |(number, file)| {
-            Opened::file(&file)?.expect(Which::Part(number), &self.provenance)
-        })
+        (0..)
+            .zip(self.files)
+            .map(move |(number, file)| Opened::file(&file)?.expect(Some(number), &self.provenance))
     }
 
     /// Writes them as one file, which appears whole or not at all; with `clobber` instead of an
@@ -90,7 +90,7 @@ impl Parts {
         let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
         let provenance = self.provenance.clone();
         let tables = chained(self.opened(), Opened::tables);
-        write(&provenance, Which::Whole, tables, file.file(), out)?;
+        write(&provenance, None, tables, file.file(), out)?;
         file.put(clobber).map_err(|error| match error.kind() {
             ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
             _ => CampaignError::write(out)(error),

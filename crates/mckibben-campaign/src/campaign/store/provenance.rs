@@ -41,13 +41,6 @@ pub struct Provenance {
     pub(crate) layout: Layout,
 }
 
-/// Which share of the table a file holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Which {
-    Whole,
-    Part(u64),
-}
-
 /// The key that holds all of it as JSON; some of it has keys of its own, for people.
 const STORED: &str = "mckibben.campaign";
 
@@ -59,6 +52,7 @@ struct Stored {
     muscles_per_part: u64,
     #[serde(flatten)]
     layout: Layout,
+    /// The part that the file holds; nothing of the whole table.
     part: Option<u64>,
 }
 
@@ -79,30 +73,24 @@ impl Provenance {
         }
     }
 
-    /// Whether a file has these metadata.
+    /// Whether a file has these metadata: is of this plan and this version of the program.
     pub(crate) fn check_same(&self, theirs: &Self, file: &Path) -> Result<()> {
-        self.check_plan(&theirs.version, &theirs.plan_sha256, file)?;
-        if theirs == self {
-            return Ok(());
-        }
-        let why = "its metadata are not those of this plan";
-        Err(CampaignError::damaged(file, why))
-    }
-
-    /// Whether a file is of this plan and this version of the program.
-    pub(crate) fn check_plan(&self, version: &str, plan_sha256: &str, file: &Path) -> Result<()> {
         let name = file.display();
-        let ours = &self.plan_sha256;
-        let our_version = &self.version;
-        let other = if plan_sha256 != ours {
+        let other = if theirs.plan_sha256 != self.plan_sha256 {
             format!(
-                "{name} contains a campaign of another plan (sha256 {plan_sha256:.12}, this plan \
-                 has {ours:.12})"
+                "{name} contains a campaign of another plan (sha256 {:.12}, this plan has {:.12})",
+                theirs.plan_sha256, self.plan_sha256
             )
-        } else if version != our_version {
-            format!("{name} was written by mckibben {version}, and this is version {our_version}")
-        } else {
+        } else if theirs.version != self.version {
+            format!(
+                "{name} was written by mckibben {}, and this is version {}",
+                theirs.version, self.version
+            )
+        } else if theirs == self {
             return Ok(());
+        } else {
+            let why = "its metadata are not those of this plan";
+            return Err(CampaignError::damaged(file, why));
         };
         Err(CampaignError::OtherPlan(other))
     }
@@ -112,7 +100,7 @@ impl Provenance {
     }
 
     pub fn points(&self) -> u64 {
-        self.muscles.saturating_mul(self.points_per_muscle)
+        self.rows_of(None)
     }
 
     pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
@@ -120,23 +108,14 @@ impl Provenance {
         from..from.saturating_add(self.block).min(self.muscles)
     }
 
-    /// Rows of a file.
-    pub(crate) fn rows_of(&self, which: Which) -> u64 {
-        match which {
-            Which::Whole => self.points(),
-            Which::Part(part) => {
-                let muscles = self.muscles_of(part);
-                (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
-            }
-        }
+    /// Rows of the file of a part, or of the whole table.
+    pub(crate) fn rows_of(&self, part: Option<u64>) -> u64 {
+        let muscles = part.map_or(0..self.muscles, |part| self.muscles_of(part));
+        (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
     }
 
     /// All of it as JSON.
-    pub(crate) fn to_json(&self, which: Which) -> serde_json::Result<String> {
-        let part = match which {
-            Which::Whole => None,
-            Which::Part(part) => Some(part),
-        };
+    pub(crate) fn to_json(&self, part: Option<u64>) -> serde_json::Result<String> {
         serde_json::to_string(&Stored {
             provenance: self.clone(),
             muscles_per_part: self.block,
@@ -145,7 +124,7 @@ impl Provenance {
         })
     }
 
-    pub(crate) fn from_json(text: &[u8]) -> Result<(Self, Which), String> {
+    pub(crate) fn from_json(text: &[u8]) -> Result<(Self, Option<u64>), String> {
         let stored: Stored = serde_json::from_slice(text).map_err(|e| format!("{STORED}: {e}"))?;
         let provenance = Self {
             block: stored.muscles_per_part.max(1),
@@ -155,13 +134,13 @@ impl Provenance {
         if hash::hex(provenance.plan.as_bytes()) != provenance.plan_sha256 {
             return Err("the plan in its metadata does not match its hash".into());
         }
-        Ok((provenance, stored.part.map_or(Which::Whole, Which::Part)))
+        Ok((provenance, stored.part))
     }
 
     /// Keys and values in the metadata of a file.
-    pub(crate) fn write(&self, which: Which) -> serde_json::Result<Vec<(String, String)>> {
+    pub(crate) fn write(&self, part: Option<u64>) -> serde_json::Result<Vec<(String, String)>> {
         let mut pairs = vec![
-            (STORED, self.to_json(which)?),
+            (STORED, self.to_json(part)?),
             ("mckibben.version", self.version.clone()),
             ("mckibben.plan", self.plan.clone()),
             ("mckibben.plan_sha256", self.plan_sha256.clone()),
@@ -170,7 +149,7 @@ impl Provenance {
         Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())
     }
 
-    pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Which), String> {
+    pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Option<u64>), String> {
         let stored = pairs.iter().find(|(key, _)| key == STORED);
         let (_, text) = stored.ok_or_else(|| format!("its metadata have no {STORED}"))?;
         Self::from_json(text.as_bytes())

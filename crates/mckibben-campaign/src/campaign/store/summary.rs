@@ -1,11 +1,6 @@
 //! The content of a campaign in a few numbers.
 
-use super::{
-    file::Opened,
-    folder::Folder,
-    layout::Field,
-    provenance::{Provenance, Which},
-};
+use super::{file::Opened, folder::Folder, layout::Field, provenance::Provenance};
 use crate::{
     campaign::error::{CampaignError, Result},
     columns::{PointRow, Role},
@@ -149,7 +144,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
                     .as_ref()
                     .map_or(&opened.provenance, |s| &s.provenance)
                     .clone();
-                opened.expect(Which::Part(number), &first)
+                opened.expect(Some(number), &first)
             });
         match opened {
             Ok(opened) => {

@@ -9,17 +9,20 @@ use super::{
     cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests},
 };
 use crate::rubber::{Mode, TensionPoint};
-use mckibben_io::table::{Meaning, TableError};
+use mckibben_io::table::{
+    Meaning::{self, *},
+    TableError,
+};
 
 /// Columns beside the first stretch.
 pub const MEANINGS: [Meaning; 7] = [
-    Meaning::Stretch2,
-    Meaning::NominalStress,
-    Meaning::TrueStress,
-    Meaning::Force,
-    Meaning::NominalStress2,
-    Meaning::TrueStress2,
-    Meaning::TrueStressDifference,
+    Stretch2,
+    NominalStress,
+    TrueStress,
+    Force,
+    NominalStress2,
+    TrueStress2,
+    TrueStressDifference,
 ];
 
 /// How far the second stretch may lie from that of a mode of one stretch, as a share of it.
@@ -29,19 +32,12 @@ impl Tests<'_> {
     /// All points of a table, whose first stretches are known.
     pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
         let table = self.table;
-        let across = table.some_numbers(Meaning::Stretch2)?;
+        let across = table.some_numbers(Stretch2)?;
         let column =
             |meaning| Ok::<_, TableError>((table.column(meaning), table.some_numbers(meaning)?));
-        let along = [
-            column(Meaning::NominalStress)?,
-            column(Meaning::TrueStress)?,
-            column(Meaning::Force)?,
-        ];
-        let second = [
-            column(Meaning::NominalStress2)?,
-            column(Meaning::TrueStress2)?,
-        ];
-        let differences = column(Meaning::TrueStressDifference)?;
+        let along = [column(NominalStress)?, column(TrueStress)?, column(Force)?];
+        let second = [column(NominalStress2)?, column(TrueStress2)?];
+        let differences = column(TrueStressDifference)?;
         let has_modes = table.column(Meaning::Mode).is_some();
         let mut out = vec![];
         for (row, &stretch) in lengths.iter().enumerate() {
@@ -108,7 +104,7 @@ impl Tests<'_> {
         stretch: f64,
         measured: Option<f64>,
     ) -> Result<f64> {
-        let column = self.table.column(Meaning::Stretch2);
+        let column = self.table.column(Stretch2);
         let impossible = |expected| match column {
             Some(column) => self.table.impossible(row, column, expected),
             None => TableError::empty(),
