@@ -3,8 +3,8 @@
 use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section, over_time::branches};
 use mckibben::{cancel, extremes::ends, muscle::Direction};
 use mckibben_io::table::{
-    Column, Columns, Meaning::*, POINTS, RECORDED, Table, TableError, Understood, is_absolute,
-    spoken,
+    Column, Columns, MEASURED, Meaning::*, POINTS, RECORDED, Table, TableError, Understood,
+    is_absolute, spoken,
 };
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
@@ -384,27 +384,9 @@ fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];
-    let others = [
-        RestLength,
-        FreeLength,
-        Branch,
-        Measured,
-        Status,
-        Volume,
-        ForceError,
-        ContractionError,
-        PressureError,
-        VolumeError,
-        Weight,
-        OuterDiameter,
-        Wall,
-        Angle,
-    ];
-    used.extend(
-        others
-            .into_iter()
-            .filter_map(|m| Some((table.column(m)?, None))),
-    );
+    let others = [RestLength, FreeLength].iter().chain(MEASURED);
+    let others = others.filter(|meaning| **meaning != Force);
+    used.extend(others.filter_map(|meaning| Some((table.column(*meaning)?, None))));
     Ok(table.understood(&used))
 }
 

@@ -58,7 +58,7 @@ const STATE: &[Meaning] = &[Pressure, Contraction, Shortening, RestLength, Lengt
 /// The length against that without load.
 const EXTENSION: &[Meaning] = &[Extension, FreeLength];
 /// What was measured in a state, and of which muscle.
-const MEASURED: &[Meaning] = &[
+pub const MEASURED: &[Meaning] = &[
     Force,
     Volume,
     VolumeError,
