@@ -20,7 +20,7 @@ use mckibben::{
     units::typed::Pressure,
     warning::{Warning, is_of_burst},
 };
-use mckibben_fit::validation::case::muscles;
+use mckibben_fit::validation::built_in::muscles;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -369,9 +369,8 @@ impl CompareRequest {
         let mut models: Vec<Model> = vec![];
         for name in names {
             // A terminal is for fe3d alone, where that is among them.
-            let terminal = self.mesh.terminal.filter(|_| !solid || is_solid(name));
             let mesh = MeshFields {
-                terminal,
+                terminal: self.mesh.terminal.filter(|_| !solid || is_solid(name)),
                 ..self.mesh.clone()
             };
             let model = Model::of(name, &mesh)?;

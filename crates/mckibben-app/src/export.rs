@@ -185,13 +185,11 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
             .map(|e| e.of_length(muscle.length_mm()));
         ratio.transpose().map_err(|problem| problem.in_field(field))
     };
-    let contraction_low = end("contraction_low", &request.contraction_low)?;
-    let contraction_high = end("contraction_high", &request.contraction_high)?;
     let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
     let wanted = BoxRequest {
         supply_mpa,
-        contraction_low,
-        contraction_high,
+        contraction_low: end("contraction_low", &request.contraction_low)?,
+        contraction_high: end("contraction_high", &request.contraction_high)?,
     };
     let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;

@@ -25,10 +25,9 @@ impl TextFile {
 
     /// A file written by hand: a joint, a plan.
     pub fn read(path: &Path) -> Result<Self> {
-        let text = file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
         Ok(Self {
             name: path.display().to_string(),
-            text,
+            text: file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?,
         })
     }
 

@@ -223,9 +223,8 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         from: origin.from,
     };
     let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
-    let formula = Document::Universal(fitted);
     Ok(FitAnswer {
-        formula,
+        formula: Document::Universal(fitted),
         tables: vec![],
         figures: vec![],
         failed: 0,
@@ -416,12 +415,10 @@ fn file_name(name: &Path) -> Option<String> {
 #[cfg(feature = "files")]
 fn rows(path: &Path) -> Result<(Vec<PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    let plan_hash = Some(table.provenance.plan_sha256.clone());
-    let seed = table.provenance.seed;
     let from = Provenance {
         table: file_name(path),
-        plan_hash,
-        seed,
+        plan_hash: Some(table.provenance.plan_sha256.clone()),
+        seed: table.provenance.seed,
         ..Provenance::default()
     };
     Ok((

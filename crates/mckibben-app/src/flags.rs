@@ -172,8 +172,10 @@ mod parsers {
 
     /// The name of a rubber law, or `all`.
     pub fn laws() -> Names<String> {
-        let list = || Form::words().into_iter().chain(["all".into()]).collect();
-        Names { list, read: text }
+        Names {
+            list: || Form::words().into_iter().chain(["all".into()]).collect(),
+            read: text,
+        }
     }
 
     /// A name of the lists of parts.

@@ -405,10 +405,9 @@ impl IdentifyRequest {
             "it belongs to `data`",
         )?;
         let points = read_over_time(&file.text, OverTime::Pressure, 1.0);
-        let points = points.map_err(|error| Problem::of_table(&file.name, &error))?;
         Ok(Some(PressureLog {
             name: file.name.clone(),
-            points,
+            points: points.map_err(|error| Problem::of_table(&file.name, &error))?,
             offset_s: self.log_offset_s.map(f64::from),
         }))
     }

@@ -9,10 +9,11 @@ pub use mckibben_fit::validation::case::{Facts as MeasuredFacts, MeasuredFolder}
 pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
 pub use mckibben_fit::validation::rubber::RubberFit as MeasuredRubberFit;
 use mckibben_fit::validation::{
-    case::{self, CaseError, Measurement, MuscleCase},
+    built_in::measurements,
+    case::{CaseError, Measurement, MuscleCase, RubberCase},
     report::{Group, report},
     residual::Fitter,
-    rubber::{self, RubberCase, RubberGroup},
+    rubber::{self, RubberGroup},
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -106,18 +107,13 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         .map(Measurement::read)
         .collect::<Result<Vec<_>, _>>();
     let read = read.map_err(|error| Problem::from(&error))?;
-    let (cases, stretched): (Vec<&MuscleCase>, Vec<&RubberCase>) = if read.is_empty() {
-        (
-            case::muscles().map_err(Problem::from)?,
-            case::rubbers().map_err(Problem::from)?,
-        )
+    let all = if read.is_empty() {
+        measurements().map_err(Problem::from)?
     } else {
-        let muscles = read.iter().filter_map(Measurement::muscle);
-        (
-            muscles.collect(),
-            read.iter().filter_map(Measurement::rubber).collect(),
-        )
+        &read
     };
+    let cases: Vec<&MuscleCase> = all.iter().filter_map(Measurement::muscle).collect();
+    let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
     if request.figure.is_some() && cases.is_empty() {
         let message =
             "the figure shows measured muscles, and these cases are rubbers only: leave it out";
@@ -204,14 +200,10 @@ fn rubbers(
         }
     };
     let stresses = reported.iter().flat_map(|r| {
-        let stress = |group: &RubberGroup| {
-            let case = cases[r.case].facts.name.clone();
-            let fit = r.fit.clone();
-            MeasuredStress {
-                case,
-                fit,
-                group: group.clone(),
-            }
+        let stress = |group: &RubberGroup| MeasuredStress {
+            case: cases[r.case].facts.name.clone(),
+            fit: r.fit.clone(),
+            group: group.clone(),
         };
         r.groups.iter().map(stress)
     });

@@ -140,14 +140,11 @@ impl Model {
         match self {
             Self::Elements(Elements::Axisymmetric(mesh)) => Ok(section(muscle, mesh)?),
             // The others are as large as all the rest.
-            _ if !cfg!(feature = "whole") => {
-                let missing = "the full engine; this is a reduced one";
-                Err(ModelError::Missing {
-                    model: "this model",
-                    missing,
-                    key: "",
-                })
-            }
+            _ if !cfg!(feature = "whole") => Err(ModelError::Missing {
+                model: "this model",
+                missing: "the full engine; this is a reduced one",
+                key: "",
+            }),
             Self::ClosedForm(kind) => kind.build(muscle),
             Self::Formula(formula) => {
                 with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m))))
@@ -168,11 +165,11 @@ impl MeshFields {
                 self.no_terminal()?;
                 Elements::Axisymmetric(spec)
             }
-            Elements::ThreeDimensional(spec) => {
-                let keep = self.keep;
-                let plug = self.terminal;
-                Elements::ThreeDimensional(BrickSpec { keep, plug, ..spec })
-            }
+            Elements::ThreeDimensional(spec) => Elements::ThreeDimensional(BrickSpec {
+                keep: self.keep,
+                plug: self.terminal,
+                ..spec
+            }),
         };
         let Some(text) = &self.mesh else {
             return Ok(elements);

@@ -129,11 +129,9 @@ pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
         }
         Err(error) => return Err(error.into()),
     };
-    let name = entry.name.to_string();
-    let description = entry.description.to_string();
     Ok(Some(ModelDetails {
-        name,
-        description,
+        name: entry.name.to_string(),
+        description: entry.description.to_string(),
         source,
         uncertainty_basis,
         needs,

@@ -165,10 +165,9 @@ pub struct Problem {
 impl Problem {
     /// A problem; numbers in its words have no more digits than anybody reads.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        let message = short_numbers(&message.into()).into_owned();
         Self {
             kind,
-            message,
+            message: short_numbers(&message.into()).into_owned(),
             hint: short_numbers(&hint.into()).into_owned(),
             field: None,
             nearest: None,
@@ -266,8 +265,7 @@ macro_rules! problems {
                     $($($variant => (ProblemKind::$other, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
                     _ => (ProblemKind::$kind, concat!("", $($hint)?), concat!("", $($field)?)),
                 };
-                let field = (!field.is_empty()).then(|| field.to_owned());
-                Self { field, ..Self::new(kind, message, hint) }
+                Self { field: (!field.is_empty()).then(|| field.to_owned()), ..Self::new(kind, message, hint) }
             }
         }
     )+};
@@ -373,10 +371,9 @@ impl From<AnalysisError> for Problem {
                 nearest_pressure_mpa,
                 ..
             } => {
-                let pressure_mpa = Some(nearest_pressure_mpa);
                 nearest = Some(Nearest {
                     force_n: nearest_force_n,
-                    pressure_mpa,
+                    pressure_mpa: Some(nearest_pressure_mpa),
                     contraction: None,
                 });
             }
@@ -395,11 +392,10 @@ impl From<AnalysisError> for Problem {
                 } else {
                     "take more pressure, or a larger muscle".to_owned()
                 };
-                let contraction = Some(nearest_contraction);
                 nearest = Some(Nearest {
                     force_n: nearest_force_n,
                     pressure_mpa: None,
-                    contraction,
+                    contraction: Some(nearest_contraction),
                 });
             }
             AnalysisError::StrandsBreak { .. } => {

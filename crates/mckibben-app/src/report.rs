@@ -178,10 +178,9 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
 
 /// The deformed muscle by itself.
 pub fn body(request: &ShapeRequest) -> Result<Document> {
-    let parts = vec![body_part(request)?];
     Ok(Document {
         title: "The deformed muscle".into(),
-        parts,
+        parts: vec![body_part(request)?],
         ..Document::default()
     })
 }

@@ -157,11 +157,10 @@ impl RubberFitAnswer {
     /// The constants of all laws, one row each.
     fn constants(&self) -> Vec<ConstantRow> {
         let rows = |law: &FittedLaw| {
-            let recommended = self.is_recommended(law);
             let row = |p: &Parameter| ConstantRow {
                 law: law.form.name(),
                 constrained: law.constrained,
-                recommended,
+                recommended: self.is_recommended(law),
                 constant: p.name.clone(),
                 value: p.value,
                 unit: p.unit,

@@ -14,7 +14,7 @@ const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Default, serde::Serialize, schemars::JsonSchema)]
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,
@@ -83,14 +83,11 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
         Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
         Clamps::Crimped => "crimped ferrule or hose clamp".into(),
     };
-    let bought = |number, part: String, amount: &str| {
-        let amount = amount.into();
-        BuildPart {
-            number,
-            part,
-            amount,
-            ..BuildPart::default()
-        }
+    let bought = |number, part: String, amount: &str| BuildPart {
+        number,
+        part,
+        amount: amount.into(),
+        ..BuildPart::default()
     };
     let printed = plan.is_printed();
     let plug = |number, part: &str, volume_mm3: f64| BuildPart {

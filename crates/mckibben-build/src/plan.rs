@@ -8,7 +8,7 @@ use mckibben::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Ref
 use std::f64::consts::PI;
 
 /// Choices of the builder.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Wishes {
     /// The connection of the hose.
     pub fitting: Option<Fitting>,
@@ -19,7 +19,7 @@ pub struct Wishes {
 }
 
 /// All numbers of a build.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Plan {
     pub muscle: Muscle,
     /// Its results by a model.
@@ -108,12 +108,9 @@ impl Plan {
             tie.width_mm,
             foot_mm,
         );
-        let clamps = Clamps::for_load(tie, stem.grooves, end_load_n);
         let fitting = wishes
             .fitting
             .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let air_plug = AirPlug::new(stem, fitting);
-        let eye_plug = EyePlug::new(stem, bolt_mm);
         let mut plan = Self {
             clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
             crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
@@ -121,9 +118,9 @@ impl Plan {
             cut,
             end_load_n,
             tie_holds_n: tie.holds_n(),
-            clamps,
-            air_plug,
-            eye_plug,
+            clamps: Clamps::for_load(tie, stem.grooves, end_load_n),
+            air_plug: AirPlug::new(stem, fitting),
+            eye_plug: EyePlug::new(stem, bolt_mm),
             safety: Safety::new(&operating),
             parts: vec![],
             test: test_points::points(&operating),

@@ -45,7 +45,7 @@ const BOLTS_MM: [(f64, f64); 9] = [
 pub const PRINTED_MPA: f64 = 10.0;
 
 /// The stem of both plugs.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Stem {
     /// Diameter in mm: the bore and the interference.
     pub diameter_mm: f64,
@@ -78,12 +78,11 @@ impl Stem {
         let (share, least, most) = INTERFERENCE;
         let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
         let diameter_mm = ends.plug_diameter_mm.unwrap_or(usual_mm);
-        let interference_mm = diameter_mm - bore_mm;
         let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
         let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
         Self {
             diameter_mm,
-            interference_mm,
+            interference_mm: diameter_mm - bore_mm,
             length_mm,
             // Builders: two narrow ties hold where a wide one leaked.
             grooves: [2, 1]
@@ -157,7 +156,7 @@ impl Stem {
 }
 
 /// The plug with the air passage.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct AirPlug {
     pub stem: Stem,
     /// The connection of the hose.
@@ -264,7 +263,7 @@ impl AirPlug {
 }
 
 /// The closed plug with an eye for a bolt.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct EyePlug {
     pub stem: Stem,
     /// The bolt in mm: 6 is M6.
@@ -397,7 +396,7 @@ pub enum Fitting {
 }
 
 /// A word that names no fitting.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Error)]
 #[error(
     "\"{0}\" is not a fitting; expected m5, g1/8 or g1/4 (a thread), or barb:4 (a barb for a hose \
      with a bore of 4 mm, from 1 to 25)"

@@ -55,7 +55,7 @@ pub struct PointRow {
 }
 
 /// The role of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Role {
     Question,
     Answer,

@@ -38,8 +38,10 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     if problem.kind == ProblemKind::File || !flag.starts_with('-') {
         return Some(problem);
     }
-    let message = format!("{flag}: {}", problem.message);
-    Some(Problem { message, ..problem })
+    Some(Problem {
+        message: format!("{flag}: {}", problem.message),
+        ..problem
+    })
 }
 
 /// A flag that a command does not have, and what to type in its place.

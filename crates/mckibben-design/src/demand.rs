@@ -27,7 +27,7 @@ pub struct TorqueWanted {
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// What a muscle must do: the operating points, where these follow from its length as well.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub enum Demand {
     Points(Vec<OperatingPoint>),
     /// To lift a load from the length at rest.
@@ -40,7 +40,7 @@ pub enum Demand {
 }
 
 /// How far a load is lifted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Lift {
     /// Stroke in mm.
     Stroke(f64),
@@ -65,7 +65,7 @@ impl Lift {
 /// τ/r. It is contracted by ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint,
 /// so that the other one is at its length at rest there, without a pull, and slack at every smaller
 /// angle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct JointDemand {
     pub torques: Vec<TorqueWanted>,
     /// Largest angle φm in degrees to either side.
@@ -159,9 +159,8 @@ impl Demand {
                     torque_nm: factor * t.torque_nm,
                     ..*t
                 };
-                let torques = joint.torques.iter().map(one).collect();
                 Self::Joint(JointDemand {
-                    torques,
+                    torques: joint.torques.iter().map(one).collect(),
                     ..joint.clone()
                 })
             }

@@ -85,7 +85,7 @@ impl Merit {
 }
 
 /// What a line gave.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct Found {
     /// The intervals on which every limit holds, as far as they were looked for.
     pub fitting: Vec<(f64, f64)>,

@@ -100,8 +100,13 @@ impl<'a> Misses<'a> {
             let (mut trial, probe) = miss.probed()?;
             let (ask, mut changes) = miss.together(&mut trial, &probe)?;
             if share < 1.0 {
-                let points = spec.points(&muscle).into_owned();
-                changes.insert(0, Relaxation::Contraction { share, points });
+                changes.insert(
+                    0,
+                    Relaxation::Contraction {
+                        share,
+                        points: spec.points(&muscle).into_owned(),
+                    },
+                );
             }
             Some((
                 ask - share.ln() + UNSURE * unsure,
@@ -302,8 +307,13 @@ impl Miss<'_> {
                 let share = share.or(probe.fits().then_some(1.0))?;
                 let share = if weak { share } else { share - ROUGH };
                 let share = three_digits(share * way, false) / way;
-                let points = wanted.shorter(share).points(length_mm).into_owned();
-                (-share.ln(), Relaxation::Contraction { share, points })
+                (
+                    -share.ln(),
+                    Relaxation::Contraction {
+                        share,
+                        points: wanted.shorter(share).points(length_mm).into_owned(),
+                    },
+                )
             }
             Kind::Pressure(limit) => limit.allow(self.needed_mpa(trial)?, trial)?,
             Kind::Limit(limit) => {

@@ -158,10 +158,9 @@ impl<'a> Search<'a> {
         } else {
             line::STEPS
         };
-        let build = models.search;
         Search {
             spec,
-            build,
+            build: models.search,
             rubbers,
             progress,
             done: AtomicUsize::new(0),

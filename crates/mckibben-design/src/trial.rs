@@ -48,19 +48,16 @@ impl<'a> Trial<'a> {
             Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
             Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
         };
-        let burst = Burst { safety, ..failures };
-        let workspace = Workspace::new();
-        let half_widths = spec.half_widths();
         let mut trial = Self {
             spec,
             muscle,
             model,
             thick_wall,
-            workspace,
-            burst,
+            workspace: Workspace::new(),
+            burst: Burst { safety, ..failures },
             highest_mpa: spec.max_pressure_mpa,
             below: None,
-            half_widths,
+            half_widths: spec.half_widths(),
         };
         pressure::lower(&mut trial)?;
         Ok(trial)

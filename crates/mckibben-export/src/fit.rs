@@ -39,7 +39,7 @@ impl BoxRequest {
 }
 
 /// Errors of the form against its model at points that it was not fitted to.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
 pub struct FormErrors {
     /// Root mean square of the pull's error, share of the blocked force at the supply.
     pub force_rms: f64,
@@ -157,10 +157,9 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitte
         .flatten()
         .for_each(|value| *value *= blocked_n);
     volumes(&mut form, &at, &model.info().name)?;
-    let errors = errors(&form, &held_out, &ends, blocked_n);
     Ok(Fitted {
+        errors: errors(&form, &held_out, &ends, blocked_n),
         form,
-        errors,
         blocked_n,
         held_out,
     })

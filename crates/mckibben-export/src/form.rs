@@ -220,9 +220,8 @@ impl Form {
         let status = self.outside(pressure_pa, contraction);
         if force_n <= 0.0 {
             let free = self.contraction(0.0, pressure_pa);
-            let volume_m3 = self.two_sided_volume_m3(pressure_pa, free);
             return Point {
-                volume_m3,
+                volume_m3: self.two_sided_volume_m3(pressure_pa, free),
                 status: status | SLACK,
                 ..Point::default()
             };

@@ -30,7 +30,7 @@ pub use targets::Target;
 const MARK: &str = "exported by mckibben";
 
 /// The files of a muscle for a target.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Artefact {
     /// The files: the one to begin with first.
     pub files: Vec<File>,
@@ -39,7 +39,7 @@ pub struct Artefact {
 }
 
 /// Root mean square and largest error of the form of a host, shares of the blocked force.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct HostError {
     pub rms: f64,
     pub worst: f64,
@@ -58,9 +58,8 @@ impl std::fmt::Display for HostError {
 
 impl HostError {
     fn from_errors(errors: &[f64]) -> Self {
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt();
         Self {
-            rms,
+            rms: (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt(),
             worst: peak(errors.iter().map(|e| e.abs())),
         }
     }

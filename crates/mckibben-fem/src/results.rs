@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// A place along the muscle, from the middle (z = 0) to the terminal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 #[schemars(rename = "ProfileRow")]
 pub struct ProfilePoint {
     /// Z at rest, mm.
@@ -23,7 +23,7 @@ pub struct ProfilePoint {
 }
 
 /// The strands at a place along the muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 #[schemars(rename = "StrandRow")]
 pub struct StrandState {
     /// Z at rest, mm.
@@ -41,7 +41,7 @@ pub struct StrandState {
 }
 
 /// A principal stretch and where it is.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct StretchAt {
     /// The stretch.
     pub value: f64,
@@ -103,17 +103,13 @@ pub(crate) struct NodeMeans<const N: usize, const M: usize>(Vec<(FieldNode<N, M>
 
 impl<const N: usize, const M: usize> NodeMeans<N, M> {
     pub fn new(count: usize) -> Self {
-        let rest_mm = [0.0; N];
-        let now_mm = [0.0; N];
-        let stretches = [0.0; 3];
-        let stress_mpa = [0.0; M];
         Self(vec![
             (
                 FieldNode {
-                    rest_mm,
-                    now_mm,
-                    stretches,
-                    stress_mpa
+                    rest_mm: [0.0; N],
+                    now_mm: [0.0; N],
+                    stretches: [0.0; 3],
+                    stress_mpa: [0.0; M]
                 },
                 0.0
             );
@@ -163,7 +159,7 @@ pub struct Energies {
 }
 
 /// Everything an equilibrium tells.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub struct Solution {
     /// What every model tells.

@@ -175,10 +175,9 @@ fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> Cur
     point.response = point
         .response
         .map(|r| whole(muscle, given, r, &mut point.sensitivities));
-    let volume_mm3 = point.volume_mm3 + ends.bore_mm2() * slip_mm;
     CurvePoint {
         contraction,
-        volume_mm3,
+        volume_mm3: point.volume_mm3 + ends.bore_mm2() * slip_mm,
         ..point
     }
 }

@@ -25,7 +25,7 @@ const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 
 /// What is given of an equilibrium. Pressures are in MPa, pulls in N.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Given {
     /// Pressure and contraction.
     PressureAndContraction {
@@ -61,7 +61,7 @@ impl Given {
 }
 
 /// What the points of a test have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub enum Detail {
     /// Pressure, contraction, pull and volume.
     Point,
@@ -125,9 +125,8 @@ impl<D: Divided> FiniteElements<D> {
         accuracy: Accuracy,
         notes: Vec<String>,
     ) -> Self {
-        let range = ModelRange::open().stretched(muscle.braid().angle_deg);
         let info = ModelInfo {
-            range,
+            range: ModelRange::open().stretched(muscle.braid().angle_deg),
             accuracy,
             costly: true,
             notes,

@@ -49,7 +49,7 @@ impl Heat {
 }
 
 /// What is in and around a muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Air {
     /// How it exchanges heat.
     pub heat: Heat,
@@ -71,7 +71,7 @@ impl Default for Air {
 }
 
 /// The state of what fills a muscle, and how its volume changes, dead volume included.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Cavity {
     pub absolute_mpa: f64,
     pub temperature_k: f64,
@@ -87,7 +87,7 @@ pub struct Cavity {
 
 /// What flows into the muscle through a port in g/s, negative outwards, with the temperature of
 /// where it comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Flow {
     /// Mass flow in g/s.
     pub mass_g_per_s: f64,

@@ -93,10 +93,12 @@ impl Pid {
         let filtered = (position - state.filtered) / self.filter_s;
         let wanted = self.proportional * error + state.integral - self.derivative_s * filtered;
         let output = wanted.max(limits.0).min(limits.1);
-        let integral = self.integral_per_s * error + (output - wanted) / self.tracking_s;
         Control {
             output,
-            rates: ControllerState { integral, filtered },
+            rates: ControllerState {
+                integral: self.integral_per_s * error + (output - wanted) / self.tracking_s,
+                filtered,
+            },
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::{
 use mckibben::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Equilibrium {
     /// q in mm or rad.
     pub coordinate: f64,
@@ -111,11 +111,10 @@ impl System<'_> {
         match drive.initial_coordinate {
             Some(coordinate) => {
                 let (low, high) = drive.mechanism.stops();
-                let stop = self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0);
                 Ok(Equilibrium {
                     coordinate: coordinate.max(low).min(high),
+                    stop: self.stop(coordinate, self.net(&pressures, coordinate)?, 0.0),
                     pressures_mpa: pressures,
-                    stop,
                 })
             }
             None if drive.mechanism.inertia().is_infinite() => Ok(Equilibrium {

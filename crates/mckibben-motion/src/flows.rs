@@ -163,11 +163,10 @@ impl System<'_> {
             }
             _ => Default::default(),
         };
-        let pressure_rate = medium.pressure_rate_mpa_per_s(cavity, &[supply, exhaust]);
         FluidRates {
             supply,
             exhaust,
-            pressure_rate,
+            pressure_rate: medium.pressure_rate_mpa_per_s(cavity, &[supply, exhaust]),
             opening,
             opening_rate,
             signal,

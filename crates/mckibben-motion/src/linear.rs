@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// Central differences of the right-hand side: also across the kink of a valve that is closed
 /// there, whose two sides it averages. The air's mass is a state without effect on the others where
 /// the law is isothermal: an eigenvalue 0.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Linear {
     a: DMatrix<f64>,
     b: DVector<f64>,
@@ -84,12 +84,10 @@ impl Linear {
             system.offset.set(0.0);
             rates
         };
-        let b = DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step));
-        let per_coordinate = drive.mechanism.position_per_coordinate();
         Ok(Self {
             a,
-            b,
-            per_coordinate,
+            b: DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step)),
+            per_coordinate: drive.mechanism.position_per_coordinate(),
             coordinate,
         })
     }

@@ -8,7 +8,7 @@ use mckibben::{
 };
 
 /// Contraction of a muscle at a position, and its derivative by the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Lever {
     /// ε.
     pub contraction: f64,
@@ -92,7 +92,7 @@ pub trait Mechanism: Send + Sync {
 /// ```
 ///
 /// M is what moves with the load and what is added to it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct SingleMuscle {
     /// L0 in mm.
     pub length_mm: f64,
@@ -110,14 +110,12 @@ pub struct SingleMuscle {
 impl SingleMuscle {
     /// The muscle of a model against a load, without damper and stops.
     pub fn new(model: &dyn ForceModel, load: Load) -> Self {
-        let length_mm = model.muscle().length_mm();
-        let stops_mm = (f64::NEG_INFINITY, f64::INFINITY);
         Self {
-            length_mm,
+            length_mm: model.muscle().length_mm(),
             load,
             added_mass_kg: 0.0,
             damping_n_s_per_m: 0.0,
-            stops_mm,
+            stops_mm: (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
 

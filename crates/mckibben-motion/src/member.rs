@@ -26,7 +26,7 @@ impl Quantity {
 }
 
 /// What a muscle answers at a gauge pressure and contraction.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
@@ -71,7 +71,7 @@ impl Answer {
 pub type Moment = [(Quantity, f64); 4];
 
 /// What replaces the model between two answers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Substitute {
     /// At one moment within a step.
     Moment(Answer),
@@ -148,13 +148,10 @@ impl Memory {
             clamp_slack,
             ..
         } = self;
-        let kept = kept.clone();
-        let next = next.clone();
-        let clamp_slack = clamp_slack.clone();
         Self {
-            kept,
-            next,
-            clamp_slack,
+            kept: kept.clone(),
+            next: next.clone(),
+            clamp_slack: clamp_slack.clone(),
             ..Self::default()
         }
     }
@@ -360,10 +357,9 @@ impl<'a> Member<'a> {
             });
         };
         let mut change = |p: f64, e: f64| value / at * (of_long(w, p, e).unwrap_or(at) - at);
-        let by_contraction = change(p, e + SHARE) / SHARE;
         Ok(Quantity {
             value,
-            by_contraction,
+            by_contraction: change(p, e + SHARE) / SHARE,
             by_pressure: change(p * (1.0 + SHARE), e) / (SHARE * p),
         })
     }

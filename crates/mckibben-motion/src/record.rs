@@ -38,14 +38,11 @@ impl Integration<'_, '_> {
 
     /// Notes a point that was passed.
     pub fn pass_by(&mut self, time_s: f64, state: &State) {
-        let velocity = if self.rests() { 0.0 } else { state.velocity };
-        let coordinate = state.coordinate;
-        let gauge_mpa = state.first_gauge_mpa();
         self.passed.push(Passed {
             time_s,
-            coordinate,
-            velocity,
-            gauge_mpa,
+            coordinate: state.coordinate,
+            velocity: if self.rests() { 0.0 } else { state.velocity },
+            gauge_mpa: state.first_gauge_mpa(),
         });
     }
 

@@ -103,12 +103,11 @@ impl<'s, 'd> Integration<'s, 'd> {
             series,
             ..Motion::default()
         };
-        let largest_speed = Some(0.0);
         Ok(Self {
             on_stop,
             cycle,
             air,
-            largest_speed,
+            largest_speed: Some(0.0),
             ..Self::started_at((system, progress), 0.0, state, motion)
         })
     }

@@ -32,15 +32,12 @@ impl Simulation {
         let mut at = Integration::begin(&system, progress)?;
         system.within.set(0.5 * drive.output_step_s);
         at.record(0.0, at.state.clone())?;
-        let state = at.state;
-        let motion = at.motion;
-        let modes = system.modes.borrow().clone();
-        let memories = system.members.into_iter().map(|m| m.memory).collect();
+        let Integration { state, motion, .. } = at;
         Ok(Self {
             done: 0,
             state,
-            modes,
-            memories,
+            modes: system.modes.borrow().clone(),
+            memories: system.members.into_iter().map(|m| m.memory).collect(),
             motion,
         })
     }
@@ -187,14 +184,12 @@ impl Simulation {
         let t = drive.output_step_s * done as f64;
         let mut at = Integration::started_at((&system, progress), t, state, motion);
         at.record(t, at.state.clone())?;
-        let state = at.state;
-        let motion = at.motion;
         *self = Self {
             done,
-            state,
+            state: at.state,
             modes,
             memories: vec![],
-            motion,
+            motion: at.motion,
         };
         self.memories
             .resize_with(system.members.len(), Memory::default);

@@ -190,8 +190,11 @@ impl Layout {
         };
         let mut core = 0;
         zero.core(|_| core += 1);
-        let len = zero.visit_numbers(|_| {});
-        Self { zero, core, len }
+        Self {
+            len: zero.visit_numbers(|_| {}),
+            zero,
+            core,
+        }
     }
 
     /// The state whose numbers are all the same.

@@ -12,7 +12,7 @@ use mckibben::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(u8)]
 pub enum Switch {
     Fill,
@@ -21,7 +21,7 @@ pub enum Switch {
 }
 
 /// Which side of each kink holds.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Modes {
     /// On the lower (−1) or upper (1) stop.
     pub stop: Option<f64>,
@@ -39,7 +39,7 @@ pub struct Mode {
 }
 
 /// One muscle at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
@@ -61,7 +61,7 @@ pub struct MusclePoint {
 }
 
 /// Everything at one time.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct Point {
     pub muscles: Vec<MusclePoint>,
     /// Net generalised force with damping.

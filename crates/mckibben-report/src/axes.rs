@@ -80,7 +80,7 @@ pub fn extents(panel: &Panel) -> Extents {
 }
 
 /// Room kept on the four sides of a plot.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Gutters {
     left: f64,
     right: f64,
@@ -170,12 +170,10 @@ impl<'a> Grid<'a, '_> {
             y_data,
             ((plot.h / 40.0).round() as usize).clamp(2, 8),
         )?;
-        let x_label = self.wrapped(&panel.x.label, plot.w);
-        let y_label = self.wrapped(&panel.y.label, plot.h);
         Ok(Axes {
             frame: Frame { plot, x, y },
-            x_label,
-            y_label,
+            x_label: self.wrapped(&panel.x.label, plot.w),
+            y_label: self.wrapped(&panel.y.label, plot.h),
             y_label_x: cell.x + LABEL_ROW / 2.0,
         })
     }
@@ -318,11 +316,10 @@ impl<'a> Grid<'a, '_> {
         });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
-        let title = (axes.frame.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
         Ok(Placed {
             panel,
+            title: (axes.frame.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text),
             axes,
-            title,
             legend,
             labels,
         })

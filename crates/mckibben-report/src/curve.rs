@@ -54,11 +54,7 @@ impl Frame {
     pub fn line(&self, points: &[(f64, f64)]) -> Vec<Vec<Spot>> {
         let mut pieces = Vec::new();
         let mut run: Vec<Spot> = Vec::new();
-        for spot in points
-            .iter()
-            .map(|p| self.spot(*p))
-            .chain(std::iter::once(None))
-        {
+        for spot in points.iter().map(|p| self.spot(*p)).chain([None]) {
             match spot {
                 Some(spot) => run.push(spot),
                 None if run.is_empty() => {}

@@ -4,7 +4,7 @@ use crate::{
     curve::Frame,
     figure::Mark,
     font::Metrics,
-    rect::{Rect, Spot},
+    rect::{Rect, Spot, between},
     room::Room,
 };
 
@@ -23,7 +23,7 @@ const DIRECTIONS: [f64; 14] = [
 /// Distances tried between ring and text.
 const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Label {
     /// Left end of the text at half its height.
     pub at: Spot,
@@ -141,11 +141,6 @@ fn leader(spot: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
         spot.0.clamp(rect.x - 1.0, rect.right() + 1.0),
         spot.1.clamp(rect.y, rect.bottom()),
     );
-    let dx = near.0 - spot.0;
-    let dy = near.1 - spot.1;
-    let length = dx.hypot(dy);
-    (length > RING + 5.5).then(|| {
-        let part = RING / length;
-        ((spot.0 + part * dx, spot.1 + part * dy), near)
-    })
+    let length = (near.0 - spot.0).hypot(near.1 - spot.1);
+    (length > RING + 5.5).then(|| (between(spot, near, RING / length), near))
 }

@@ -22,7 +22,7 @@ pub struct Entry {
     pub colour: usize,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Legend {
     pub frame: Rect,
     /// Entries with the left end of their sample and the middle of their row.

@@ -50,12 +50,11 @@ fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
     let text_x = plot.right() + 8.0;
     let place = |(line, y): (&Ended, f64)| {
         let from = (plot.right() + 1.0, end(line));
-        let leader = ((from.1 - y).abs() > 3.0).then_some((from, (text_x - 1.0, y)));
         Label {
             at: (text_x, y),
             text: line.text.clone(),
             colour: line.colour,
-            leader,
+            leader: ((from.1 - y).abs() > 3.0).then_some((from, (text_x - 1.0, y))),
         }
     };
     lines.iter().zip(heights).map(place).collect()

@@ -15,7 +15,7 @@ pub fn between(from: Spot, to: Spot, part: f64) -> Spot {
 }
 
 /// A rectangle of the drawing.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Rect {
     pub x: f64,
     pub y: f64,
@@ -26,9 +26,13 @@ pub struct Rect {
 impl Rect {
     /// A square about its middle.
     pub fn about((x, y): Spot, half: f64) -> Self {
-        let w = 0.0;
-        let h = 0.0;
-        Self { x, y, w, h }.grown(half)
+        Self {
+            x,
+            y,
+            w: 0.0,
+            h: 0.0,
+        }
+        .grown(half)
     }
 
     pub fn middle(&self) -> Spot {

@@ -18,7 +18,7 @@ use std::fmt::Write as _;
 const CAPITALS: f64 = 0.729;
 
 /// A sheet with a drawing on it.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, PartialEq, Default)]
 pub struct Sheet {
     title: String,
     width_mm: f64,
@@ -30,7 +30,7 @@ pub struct Sheet {
 }
 
 /// A kind of line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pen {
     /// Visible edges: 0.5 mm.
     Outline,
@@ -55,7 +55,7 @@ impl Pen {
 }
 
 /// Which part of a text lies at its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Anchor {
     Start,
     Middle,
@@ -81,9 +81,7 @@ impl Sheet {
 
     fn path(&mut self, points: Vec<[f64; 2]>) -> String {
         let places: Vec<Spot> = points.into_iter().map(|point| self.place(point)).collect();
-        let mut d = String::new();
-        through(&mut d, &places);
-        d
+        through(&places)
     }
 
     /// A line through points.

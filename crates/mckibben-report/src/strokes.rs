@@ -24,10 +24,8 @@ pub fn series(
 ) {
     if style == Style::Points {
         let shape = palette::shape(number);
-        let mut shapes = String::new();
-        runs.iter()
-            .flatten()
-            .for_each(|spot| marker(&mut shapes, shape, *spot));
+        let spots = runs.iter().flatten();
+        let shapes: String = spots.map(|spot| marker(shape, *spot)).collect();
         if !shapes.is_empty() {
             let width = if shape == Shape::Cross { 1.4 } else { 1.3 };
             let _ = writeln!(
@@ -50,7 +48,7 @@ pub fn series(
             );
             continue;
         }
-        through(&mut path, line);
+        path += &through(line);
     }
     if !path.is_empty() {
         let pattern = colours.dashes(style, number);
@@ -68,9 +66,8 @@ pub fn series(
 
 /// Draws a pale area.
 pub fn area(out: &mut String, outline: &[Spot], hex: &str) {
-    let mut path = String::new();
-    through(&mut path, outline);
     if outline.len() > 2 {
+        let path = through(outline);
         let _ = writeln!(
             out,
             "<path d=\"{path}Z\" fill=\"{hex}\" fill-opacity=\"{PALE}\"/>"
@@ -124,66 +121,54 @@ pub fn text(
     );
 }
 
-/// Adds a line through spots to a path.
-pub fn through(path: &mut String, spots: &[Spot]) {
-    for (i, (x, y)) in spots.iter().enumerate() {
-        let _ = write!(
-            path,
-            "{}{} {}",
-            if i == 0 { "M" } else { "L" },
-            n(*x),
-            n(*y)
-        );
-    }
+/// The path of a line through spots.
+pub fn through(spots: &[Spot]) -> String {
+    let step = |(i, (x, y)): (usize, &Spot)| {
+        let letter = if i == 0 { "M" } else { "L" };
+        format!("{letter}{} {}", n(*x), n(*y))
+    };
+    spots.iter().enumerate().map(step).collect()
 }
 
-/// Adds a closed line through spots to a path.
-fn around(path: &mut String, spots: &[Spot]) {
-    through(path, spots);
-    path.push('Z');
+/// The path of a closed line through spots.
+fn around(spots: &[Spot]) -> String {
+    through(spots) + "Z"
 }
 
-/// Adds a marker to a path.
-fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
+/// The path of a marker.
+fn marker(shape: Shape, (x, y): Spot) -> String {
     let r = MARKER;
     match shape {
         Shape::Circle => {
             let d = n(2.0 * r);
             let r2 = n(r);
-            let _ = write!(
-                path,
+            format!(
                 "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z",
                 n(x - r),
                 n(y)
-            );
+            )
         }
         Shape::Square => {
             let s = 0.9 * r;
-            let _ = write!(
-                path,
-                "M{} {}h{d}v{d}h-{d}Z",
-                n(x - s),
-                n(y - s),
-                d = n(2.0 * s)
-            );
+            let d = n(2.0 * s);
+            format!("M{} {}h{d}v{d}h-{d}Z", n(x - s), n(y - s))
         }
         Shape::Triangle | Shape::TriangleDown => {
             let up = if shape == Shape::Triangle { 1.0 } else { -1.0 };
-            let top = y - 1.2 * r * up;
             let foot = y + 0.85 * r * up;
-            around(
-                path,
-                &[(x, top), (x + 1.15 * r, foot), (x - 1.15 * r, foot)],
-            );
+            around(&[
+                (x, y - 1.2 * r * up),
+                (x + 1.15 * r, foot),
+                (x - 1.15 * r, foot),
+            ])
         }
         Shape::Diamond => {
             let s = 1.3 * r;
-            around(path, &[(x, y - s), (x + s, y), (x, y + s), (x - s, y)]);
+            around(&[(x, y - s), (x + s, y), (x, y + s), (x - s, y)])
         }
         Shape::Cross => {
             let s = 0.9 * r;
-            through(path, &[(x - s, y - s), (x + s, y + s)]);
-            through(path, &[(x - s, y + s), (x + s, y - s)]);
+            through(&[(x - s, y - s), (x + s, y + s)]) + &through(&[(x - s, y + s), (x + s, y - s)])
         }
     }
 }

@@ -175,20 +175,20 @@ fn draw_grid(out: &mut String, frame: &Frame) {
     let level = |v: f64| [(plot.x, frame.at_y(v)), (plot.right(), frame.at_y(v))];
     for v in &frame.x.ticks {
         let [_, foot] = upright(*v);
-        through(&mut grid, &upright(*v));
-        through(&mut small, &[foot, (foot.0, bottom + TICK_LENGTH)]);
+        grid += &through(&upright(*v));
+        small += &through(&[foot, (foot.0, bottom + TICK_LENGTH)]);
     }
     for v in &frame.y.ticks {
         let [foot, _] = level(*v);
-        through(&mut grid, &level(*v));
-        through(&mut small, &[(plot.x - TICK_LENGTH, foot.1), foot]);
+        grid += &through(&level(*v));
+        small += &through(&[(plot.x - TICK_LENGTH, foot.1), foot]);
     }
     thin(out, &grid, GRID, 0.8);
     if frame.y.low < 0.0 && frame.y.high > 0.0 {
-        through(&mut zero, &level(0.0));
+        zero += &through(&level(0.0));
     }
     if frame.x.low < 0.0 && frame.x.high > 0.0 {
-        through(&mut zero, &upright(0.0));
+        zero += &through(&upright(0.0));
     }
     if !zero.is_empty() {
         thin(out, &zero, "#9a9a9a", 0.9);
@@ -228,9 +228,7 @@ fn draw_label(out: &mut String, label: &Label, colours: &Colours) {
         .colour
         .map_or_else(|| INK.to_owned(), |number| colours.hex(number));
     if let Some((a, b)) = label.leader {
-        let mut path = String::new();
-        through(&mut path, &[a, b]);
-        thin(out, &path, &colour, 0.7);
+        thin(out, &through(&[a, b]), &colour, 0.7);
     }
     // A white outline below keeps the text readable over a line.
     let halo =

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, FigureError, Result};
 
 /// The drawn range of an axis with its ticks.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Scale {
     pub low: f64,
     pub high: f64,
@@ -49,8 +49,7 @@ pub fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Sca
         {
             return Err(wrong(low, high));
         }
-        let step = best_step(low, high, wanted, false);
-        return Ok(finish(low, high, step, false));
+        return Ok(finish(low, high, wanted, false));
     }
     let (mut low, mut high) = data.unwrap_or((0.0, 1.0));
     if axis.from_zero {
@@ -61,8 +60,7 @@ pub fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Sca
         return Err(wrong(low, high));
     }
     (low, high) = widen(low, high);
-    let step = best_step(low, high, wanted, true);
-    Ok(finish(low, high, step, true))
+    Ok(finish(low, high, wanted, true))
 }
 
 /// Gives values that are all (nearly) equal a range around them.
@@ -115,7 +113,8 @@ fn outer(low: f64, high: f64, step: f64) -> (f64, f64) {
     ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil())
 }
 
-fn finish(low: f64, high: f64, step: f64, outward: bool) -> Scale {
+fn finish(low: f64, high: f64, wanted: usize, outward: bool) -> Scale {
+    let step = best_step(low, high, wanted, outward);
     let (first, last) = if outward {
         outer(low, high, step)
     } else {
@@ -198,11 +197,8 @@ pub fn typographic(text: &str) -> String {
     }
 }
 
-/// `×10³` and the like; empty for the exponent 0.
+/// `×10³` and the like.
 pub fn power_text(exponent: i32) -> String {
-    if exponent == 0 {
-        return String::new();
-    }
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = exponent.to_string();
     let raised = digits

@@ -15,7 +15,7 @@ use std::{
 use thiserror::Error;
 
 /// The caller wanted the work to end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("cancelled before the end")]
 pub struct Cancelled;
 
@@ -47,9 +47,8 @@ impl Cancel {
     /// Makes this the flag of the work that this thread does, until what is returned is dropped.
     #[must_use = "the flag ends where this is dropped"]
     pub fn enter(&self) -> Entered {
-        let before = CURRENT.replace(Some(self.clone()));
         Entered {
-            before,
+            before: CURRENT.replace(Some(self.clone())),
             of_this_thread: PhantomData,
         }
     }

@@ -1,12 +1,11 @@
 //! The kinds of quantities, and the units of each.
 
+use Dimension::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dimension {
     /// Lengths, in mm.
@@ -76,7 +75,7 @@ struct Kind {
 /// One entry a dimension, in their order.
 static KINDS: [Kind; 21] = [
     Kind {
-        dimension: Dimension::Length,
+        dimension: Length,
         noun: "a length",
         examples: "30mm, 3cm or 1.2in",
         bare: "mm",
@@ -90,7 +89,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Pressure,
+        dimension: Pressure,
         noun: "a pressure",
         examples: "2.5bar, 0.25MPa, 250kPa or 36psi",
         bare: "MPa",
@@ -109,7 +108,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Angle,
+        dimension: Angle,
         noun: "an angle",
         examples: "28deg or 0.49rad",
         bare: "degrees",
@@ -117,7 +116,7 @@ static KINDS: [Kind; 21] = [
         units: &[inside(&["deg", "°"]), ratio(180.0, PI, &["rad"])],
     },
     Kind {
-        dimension: Dimension::Force,
+        dimension: Force,
         noun: "a force",
         examples: "700N or 0.7kN",
         bare: "N",
@@ -133,7 +132,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Ratio,
+        dimension: Ratio,
         noun: "a ratio",
         examples: "15% or 0.15",
         bare: "",
@@ -141,7 +140,7 @@ static KINDS: [Kind; 21] = [
         units: &[part(100.0, &["%"]), part(1000.0, &["‰"])],
     },
     Kind {
-        dimension: Dimension::Stiffness,
+        dimension: Stiffness,
         noun: "a stiffness",
         examples: "467N/mm",
         bare: "N/mm",
@@ -155,7 +154,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Compliance,
+        dimension: Compliance,
         noun: "a compliance",
         examples: "0.003mm/N or 3mm/kN",
         bare: "mm/N",
@@ -168,7 +167,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Area,
+        dimension: Area,
         noun: "an area",
         examples: "0.3mm2",
         bare: "mm²",
@@ -180,7 +179,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Mass,
+        dimension: Mass,
         noun: "a mass",
         examples: "20kg or 500g",
         bare: "kg",
@@ -193,7 +192,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Torque,
+        dimension: Torque,
         noun: "a torque",
         examples: "8Nm or \"8 N m\"",
         bare: "N m",
@@ -208,7 +207,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::AngularStiffness,
+        dimension: AngularStiffness,
         noun: "a stiffness of a joint",
         examples: "5Nm/rad",
         bare: "N m/rad",
@@ -220,7 +219,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Inertia,
+        dimension: Inertia,
         noun: "a moment of inertia",
         examples: "\"0.02 kg m2\"",
         bare: "kg m²",
@@ -232,7 +231,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Time,
+        dimension: Time,
         noun: "a time",
         examples: "0.3s or 20ms",
         bare: "s",
@@ -246,7 +245,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Frequency,
+        dimension: Frequency,
         noun: "a frequency",
         examples: "2Hz",
         bare: "Hz",
@@ -258,7 +257,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Temperature,
+        dimension: Temperature,
         noun: "a temperature",
         examples: "20degC",
         bare: "°C",
@@ -266,7 +265,7 @@ static KINDS: [Kind; 21] = [
         units: &[inside(&["degC", "°C", "celsius"])],
     },
     Kind {
-        dimension: Dimension::Conductance,
+        dimension: Conductance,
         noun: "a sonic conductance",
         examples: "\"0.5 L/(s bar)\"",
         bare: "L/(s bar)",
@@ -278,7 +277,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Damping,
+        dimension: Damping,
         noun: "a damping constant",
         examples: "\"400 N s/m\"",
         bare: "N s/m",
@@ -289,7 +288,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::AngularDamping,
+        dimension: AngularDamping,
         noun: "a damping constant of a joint",
         examples: "\"0.2 N m s/rad\"",
         bare: "N m s/rad",
@@ -297,7 +296,7 @@ static KINDS: [Kind; 21] = [
         units: &[inside(&["N m s/rad", "Nms/rad", "N m s", "Nms"])],
     },
     Kind {
-        dimension: Dimension::Volume,
+        dimension: Volume,
         noun: "a volume",
         examples: "10cm3 or 0.2L",
         bare: "mm³",
@@ -310,7 +309,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Density,
+        dimension: Density,
         noun: "a density",
         examples: "930kg/m3 or 0.93g/cm3",
         bare: "kg/m³",
@@ -321,7 +320,7 @@ static KINDS: [Kind; 21] = [
         ],
     },
     Kind {
-        dimension: Dimension::Flow,
+        dimension: Flow,
         noun: "a volume flow",
         examples: "\"0.5 L/min\", \"0.1 m3/h\" or \"5 mL/s\"",
         bare: "mm³/s",

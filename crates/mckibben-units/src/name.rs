@@ -27,7 +27,7 @@ const RATIOS: [&str; 4] = ["contraction", "contractions", "strain", "uncertainty
 const STIFFNESS: &str = "stiffness";
 
 /// The unit of a field.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub struct NamedUnit {
     /// The unit's usual spelling; empty for a plain ratio.
     pub unit: &'static str,
@@ -49,7 +49,7 @@ impl NamedUnit {
     /// use mckibben_units::NamedUnit;
     /// assert_eq!(NamedUnit::of_field("slip_mm_per_n").map(|u| u.unit), Some("mm/N"));
     /// assert_eq!(NamedUnit::of_field("force_per_pressure_n_per_mpa").map(|u| u.unit), Some("N/MPa"));
-    /// assert_eq!(NamedUnit::of_field("turns"), None);
+    /// assert!(NamedUnit::of_field("turns").is_none());
     /// ```
     pub fn of_field(name: &str) -> Option<Self> {
         let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::inside(d))));

@@ -4,7 +4,7 @@ use super::{convert::convert, dimension::Dimension};
 use thiserror::Error;
 
 /// Why a text is not the expected quantity.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, PartialEq, Error)]
 #[error("{subject}{problem}")]
 pub struct QuantityError {
     /// The text in quotes, where there is one.
@@ -85,10 +85,9 @@ pub fn number_end(text: &str, behind: impl Fn(Option<u8>) -> bool) -> usize {
 pub fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityError> {
     let t = text.trim();
     if t.is_empty() {
-        let problem = format!("the value is empty; expected {}", expected.expectation());
         return Err(QuantityError {
             subject: String::new(),
-            problem,
+            problem: format!("the value is empty; expected {}", expected.expectation()),
         });
     }
     let lower = t.trim_start_matches(['+', '-']).to_ascii_lowercase();

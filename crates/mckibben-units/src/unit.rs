@@ -2,7 +2,10 @@
 
 use super::{
     convert::convert,
-    dimension::{Dimension, Spelled},
+    dimension::{
+        Dimension::{self, *},
+        Spelled,
+    },
 };
 
 /// A unit of some dimension.
@@ -42,33 +45,29 @@ const RATIO: Unit = Unit {
 /// Spellings that mean a unit only where it is known what is measured, as in the heading of a
 /// column: `Load (kg)` can only be a force. Without regard to case.
 const SPOKEN: &[(Dimension, &[&str], &str)] = &[
-    (Dimension::Force, &["kg"], "kgf"),
-    (Dimension::Force, &["lb", "lbs"], "lbf"),
-    (Dimension::Force, &["g"], "gf"),
-    (Dimension::Force, &["newton", "newtons"], "N"),
+    (Force, &["kg"], "kgf"),
+    (Force, &["lb", "lbs"], "lbf"),
+    (Force, &["g"], "gf"),
+    (Force, &["newton", "newtons"], "N"),
     (
-        Dimension::Pressure,
+        Pressure,
         &["psig", "psi(g)", "psi g", "lbf/in2", "lbf/in²"],
         "psi",
     ),
+    (Pressure, &["barg", "bar(g)", "bar g", "bar(ü)"], "bar"),
+    (Pressure, &["kPag", "kPa(g)", "kPa g"], "kPa"),
+    (Pressure, &["MPag", "MPa(g)", "MPa g"], "MPa"),
     (
-        Dimension::Pressure,
-        &["barg", "bar(g)", "bar g", "bar(ü)"],
-        "bar",
-    ),
-    (Dimension::Pressure, &["kPag", "kPa(g)", "kPa g"], "kPa"),
-    (Dimension::Pressure, &["MPag", "MPa(g)", "MPa g"], "MPa"),
-    (
-        Dimension::Ratio,
+        Ratio,
         &["percent", "pct", "prozent", "pourcent", "porcentaje"],
         "%",
     ),
     (
-        Dimension::Ratio,
+        Ratio,
         &["mm/mm", "m/m", "in/in", "-", "–", "1", "ratio"],
         "",
     ),
-    (Dimension::Angle, &["degrees", "degree"], "deg"),
+    (Angle, &["degrees", "degree"], "deg"),
 ];
 
 /// A spelling in plain form: no raised digits, points between factors, or Greek letters.

@@ -71,12 +71,11 @@ impl Evaluation<'_> {
             let mut one = |&x: &f64| {
                 let open = cancel::check().map_err(AnalysisError::from);
                 if test == Test::Isotonic {
-                    let answer = open.and_then(|()| self.contraction(fixed, x));
                     return CurvePoint {
                         pressure_mpa: x,
                         contraction: None,
                         force_n: Some(fixed),
-                        answer,
+                        answer: open.and_then(|()| self.contraction(fixed, x)),
                     };
                 }
                 if test == Test::Isometric {
@@ -87,12 +86,11 @@ impl Evaluation<'_> {
                 } else {
                     (x, fixed)
                 };
-                let answer = open.and_then(|()| Ok(self.point_beyond(p, e, &mut hanging)?));
                 CurvePoint {
                     pressure_mpa: p,
                     contraction: Some(e),
                     force_n: None,
-                    answer,
+                    answer: open.and_then(|()| Ok(self.point_beyond(p, e, &mut hanging)?)),
                 }
             };
             Curve {

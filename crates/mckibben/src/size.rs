@@ -29,38 +29,34 @@ pub struct TooLarge {
 
 /// Refuses more than [`MAX_POINTS`].
 pub fn points(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    let limit = MAX_POINTS as f64;
-    let advice = "take larger steps or fewer values";
     at_most(TooLarge {
         field,
         estimate,
         unit: "points",
-        limit,
-        advice,
+        limit: MAX_POINTS as f64,
+        advice: "take larger steps or fewer values",
     })
 }
 
 /// Refuses more than [`MAX_ELEMENTS`].
 pub fn elements(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    let advice = "take a coarser mesh";
     at_most(TooLarge {
         field,
         estimate,
         unit: "elements",
         limit: MAX_ELEMENTS,
-        advice,
+        advice: "take a coarser mesh",
     })
 }
 
 /// Refuses more than [`MAX_BYTES`].
 pub fn bytes(field: &'static str, estimate: f64) -> Result<(), TooLarge> {
-    let advice = "take a coarser mesh or fewer points";
     at_most(TooLarge {
         field,
         estimate,
         unit: "bytes",
         limit: MAX_BYTES,
-        advice,
+        advice: "take a coarser mesh or fewer points",
     })
 }
 

@@ -70,19 +70,16 @@ impl VerificationRow {
         };
         let ours = ours.filter(|x| x.is_finite());
         let error = ours.map(|x| (x - reference).abs() / scale);
-        let ok = error.is_some_and(|e| e <= tolerance);
-        let kind = CaseKind::Verification;
-        let measure = Measure::Value;
         Self {
             name,
-            kind,
-            measure,
+            kind: CaseKind::Verification,
+            measure: Measure::Value,
             source,
             reference,
             ours,
             error,
             tolerance,
-            ok,
+            ok: error.is_some_and(|e| e <= tolerance),
         }
     }
 }

@@ -181,9 +181,8 @@ impl BoundModel {
         }
         let force = match self.evaluation(workspace).borne_force_n(p, e) {
             Ok(force) if !force.is_finite() => {
-                let model = self.name().to_owned();
                 return Err(ModelError::NotFinite {
-                    model,
+                    model: self.name().to_owned(),
                     pressure_mpa: p,
                     contraction: e,
                 }
@@ -313,9 +312,8 @@ fn stated(muscle: &Muscle) -> Result<Muscle> {
     let Some(k) = muscle.family_stiffness_n_per_mm() else {
         return Ok(muscle.clone());
     };
-    let stiffness = BraidStiffness::NewtonPerMm(k);
     Ok(muscle.with_braid(Braid {
-        stiffness,
+        stiffness: BraidStiffness::NewtonPerMm(k),
         ..muscle.braid().clone()
     })?)
 }

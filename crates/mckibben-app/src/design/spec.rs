@@ -363,13 +363,12 @@ impl DesignRequest {
             let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
             Values::Interval(SMALLEST_RADIUS * most, most)
         };
-        let radius_mm = radius.bounds().1;
         Ok((
             base,
             JointDemand {
                 torques,
                 largest_angle_deg,
-                radius_mm,
+                radius_mm: radius.bounds().1,
             },
             radius,
         ))

@@ -1,6 +1,6 @@
 //! A family of curves of one test.
 
-use super::{BAND, caption};
+use super::{caption, contraction, pressure, pull, said};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben::{
     analysis::{Evaluation, Options},
@@ -47,18 +47,11 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
 }
 
 pub fn axes(test: Test, u: &Units) -> (Axis, Axis) {
-    let pressure = Axis::new(u.pressure.heading("pressure P")).from_zero();
-    let pull = pull(u);
-    let contraction = Axis::new("contraction ratio ε [–]").from_zero();
     match test {
-        Test::Isometric => (pressure, pull),
-        Test::Isotonic => (pressure, contraction),
-        Test::Isobaric => (contraction, pull),
+        Test::Isometric => (pressure(u), pull(u)),
+        Test::Isotonic => (pressure(u), contraction()),
+        Test::Isobaric => (contraction(), pull(u)),
     }
-}
-
-pub fn pull(u: &Units) -> Axis {
-    Axis::new(u.force.heading("pull F")).from_zero()
 }
 
 /// The points of a curve in the figure's units.
@@ -123,19 +116,17 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         .flat_map(|c| &c.points)
         .filter_map(|p| p.contraction);
     let equilibria = loaded.at.iter().flat_map(|at| &at.equilibria);
-    let end = peak(along.chain(equilibria.clone().map(|e| e.answer.response.contraction)));
+    let responses = equilibria.map(|e| &e.answer.response);
+    let end = peak(along.chain(responses.clone().map(|r| r.contraction)));
     let (low, high) = loaded.line.reach_mm();
     let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
     let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
-    let line: Vec<(f64, f64)> = known
-        .map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))))
-        .collect();
-    let points = equilibria.map(|e| {
-        let r = &e.answer.response;
-        (r.contraction, u.force.value(r.force_n))
-    });
-    let of = |points, style| Series::new("", points).style(style).neutral();
-    (of(line, Style::Dashed), of(points.collect(), Style::Points))
+    let line = known.map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))));
+    let points = responses.map(|r| (r.contraction, u.force.value(r.force_n)));
+    (
+        Series::new("", line).style(Style::Dashed).neutral(),
+        Series::scatter("", points).neutral(),
+    )
 }
 
 pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
@@ -150,15 +141,10 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     // Of two branches of one colour the muscle lengthens on the dashed one.
     let each = if both { 2 } else { 1 };
     for (i, curve) in list.iter().enumerate() {
-        let text = if i % each == 0 {
-            label(test, curve.fixed, u)
+        let (text, style) = if i % each == 0 {
+            (label(test, curve.fixed, u), Style::Line)
         } else {
-            String::new()
-        };
-        let style = if i % each == 0 {
-            Style::Line
-        } else {
-            Style::Dashed
+            (String::new(), Style::Dashed)
         };
         let series = |name: &str| {
             Series::new(name, line(curve, test, u))
@@ -171,16 +157,12 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
             series(&text)
         });
     }
-    let bands = list
-        .iter()
-        .enumerate()
-        .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)));
-    let bands: Vec<Series> = if list.len() <= MOST_BANDS {
-        bands.collect()
-    } else {
-        vec![]
-    };
-    let said = if bands.is_empty() { "" } else { BAND };
+    let numbered = list.iter().enumerate();
+    let numbered = numbered.filter(|_| list.len() <= MOST_BANDS);
+    let bands: Vec<Series> = numbered
+        .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)))
+        .collect();
+    let said = said(&bands, "");
     if let Some(loaded) = loaded {
         let (line, balances) = load_line(loaded, muscle.length_mm, list, u);
         panel = panel
@@ -213,8 +195,8 @@ pub fn design(
     options: Options,
     u: &Units,
 ) -> Figure {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
-    let mut first_band = None;
+    let mut panel = Panel::new(contraction(), pull(u));
+    let mut bands = vec![];
     let reach = peak(wanted.iter().map(|w| w.contraction));
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
@@ -239,7 +221,7 @@ pub fn design(
             }
             for curve in evaluation.curves(Test::Isobaric, &[pressure], &along) {
                 if i == 0 && pressure == max_pressure_mpa {
-                    first_band = band(&curve, Test::Isobaric, u).map(|band| band.colour(0));
+                    bands.extend(band(&curve, Test::Isobaric, u).map(|band| band.colour(0)));
                 }
                 let label = format!("{name} at {}", u.pressure.show(pressure));
                 let points = line(&curve, Test::Isobaric, u);
@@ -251,9 +233,8 @@ pub fn design(
         let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
         panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
-    let said = if first_band.is_some() { BAND } else { "" };
-    let said = said.replace("band", "band of the first");
-    panel.series.extend(first_band);
+    let said = said(&bands, " of the first");
+    panel.series.extend(bands);
     let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
     Figure::new("Candidates: pull over contraction")
@@ -279,14 +260,12 @@ pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
         .chain(others)
         .position(|known| known == name)
         .unwrap_or_else(|| {
-            if !formulas.iter().any(|known| known == name) {
-                formulas.push(name.to_owned());
-            }
+            let known = formulas.iter().position(|known| known == name);
             listed.len()
-                + formulas
-                    .iter()
-                    .position(|known| known == name)
-                    .unwrap_or_default()
+                + known.unwrap_or_else(|| {
+                    formulas.push(name.to_owned());
+                    formulas.len() - 1
+                })
         });
     // Without the grey.
     place + place / COLOURS
@@ -301,7 +280,7 @@ pub fn compare(
     about: &str,
     u: &Units,
 ) -> Figure {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
+    let mut panel = Panel::new(contraction(), pull(u));
     let mut bands = vec![];
     let mut formulas = vec![];
     for (number, mut evaluation) in models.into_iter().enumerate() {
@@ -330,8 +309,7 @@ pub fn compare(
             .map(|m| (m.contraction, u.force.value(m.force_n)));
         panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
-    let said = if bands.is_empty() { "" } else { BAND };
-    let said = said.replace("band", "band of the first model");
+    let said = said(&bands, " of the first model");
     panel.series.extend(bands);
     Figure::new("Isobaric curves of models")
         .caption(caption(format!("{about}{said}")))

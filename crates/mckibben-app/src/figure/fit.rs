@@ -1,6 +1,6 @@
 //! The paper's Figures 5 to 12, from the tables of its method.
 
-use super::caption;
+use super::{caption, contraction};
 use crate::{NamedFigure, words::number};
 use mckibben::{extremes::ends, formula::Formula};
 use mckibben_campaign::fit::{
@@ -18,10 +18,6 @@ const SHOWN: (f64, f64) = (30.0, 3.0);
 fn nearest(list: &[f64], wanted: f64) -> f64 {
     let by = |a: &&f64, b: &&f64| (*a - wanted).abs().total_cmp(&(*b - wanted).abs());
     list.iter().min_by(by).copied().unwrap_or(wanted)
-}
-
-fn contraction() -> Axis {
-    Axis::new("contraction ratio ε [–]").from_zero()
 }
 
 fn pull() -> Axis {

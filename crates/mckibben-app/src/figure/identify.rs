@@ -1,10 +1,6 @@
 //! What was identified: the model over the points, and the residuals.
 
-use super::{
-    BAND, caption,
-    curves::{MOST_BANDS, pull},
-    has_band, some_of,
-};
+use super::{caption, contraction, curves::MOST_BANDS, pressure, pull, said, some_of};
 use crate::{percent, units::Units};
 use mckibben::{
     analysis::Evaluation,
@@ -65,11 +61,7 @@ impl Levels {
         } else {
             "contractions"
         };
-        if self.fixed.len() == self.all {
-            String::new()
-        } else {
-            some_of(self.fixed.len(), self.all, what)
-        }
+        some_of(self.fixed.len(), self.all, what)
     }
 
     fn key(&self, f: &PointFit) -> f64 {
@@ -126,11 +118,9 @@ pub fn identified(
             sections.len() > 1,
         ));
     }
-    let said = if figure.panels.iter().any(has_band) {
-        BAND
-    } else {
-        ""
-    };
+    let drawn = figure.panels.iter().flat_map(|panel| &panel.series);
+    let bands = drawn.filter(|series| series.style == Style::Band);
+    let said = said(&bands.cloned().collect::<Vec<_>>(), "");
     let shown = levels.shown();
     let rms = u.force.to(identified.rms_n, 3);
     figure = figure.caption(caption(format!(
@@ -141,24 +131,19 @@ pub fn identified(
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
             let mine = identified.points.iter().filter(|f| levels.nearest(f) == n);
-            let points: Vec<(f64, f64)> = mine
-                .map(|f| (scale * x(f), u.force.value(f.residual_n)))
-                .collect();
-            if !points.is_empty() {
-                panel = panel.series(Series::scatter(levels.label(n, u), points).colour(n));
+            let points = mine.map(|f| (scale * x(f), u.force.value(f.residual_n)));
+            let points = Series::scatter(levels.label(n, u), points).colour(n);
+            if !points.points.is_empty() {
+                panel = panel.series(points);
             }
         }
         panel
     };
     figure
-        .panel(residuals(
-            |f| f.point.at.contraction,
-            Axis::new("contraction ratio ε [–]").from_zero(),
-            1.0,
-        ))
+        .panel(residuals(|f| f.point.at.contraction, contraction(), 1.0))
         .panel(residuals(
             |f| f.point.at.pressure_mpa,
-            Axis::new(u.pressure.heading("pressure P")).from_zero(),
+            pressure(u),
             u.pressure.value(1.0),
         ))
 }
@@ -195,14 +180,10 @@ fn fit(
         .filter(|f| f.point.section == *section)
         .collect();
     let isobaric = levels.isobaric;
-    let x_axis = if isobaric {
-        "contraction ratio ε [–]".into()
-    } else {
-        u.pressure.heading("pressure P")
-    };
     let x_of = |f: &PointFit| levels.states(f)[1];
     let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
-    let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
+    let x = if isobaric { contraction() } else { pressure(u) };
+    let mut panel = Panel::new(x, pull(u));
     let muscle = identified.candidate.section_muscle(section);
     if named && let Ok(m) = &muscle {
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
@@ -331,7 +312,7 @@ fn panel(
     build: &Build<'_>,
     u: &Units,
 ) -> Panel {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
+    let mut panel = Panel::new(contraction(), pull(u));
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();

@@ -1,6 +1,6 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::{BAND, caption, curves::MOST_BANDS, has_band};
+use super::{caption, curves::MOST_BANDS, said};
 use crate::{JointAnswer, JointRow, Units};
 use mckibben::joint::{JointMap, MapPoint};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
@@ -12,23 +12,22 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         .first()
         .map_or_else(String::new, |m| m.line(u));
     let mut figure = Figure::new("Joint").palette(Palette::Sequential);
+    let mut bands = vec![];
     if over_angles && answer.points.len() > 1 {
-        figure = figure.panel(torques(&answer.points, u));
+        let panel;
+        (panel, bands) = torques(&answer.points, u);
+        figure = figure.panel(panel);
     }
-    let said = if figure.panels.iter().any(has_band) {
-        BAND
-    } else {
-        ""
-    };
     if let Some(map) = &answer.map {
         figure.panels.extend(reachable(map));
     }
+    let said = said(&bands, "");
     let figure = figure.caption(caption(format!("Model {}{said}. {about}", answer.model)));
     (!figure.panels.is_empty()).then_some(figure)
 }
 
-/// Torque over angle of each family of pressures.
-fn torques(points: &[JointRow], u: &Units) -> Panel {
+/// Torque over angle of each family of pressures, and the bands in it.
+fn torques(points: &[JointRow], u: &Units) -> (Panel, Vec<Series>) {
     let mut bands = vec![];
     let same = |a: &JointRow, b: &JointRow| {
         (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
@@ -76,10 +75,11 @@ fn torques(points: &[JointRow], u: &Units) -> Panel {
             }
         }
     }
-    if bands.len() <= MOST_BANDS {
-        panel.series.append(&mut bands);
+    if bands.len() > MOST_BANDS {
+        bands.clear();
     }
-    panel
+    panel.series.extend_from_slice(&bands);
+    (panel, bands)
 }
 
 /// The map of angle and stiffness, and the largest torques over the angle.

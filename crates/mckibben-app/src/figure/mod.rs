@@ -8,8 +8,7 @@ mod motion;
 mod simulate;
 mod tension;
 
-pub use curves::model_colour;
-pub use curves::{compare, curves, design, study};
+pub use curves::{compare, curves, design, model_colour, study};
 pub use fit::fitted;
 pub use identify::{identified, measured};
 pub use joint::joint;
@@ -17,22 +16,37 @@ pub use motion::motion;
 pub use simulate::simulate;
 pub use tension::tension;
 
-use mckibben_report::{Panel, Style};
+use crate::Units;
+use mckibben_report::{Axis, Series};
 
-/// What a caption says of the bands.
-const BAND: &str = "; band: ± (95 %)";
-
-/// Whether a panel has a band.
-fn has_band(panel: &Panel) -> bool {
-    panel
-        .series
-        .iter()
-        .any(|series| series.style == Style::Band)
+/// What a caption says of the bands, where there are any: `of` which curves they are.
+fn said(bands: &[Series], of: &str) -> String {
+    if bands.is_empty() {
+        String::new()
+    } else {
+        format!("; band{of}: ± (95 %)")
+    }
 }
 
 /// What a caption says where some of many are drawn.
 fn some_of(drawn: usize, all: usize, what: &str) -> String {
-    format!("; {drawn} of {all} {what} are drawn")
+    if drawn < all {
+        format!("; {drawn} of {all} {what} are drawn")
+    } else {
+        String::new()
+    }
+}
+
+fn contraction() -> Axis {
+    Axis::new("contraction ratio ε [–]").from_zero()
+}
+
+fn pressure(u: &Units) -> Axis {
+    Axis::new(u.pressure.heading("pressure P")).from_zero()
+}
+
+fn pull(u: &Units) -> Axis {
+    Axis::new(u.force.heading("pull F")).from_zero()
 }
 
 /// The small line below every figure.

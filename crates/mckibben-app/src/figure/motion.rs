@@ -1,6 +1,6 @@
 //! A motion: position and pressure over time.
 
-use super::{BAND, caption};
+use super::{caption, pressure, said};
 use crate::{MotionAnswer, MotionRun, Units};
 use mckibben_motion::Coordinate;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
@@ -16,50 +16,32 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
         "contraction ratio ε [–]"
     };
     let mut places = Panel::new(time(), Axis::new(position));
-    let mut pressures = Panel::new(
-        time(),
-        Axis::new(u.pressure.heading("pressure P")).from_zero(),
-    );
+    let mut pressures = Panel::new(time(), pressure(u));
     let mut bands = vec![];
     for (i, run) in runs.iter().enumerate() {
         bands.extend(end_band(run).map(|band| band.colour(i)));
         let s = &run.motion.series;
-        let over = |list: &[f64], scale: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-            s.time_s
-                .iter()
-                .zip(list)
-                .map(|(t, v)| (*t, scale(*v)))
-                .collect()
+        let over = |list: &[f64], shown: &dyn Fn(f64) -> f64| {
+            let points = s.time_s.iter().zip(list).map(|(t, v)| (*t, shown(*v)));
+            Series::line("", points).colour(i)
         };
-        let label = run.value.clone().unwrap_or_default();
-        let plain = |v: f64| v;
-        let pressure = |v: f64| u.pressure.value(v);
         let place = match s.degrees() {
-            Some([angle, _]) => over(&angle, &plain),
-            None => over(s.muscles.first().map_or(&[], |m| &m.contraction), &plain),
+            Some([angle, _]) => over(&angle, &|v| v),
+            None => over(s.muscles.first().map_or(&[], |m| &m.contraction), &|v| v),
         };
-        places = places.series(Series::line("", place).colour(i).end_label(label));
+        places = places.series(place.end_label(run.value.clone().unwrap_or_default()));
         for (k, muscle) in s.muscles.iter().enumerate() {
-            let list = &muscle.pressure_mpa;
             let name = if joint && runs.len() == 1 {
                 format!("P{}", k + 1)
             } else {
                 String::new()
             };
             let style = if k == 0 { Style::Line } else { Style::Dashed };
-            pressures = pressures.series(
-                Series::new("", over(list, &pressure))
-                    .style(style)
-                    .colour(i)
-                    .end_label(name),
-            );
+            let line = over(&muscle.pressure_mpa, &|p| u.pressure.value(p));
+            pressures = pressures.series(line.style(style).end_label(name));
         }
     }
-    let said = if bands.is_empty() {
-        String::new()
-    } else {
-        BAND.replace("band", "band at the end")
-    };
+    let said = said(&bands, " at the end");
     places.series.extend(bands);
     let about = answer
         .muscles

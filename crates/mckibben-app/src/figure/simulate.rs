@@ -28,11 +28,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             .filter(|q| key(test, q) == value)
             .map(|q| coordinates(test, q, u))
             .collect();
-        longest = longest.max(
-            line.iter()
-                .filter(|(x, y)| x.is_finite() && y.is_finite())
-                .count(),
-        );
+        let known = line.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+        longest = longest.max(known.count());
         curve = curve.series(
             Series::line("", line)
                 .colour(i)
@@ -55,13 +52,7 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     if longest > 1 {
         figure = figure.panel(curve.title("curve"));
     }
-    let drawn = shown.len();
-    let all = solved.len();
-    let some = if drawn < all {
-        some_of(drawn, all, "shapes")
-    } else {
-        String::new()
-    };
+    let some = some_of(shown.len(), solved.len(), "shapes");
     let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
     figure.panels.extend(along_the_muscle(&shown, u));
     figure.caption(caption)

@@ -14,11 +14,7 @@ const WITHOUT_POINTS: f64 = 2.0;
 /// a muscle are dashed, those held stable dotted.
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
-    let some = if laws.len() < fit.laws.len() {
-        some_of(laws.len(), fit.laws.len(), "laws")
-    } else {
-        String::new()
-    };
+    let some = some_of(laws.len(), fit.laws.len(), "laws");
     let about = format!(
         "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; \
          dotted: constrained to be stable"
@@ -64,15 +60,15 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
     let ends = (low - room, high + room);
     let x = Axis::new("measured P [MPa]").range(ends.0, ends.1);
     let y = Axis::new("law P [MPa]").range(ends.0, ends.1);
-    let line = vec![(ends.0, ends.0), (ends.1, ends.1)];
-    let mut panel = Panel::new(x, y).title(Mode::General.name().to_owned());
-    panel = panel.series(Series::new(String::new(), line).colour(LAWS));
+    let line = [(ends.0, ends.0), (ends.1, ends.1)];
+    let mut panel = Panel::new(x, y).title(Mode::General.name());
+    panel = panel.series(Series::new("", line).colour(LAWS));
     for (n, law) in laws.iter().enumerate() {
         let pairs = points
             .iter()
             .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
-        let inside: Vec<(f64, f64)> = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1).collect();
-        panel = panel.series(Series::scatter(String::new(), inside).colour(n));
+        let inside = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1);
+        panel = panel.series(Series::scatter("", inside).colour(n));
     }
     Some(panel)
 }
@@ -116,15 +112,12 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         }
     };
     if !points.is_empty() {
-        let list: Vec<(f64, f64)> = points
-            .iter()
-            .map(|p| (p.stretch, p.nominal_stress_mpa))
-            .collect();
+        let list = points.iter().map(|p| (p.stretch, p.nominal_stress_mpa));
         panel = panel.series(Series::scatter(labelled("measured".into()), list).colour(LAWS));
     }
     for (n, law) in laws.iter().enumerate() {
         let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
-        let line: Vec<(f64, f64)> = (0..=120).map(|i| (at(i), stress(law, at(i)))).collect();
+        let line = (0..=120).map(|i| (at(i), stress(law, at(i))));
         // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the
         // neo-Hookean.
         let style = match (law.quality.stable, law.constrained) {

@@ -138,10 +138,9 @@ impl Moved {
             .ok()?;
         let inside = angle_deg > low && angle_deg < high;
         let half = model.angle_uncertainty_deg(&point).filter(|_| inside)?;
-        let parts = point.uncertainty_parts_nm;
         Some(EndUncertainty {
             end_angle_uncertainty_deg: Some(half),
-            parts,
+            parts: point.uncertainty_parts_nm,
             ..EndUncertainty::default()
         })
     }

@@ -98,9 +98,8 @@ fn friction(file: &DriveFile, own: Option<&Friction>) -> Option<Friction> {
         .friction_coefficient
         .map(|c| Friction::power_law(c, EXPONENT));
     let friction = *own.or(stated.as_ref())?;
-    let coefficient = file.friction_coefficient.unwrap_or(friction.coefficient);
     Some(Friction {
-        coefficient,
+        coefficient: file.friction_coefficient.unwrap_or(friction.coefficient),
         presliding_mm: file.presliding_mm.or(friction.presliding_mm),
         ..friction
     })

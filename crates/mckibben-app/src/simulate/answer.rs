@@ -103,12 +103,10 @@ impl From<&Simulated> for SimulatedRow {
         let s = match &q.solution {
             Ok(s) => s,
             Err(error) => {
-                let status = q.status;
-                let cause = error.to_string();
                 return Self::Failed(FailedPoint {
                     requested: q.requested,
-                    status,
-                    cause,
+                    status: q.status,
+                    cause: error.to_string(),
                 });
             }
         };

@@ -46,7 +46,7 @@ pub fn table_1(pressure_mpa: f64, contraction: f64) -> Option<f64> {
 }
 
 /// C10 and k = k₄₀ (D0/40)ⁿ.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Constants {
     /// C10 in MPa.
     pub c10_mpa: f64,
@@ -85,13 +85,11 @@ fn points((d, s): (f64, f64), force: impl Fn(f64, f64) -> Option<f64>) -> Vec<Da
         ..Section::default()
     };
     let point = |contraction: f64, pressure_mpa: f64| {
-        let force_n = force(pressure_mpa, contraction)?;
-        let branch = Some(Direction::Mean);
         let at = MeasuredPoint {
             pressure_mpa,
             contraction,
-            force_n,
-            branch,
+            force_n: force(pressure_mpa, contraction)?,
+            branch: Some(Direction::Mean),
         };
         Some(DataPoint {
             section,
@@ -164,10 +162,9 @@ pub fn fit_constants() -> Result<Constants> {
     let held = [(c10, c10_mpa), (k, stiffness)];
     let [exponent] = values([(n, 1.0)], &held, &formula, Loss::Squares)?;
     let ratio: f64 = 40.0 / TABLE_1_SECTION.0;
-    let stiffness_at_40_n_per_mm = stiffness * ratio.powf(exponent);
     Ok(Constants {
         c10_mpa,
-        stiffness_at_40_n_per_mm,
+        stiffness_at_40_n_per_mm: stiffness * ratio.powf(exponent),
         exponent,
     })
 }

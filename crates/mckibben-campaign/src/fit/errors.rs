@@ -11,7 +11,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     #[serde(flatten)]
     pub summary: ErrorSummary,
@@ -58,7 +58,6 @@ pub fn compared(
             "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
              so that its errors cannot be stated as shares of its blocked force"
         ));
-        let blocked_n = blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1;
         let isobar_n = isobars
             .get(&(key(p), bits(p.pressure_mpa)))
             .copied()
@@ -66,7 +65,7 @@ pub fn compared(
         Ok(Compared {
             point: *p,
             difference_n: difference_n(p),
-            blocked_n,
+            blocked_n: blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1,
             isobar_n,
         })
     };

@@ -38,7 +38,7 @@ const MET: f64 = 1e-26;
 const AS_GOOD: f64 = 1.05;
 
 /// Errors with so many terms.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Step {
     pub terms: usize,
     /// rms over the points fitted, as a share of the blocked force.
@@ -48,7 +48,7 @@ pub struct Step {
 }
 
 /// A formula and how its terms were chosen.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct GlobalFit {
     pub terms: GlobalTerms,
     /// Errors by number of terms.
@@ -159,11 +159,13 @@ fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Proble
             matrix[(i, j)] = weight * Term::product(*powers, variables);
         }
     }
-    let values = DVector::from_iterator(
-        used.len(),
-        used.iter().map(|c| c.point.force_n / c.blocked_n),
-    );
-    Problem { matrix, values }
+    Problem {
+        matrix,
+        values: DVector::from_iterator(
+            used.len(),
+            used.iter().map(|c| c.point.force_n / c.blocked_n),
+        ),
+    }
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.

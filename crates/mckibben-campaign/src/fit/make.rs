@@ -17,7 +17,7 @@ use mckibben::{
     muscle::Muscle,
 };
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
     /// The paper's seven steps.
     Paper(Rules),
@@ -53,7 +53,7 @@ impl Method {
     }
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Request<'a> {
     pub points: &'a [FitPoint],
     /// The make of their muscles; length and angle are those of the points.
@@ -67,7 +67,7 @@ pub struct Request<'a> {
     pub from: Provenance,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct FittedFormula {
     pub formula: Formula,
     /// The tables of the paper's method.
@@ -142,13 +142,12 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         ),
         errors: e.summary,
     });
-    let unused = request.points.len() - points.len();
     Ok(FittedFormula {
         formula,
         paper,
         global,
         compared: list,
-        unused,
+        unused: request.points.len() - points.len(),
     })
 }
 

@@ -19,9 +19,7 @@ use serde::{Deserialize, Serialize};
 /// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε
 /// ≤ .05 alone: two of its five contractions, too few for a quadratic, and the paper does not say
 /// how it went on.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ThinRule {
     /// They are left out: the fit over pressure has one less.
@@ -34,9 +32,7 @@ pub enum ThinRule {
 }
 
 /// Treatment of points where the muscle would have to push.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlackRule {
     /// Their negative force counts.
@@ -49,7 +45,7 @@ pub enum SlackRule {
 }
 
 /// How the method is applied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rules {
     /// Thick walls of thin muscles at low pressure.
     pub thin: ThinRule,
@@ -58,7 +54,7 @@ pub struct Rules {
 }
 
 /// Steps 1–2: one isobaric curve (a row of the paper's Table 1).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct CurveFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -75,7 +71,7 @@ pub struct CurveFit {
 }
 
 /// Step 3: a, b, c over P for one (D0, s).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct LineFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -88,7 +84,7 @@ pub struct LineFit {
 }
 
 /// Steps 4–5: slopes and intercepts over s for one D0.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct WallFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -106,7 +102,7 @@ impl WallFit {
 }
 
 /// The results of all steps of the method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct PaperMethod {
     /// Steps 1–2.
     pub curves: Vec<CurveFit>,
@@ -246,11 +242,10 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
         let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
         fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
     };
-    let lines = [line(0)?, line(1)?, line(2)?];
     Ok(LineFit {
         outer_diameter_mm: d,
         wall_mm: s,
-        lines,
+        lines: [line(0)?, line(1)?, line(2)?],
         pressures: used.len(),
     })
 }
@@ -297,7 +292,7 @@ fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3])> {
 }
 
 /// A fitted polynomial of degree N − 1, highest power first.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct PolynomialFit<const N: usize> {
     /// Coefficients, of the highest power first.
     pub coefficients: [f64; N],
@@ -323,9 +318,8 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let matrix = DMatrix::from_fn(points.len(), N, |i, j| (points[i].0 / scale).powi(power(j)));
     let values = DVector::from_iterator(points.len(), points.iter().map(|p| p.1));
     let solved = least_squares(matrix, values)?;
-    let coefficients = std::array::from_fn(|j| solved[j] / scale.powi(power(j)));
     let mut fitted = PolynomialFit {
-        coefficients,
+        coefficients: std::array::from_fn(|j| solved[j] / scale.powi(power(j))),
         r2: 1.0,
     };
     let mean = points.iter().map(|p| p.1).sum::<f64>() / points.len() as f64;

@@ -5,7 +5,7 @@ use mckibben::joined;
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
 };
-use mckibben_fit::validation::case::built_in;
+use mckibben_fit::validation::built_in::built_in;
 use std::path::{Path, PathBuf};
 
 /// Where tables are as wide, they have the sources of the cases.

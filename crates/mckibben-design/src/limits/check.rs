@@ -12,7 +12,7 @@ use mckibben::{
 pub type Show<'a> = &'a dyn Fn(Dimension, f64) -> String;
 
 /// One limit at one place: what the muscle has there, and what it may have.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Check {
     /// What is limited.
     pub limit: Limit,
@@ -73,7 +73,7 @@ pub type Score = [f64; 2];
 pub const NO_SCORE: Score = [f64::INFINITY; 2];
 
 /// A muscle held against a specification.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Probe {
     /// The limits, of every muscle of a specification in one order.
     pub checks: Vec<Check>,

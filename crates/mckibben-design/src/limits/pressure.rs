@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Below {
     /// It keeps its distance from a failure at this pressure in MPa.
     Failure(FailureMode, f64),
@@ -124,10 +124,9 @@ impl PressureLimit {
         Some(match self {
             Self::Supply => {
                 let pressure_mpa = three_digits(needed_mpa, true);
-                let extrapolated = pressure_mpa > trial.model.info().range.pressure_mpa.1;
                 let change = Relaxation::MaxPressure {
                     pressure_mpa,
-                    extrapolated,
+                    extrapolated: pressure_mpa > trial.model.info().range.pressure_mpa.1,
                 };
                 ((pressure_mpa / supply_mpa).ln(), change)
             }

@@ -98,10 +98,9 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ),
     ];
     let scene = render(include_str!("../../templates/muscle.osim"), &facts, &values);
-    let notes = vec![reach, push];
     let name = muscle.identifier() + ".osim";
     Ok(Artefact {
         files: vec![File::text(name, "a mass that hangs from the muscle", scene)],
-        notes,
+        notes: vec![reach, push],
     })
 }

@@ -174,11 +174,10 @@ impl Assembly<'_> {
         let geometry = &d.elements[index];
         let u = d.layout.element(&s.u, slab, i);
         let c = &mut w.element;
-        let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
         let material = Material {
             law,
             compliance: d.compliance,
-            memory,
+            memory: d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index])),
         };
         if !solid::contribute::<TANGENT>(geometry, &u, &material, c) {
             return Err(Stopped::Inverted);

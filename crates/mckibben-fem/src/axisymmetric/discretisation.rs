@@ -72,10 +72,9 @@ impl Problem {
             stiffness: braid.family_stiffness_n_per_mm(tube),
             compression: braid.compression,
         };
-        let prestretch = tube.prestretch;
         let whole = Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded);
         Self {
-            prestretch,
+            prestretch: tube.prestretch,
             plug_mm2: parts.plug_mm2(),
             ..whole
         }

@@ -44,9 +44,8 @@ impl MuscleBody for Body {
             };
             let (outer_z_mm, outer_r_mm) = at(2 * l.through);
             let (inner_z_mm, inner_r_mm) = at(0);
-            let rest_z_mm = d.cylinder.node(0, j)[1];
             ProfilePoint {
-                rest_z_mm,
+                rest_z_mm: d.cylinder.node(0, j)[1],
                 outer_z_mm,
                 outer_r_mm,
                 inner_z_mm,

@@ -75,13 +75,12 @@ pub fn places_of_half(section: &Section) -> Vec<Along> {
     let along = section.along;
     let place = |slab: usize, eta: f64| {
         let (rest, now) = section.outer(slab, eta);
-        let state = state(&section.strands, rest[1]);
         Along {
             slab,
             eta,
             turn: rest[1] * tan / rest[0],
             now,
-            state,
+            state: state(&section.strands, rest[1]),
         }
     };
     let mut half = vec![place(0, -1.0)];

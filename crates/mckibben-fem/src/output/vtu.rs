@@ -21,7 +21,7 @@ pub const HEXAHEDRON: u8 = 12;
 pub const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
 /// A number that is none.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Error)]
 #[error("{file} is not written: its {name} contains a value that is not a finite number")]
 pub struct VtuError {
     /// The file that would hold it.
@@ -81,14 +81,13 @@ pub struct Grid {
 impl Grid {
     /// Lines of so many points each, one after the other.
     pub fn of_lines(points: Vec<Vector>, per_line: usize, data: Vec<PointData>) -> Self {
-        let connectivity = (0..points.len() as i64).collect();
         let offsets = (1..=points.len() / per_line)
             .map(|c| (per_line * c) as i64)
             .collect();
         Self {
             kind: POLY_LINE,
+            connectivity: (0..points.len() as i64).collect(),
             points,
-            connectivity,
             offsets,
             data,
             field: vec![],
@@ -101,12 +100,11 @@ impl Grid {
             .iter()
             .flat_map(|cell| ORDER.map(|a| i64::from(cell[a])))
             .collect();
-        let offsets = (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect();
         Self {
             kind: HEXAHEDRON,
             points,
+            offsets: (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect(),
             connectivity,
-            offsets,
             data,
             field: vec![],
         }

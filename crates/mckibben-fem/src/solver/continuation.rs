@@ -123,13 +123,10 @@ impl<B: Body> Continuation<B> {
     pub(super) fn note_unstable(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.is_none() {
-            let step = self.steps.unwrap_or(0);
-            let pressure_mpa = self.body.state().pressure;
-            let contraction = self.contraction();
             self.unstable = Some(Unstable {
-                step,
-                pressure_mpa,
-                contraction,
+                step: self.steps.unwrap_or(0),
+                pressure_mpa: self.body.state().pressure,
+                contraction: self.contraction(),
                 directions,
             });
         }
@@ -311,13 +308,12 @@ impl<B: Body> Continuation<B> {
                 None if pulls => Status::NotConverged,
                 None => Status::Collapsed,
             };
-            let iterations = self.effort.iterations - before;
             FemError::Path {
                 status,
                 pressure_mpa,
                 contraction,
                 reason,
-                iterations,
+                iterations: self.effort.iterations - before,
                 last,
                 other_n,
             }

@@ -30,8 +30,10 @@ pub struct Matrix<'a> {
 impl Matrix<'_> {
     /// The same from a row and a column on.
     pub fn from(self, row: usize, column: usize) -> Self {
-        let values = &self.values[column * self.stride + row..];
-        Self { values, ..self }
+        Self {
+            values: &self.values[column * self.stride + row..],
+            ..self
+        }
     }
 }
 

@@ -43,8 +43,10 @@ pub struct SparseCholesky {
 impl Analysis {
     /// Analyses a pattern, where there is memory for it.
     pub fn new(pattern: Pattern) -> Option<Self> {
-        let symbolic = Symbolic::from_pattern(&pattern)?;
-        Some(Self { pattern, symbolic })
+        Some(Self {
+            symbolic: Symbolic::from_pattern(&pattern)?,
+            pattern,
+        })
     }
 }
 

@@ -49,15 +49,12 @@ impl Numeric {
         let mut local = vec![];
         local.try_reserve_exact(unknowns).ok()?;
         local.resize(unknowns, 0);
-        let places = vec![];
-        let product = vec![];
-        let form = Form::Positive;
         Some(Self {
             kernel: Kernel::new(width),
             local,
-            places,
-            product,
-            form,
+            places: vec![],
+            product: vec![],
+            form: Form::Positive,
             work: 0,
         })
     }
@@ -132,7 +129,6 @@ impl Numeric {
                 let lower = rows.start == columns.start;
                 for depth in pieces(0..wide, DEPTH) {
                     let first = depth.start;
-                    let keep = first > 0;
                     let depth = depth.len();
                     let factors = Product {
                         a: from.from(wide + rows.start, first),
@@ -141,7 +137,7 @@ impl Numeric {
                         rows: size,
                         columns: count,
                         depth,
-                        keep,
+                        keep: first > 0,
                         lower,
                     };
                     self.kernel.product((&mut self.product, size), factors);

@@ -37,8 +37,10 @@ pub enum Form {
 impl Form {
     /// The pivots on the diagonal of a matrix, where there are any.
     pub fn pivots(self, matrix: Matrix<'_>) -> Pivots<'_> {
-        let stride = matrix.stride + 1;
-        (self == Self::Indefinite).then_some(Matrix { stride, ..matrix })
+        (self == Self::Indefinite).then_some(Matrix {
+            stride: matrix.stride + 1,
+            ..matrix
+        })
     }
 }
 
@@ -187,16 +189,13 @@ impl Symbolic {
             first_row.push(rows.len());
         }
         begin.push(n as u32);
-        let first_value = vec![];
-        let first_update = vec![];
-        let updates = vec![];
         Some(Self {
             begin,
             first_row,
             rows,
-            first_value,
-            first_update,
-            updates,
+            first_value: vec![],
+            first_update: vec![],
+            updates: vec![],
         })
     }
 

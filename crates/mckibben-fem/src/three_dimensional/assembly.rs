@@ -84,12 +84,11 @@ pub fn assemble<const TANGENT: bool>(
             cancel::check()?;
             let bricks = first..(first + PIECE).min(end);
             with_law(&m.law, |law| {
-                let law = law.space;
                 let piece = Piece {
                     d,
                     s,
                     m,
-                    law,
+                    law: law.space,
                     bricks,
                 };
                 assemble_piece::<TANGENT>(piece, work, &mut totals)

@@ -150,11 +150,10 @@ impl Body {
             out.u[i as usize] = dw;
         }
         let assembled = &self.assembled;
-        let cholesky = &mut self.cholesky;
         let mut constraints = Constraints {
             d,
             assembled,
-            cholesky,
+            cholesky: &mut self.cholesky,
             tolerance,
         };
         constraints.solve(&mut b, &mut out.u, &mut dm);

@@ -79,7 +79,7 @@ pub struct Discretisation {
 }
 
 /// One material of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Material {
     /// Its bricks.
     pub bricks: Range<usize>,
@@ -136,7 +136,6 @@ impl Discretisation {
         let free = place.len();
         let pattern = pattern(&problem, &unknown, &place)?;
         cancel::check()?;
-        let analysis = Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all_of(&problem);
         let greatest = peak(problem.nodes.iter().map(|x| x[2]));
@@ -157,7 +156,7 @@ impl Discretisation {
             free,
             place,
             terminal,
-            analysis,
+            analysis: Arc::new(Analysis::new(pattern).ok_or_else(|| FemError::too_large(free))?),
             brick_map: vec![],
             twice: vec![],
             truss_map: vec![],

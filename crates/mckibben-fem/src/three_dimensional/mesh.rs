@@ -244,14 +244,11 @@ impl Quarter {
     /// That of a muscle.
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
-        let inner_mm = tube.inner_radius_mm();
-        let outer_mm = tube.outer_radius_mm();
-        let angle_rad = muscle.braid().angle_rad();
         Self {
-            inner_mm,
-            outer_mm,
+            inner_mm: tube.inner_radius_mm(),
+            outer_mm: tube.outer_radius_mm(),
             half_mm: 0.5 * tube.length_mm,
-            angle_rad,
+            angle_rad: muscle.braid().angle_rad(),
         }
     }
 }
@@ -374,13 +371,12 @@ impl BrickMesh {
             angle_rad: (chord / height).atan(),
             ..*tube
         };
-        let last_angle_rad = (chord / last).atan();
         let mut out = Self {
             brick: spec.brick,
             elements,
             nodes,
             tube,
-            last_angle_rad,
+            last_angle_rad: (chord / last).atan(),
             plug,
         };
         out.fill_plug(wide, &rows);

@@ -177,10 +177,9 @@ impl Problem {
         let mut other = None;
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
-            let law = Law::NeoHookean(NeoHookean { mu_mpa });
             other = Some(Other {
                 first: bricks.len(),
-                law,
+                law: Law::NeoHookean(NeoHookean { mu_mpa }),
                 bulk: Bulk::Modulus(k),
             });
             bricks.extend(mesh.plug_bricks());

@@ -49,9 +49,8 @@ impl MuscleBody for MuscleInBricks {
         let row = |k: usize| {
             let (outer_z_mm, outer_r_mm) = ring(body, mesh, ni - 1, k);
             let (inner_z_mm, inner_r_mm) = ring(body, mesh, 0, k);
-            let rest_z_mm = mesh.nodes[mesh.node(0, 0, k)][2];
             ProfilePoint {
-                rest_z_mm,
+                rest_z_mm: mesh.nodes[mesh.node(0, 0, k)][2],
                 outer_z_mm,
                 outer_r_mm,
                 inner_z_mm,

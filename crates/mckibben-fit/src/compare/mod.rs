@@ -7,7 +7,7 @@ use mckibben::{analysis::Evaluation, cancel, model::ModelError};
 use serde::Serialize;
 
 /// Errors of a model, model − reference.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Default, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
     /// Its name.
     pub model: String,

@@ -4,7 +4,6 @@
 use super::{
     Build, Identification, IdentifyError, PointFit, Request, Result, Target,
     parameter::{NO_LOCK, sets_limit},
-    signs,
 };
 use crate::{
     least_squares::{Loss, robust_deviation},
@@ -27,17 +26,12 @@ use std::cmp::Ordering;
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
 pub fn lines(list: &[u64]) -> String {
     const SHOWN: usize = 6;
-    let more = list.len().saturating_sub(SHOWN);
-    let word = if list.len() == 1 { "line" } else { "lines" };
-    let tail = if more > 0 {
-        format!(" and {more} more")
-    } else {
-        String::new()
-    };
-    format!(
-        "{word} {}{tail}",
-        joined(list.iter().take(SHOWN).map(u64::to_string), ", ")
-    )
+    let shown = joined(list.iter().take(SHOWN).map(u64::to_string), ", ");
+    match list.len() {
+        1 => format!("line {shown}"),
+        n if n > SHOWN => format!("lines {shown} and {} more", n - SHOWN),
+        _ => format!("lines {shown}"),
+    }
 }
 
 /// A number with three digits.
@@ -49,16 +43,6 @@ fn show(v: f64) -> String {
     };
     // Adding zero takes the sign from −0.
     format!("{:.decimals$}", v + 0.0)
-}
-
-/// Doubts about points that a model is compared with: signs and units.
-///
-/// # Errors
-/// [`IdentifyError::Flipped`] where most of them have the wrong sign.
-pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>> {
-    let mut notes = signs::check(muscle, points, true)?;
-    notes.extend(units(muscle, points));
-    Ok(notes)
 }
 
 /// Points that state no branch.
@@ -150,22 +134,15 @@ pub fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
 pub fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
     let key = |p: &DataPoint| {
         let measures = p.section.values().map(|(_, value)| value.unwrap_or(0.0));
-        let at = [
-            p.at.pressure_mpa,
-            f64::from(p.at.branch.map_or(0, |b| 1 + b as u8)),
-        ];
-        measures.into_iter().chain(at)
+        let branch = f64::from(p.at.branch.map_or(0, |b| 1 + b as u8));
+        measures.into_iter().chain([p.at.pressure_mpa, branch])
     };
-    key(a)
-        .zip(key(b))
-        .map(|(x, y)| x.total_cmp(&y))
-        .find(|o| o.is_ne())
-        .unwrap_or(Ordering::Equal)
+    key(a).partial_cmp(key(b)).unwrap_or(Ordering::Equal)
 }
 
 /// Forces against those of the ideal muscle, which no rubber exceeds by much and no usual one
 /// cancels.
-fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
+pub fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let ratio = |p: &DataPoint| Some(p.at.force_n / ideal_pull(muscle, p)?);
     let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
     if ratios.len() < 3 {
@@ -175,11 +152,11 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let middle = ratios[ratios.len() / 2];
     let high = ratios[9 * ratios.len() / 10];
     let highest = peak(points.iter().map(|p| p.at.pressure_mpa));
-    let pressure = show(highest);
+    let pressure = format!("{}\u{a0}MPa", show(highest));
     let (ratio, why) = if middle > 2.5 {
         let why = if highest < 0.06 {
             format!(
-                "the highest pressure is {pressure}\u{a0}MPa; if the column holds bar or MPa under \
+                "the highest pressure is {pressure}; if the column holds bar or MPa under \
                  another name, rename it (pressure_bar, pressure_mpa)"
             )
         } else if middle > 100.0 {
@@ -194,13 +171,9 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
         (middle, why)
     } else if high < 0.12 {
         let why = if highest > 30.0 {
-            format!(
-                "pressures reach {pressure}\u{a0}MPa; if they are kPa, name the column pressure_kpa"
-            )
+            format!("pressures reach {pressure}; if they are kPa, name the column pressure_kpa")
         } else if highest > 1.5 {
-            format!(
-                "pressures reach {pressure}\u{a0}MPa; if they are bar, name the column pressure_bar"
-            )
+            format!("pressures reach {pressure}; if they are bar, name the column pressure_bar")
         } else if high < 0.003 {
             "is force_n in kN?".into()
         } else {
@@ -243,32 +216,26 @@ fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<S
 
 /// Rows that say different forces at the same place.
 fn contradictions(points: &[DataPoint]) -> Option<String> {
-    let mut order: Vec<&DataPoint> = points
-        .iter()
-        .filter(|p| p.measured == Quantity::Force)
-        .collect();
+    let forces = points.iter().filter(|p| p.measured == Quantity::Force);
+    let mut order: Vec<&DataPoint> = forces.collect();
     order.sort_by(|a, b| {
-        let p = &a.at;
-        let q = &b.at;
-        p.pressure_mpa
-            .total_cmp(&q.pressure_mpa)
-            .then(p.contraction.total_cmp(&q.contraction))
+        let pressures = a.at.pressure_mpa.total_cmp(&b.at.pressure_mpa);
+        pressures.then(a.at.contraction.total_cmp(&b.at.contraction))
     });
     let largest = peak(points.iter().map(|p| p.at.force_n.abs()));
-    let clash = |pair: &&[&DataPoint]| {
-        let a = pair[0];
-        let b = pair[1];
-        let same = (a.at.pressure_mpa - b.at.pressure_mpa).abs() < 1e-9
-            && (a.at.contraction - b.at.contraction).abs() < 1e-9
+    let clash = |(a, b): &(&DataPoint, &DataPoint)| {
+        let (p, q) = (&a.at, &b.at);
+        let apart = (p.force_n - q.force_n).abs();
+        (p.pressure_mpa - q.pressure_mpa).abs() < 1e-9
+            && (p.contraction - q.contraction).abs() < 1e-9
             && a.section == b.section
-            && a.at.branch == b.at.branch;
-        let apart = (a.at.force_n - b.at.force_n).abs();
-        same && apart > 0.15 * a.at.force_n.abs().max(b.at.force_n.abs()) && apart > 0.03 * largest
+            && p.branch == q.branch
+            && apart > 0.15 * p.force_n.abs().max(q.force_n.abs())
+            && apart > 0.03 * largest
     };
-    let pairs: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
-    let &&[a, b] = pairs.first()? else {
-        return None;
-    };
+    let pairs = order.iter().copied().zip(order.iter().copied().skip(1));
+    let pairs: Vec<(&DataPoint, &DataPoint)> = pairs.filter(clash).collect();
+    let &(a, b) = pairs.first()?;
     let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
     } else {
@@ -276,18 +243,17 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
          than later ones)"
     };
     let which = lines(&[a.line, b.line]);
-    let f = show(a.at.force_n);
-    let g = show(b.at.force_n);
-    let p = show(a.at.pressure_mpa);
-    let e = show(a.at.contraction);
-    let more = if pairs.len() > 1 {
-        format!(", and {} more pairs", pairs.len() - 1)
-    } else {
-        String::new()
+    let more = match pairs.len() - 1 {
+        0 => String::new(),
+        more => format!(", and {more} more pairs"),
     };
     Some(format!(
-        "{which} contradict each other: {f}\u{a0}N and {g}\u{a0}N at the same {p}\u{a0}MPa and \
-         contraction {e}{more}{branch}"
+        "{which} contradict each other: {}\u{a0}N and {}\u{a0}N at the same {}\u{a0}MPa and \
+         contraction {}{more}{branch}",
+        show(a.at.force_n),
+        show(b.at.force_n),
+        show(a.at.pressure_mpa),
+        show(a.at.contraction)
     ))
 }
 
@@ -297,19 +263,14 @@ const FAR: f64 = 5.0;
 /// Which residuals lie far off the others.
 pub fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
     let (scaled, deviation) = robust_deviation(residuals, weights);
-    let limit = FAR * deviation;
     let judged = residuals.len() >= 6;
-    scaled
-        .iter()
-        .zip(residuals)
-        .map(|(s, r)| judged && *s > limit && r.abs() > 1e-6)
-        .collect()
+    let is_far = |(s, r): (&f64, &f64)| judged && *s > FAR * deviation && r.abs() > 1e-6;
+    scaled.iter().zip(residuals).map(is_far).collect()
 }
 
 /// Sentences about the result.
 pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
-    let mut notes = vec![];
-    notes.extend(unidentifiable(result));
+    let mut notes = unidentifiable(result);
     notes.extend(no_rubber(result));
     notes.extend(correlated(result));
     if request.loss == Loss::Largest {
@@ -337,12 +298,13 @@ pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
             "{which} lie{s} more than {FAR} robust deviations from the model{robust}"
         ));
     }
-    let (points, parameters, freedom) =
-        (result.points.len(), result.parameters.len(), result.freedom);
-    if freedom < 2 * parameters {
+    let parameters = result.parameters.len();
+    if result.freedom < 2 * parameters {
         notes.push(format!(
-            "{points} points for {parameters} parameters: the error bars have only {freedom} \
-             degrees of freedom and are therefore wide; measure more points"
+            "{} points for {parameters} parameters: the error bars have only {} degrees of \
+             freedom and are therefore wide; measure more points",
+            result.points.len(),
+            result.freedom
         ));
     }
     notes.extend(misfit(result));
@@ -399,16 +361,16 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
             )
         } else if p.at_bound {
             let at = format!("{value} {unit}");
-            let at = at.trim();
             format!(
-                "{name} is at its bound, {at}: the best fit lies beyond it; widen the bound, or \
-                 fix the parameter"
+                "{name} is at its bound, {}: the best fit lies beyond it; widen the bound, or \
+                 fix the parameter",
+                at.trim()
             )
         } else if p.target == Some(Target::Stiffness) && p.value > 30.0 * p.start {
-            let stiffness = p.value;
             format!(
-                "{name} grows without limit ({stiffness:.1e} N/mm): inextensible strands fit these \
-                 data equally well; set it to \"inextensible\""
+                "{name} grows without limit ({:.1e} N/mm): inextensible strands fit these data \
+                 equally well; set it to \"inextensible\"",
+                p.value
             )
         } else if !p.half_width.is_finite() {
             format!(
@@ -416,12 +378,12 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
                  one of them"
             )
         } else {
-            let half = show(p.half_width);
             let limit = format!("{} {unit}", show(p.limit));
-            let limit = limit.trim();
             format!(
-                "{name} is not identifiable from these data: ± {half} is more than {limit}; hold \
-                 it constant (`fix`)"
+                "{name} is not identifiable from these data: ± {} is more than {}; hold it \
+                 constant (`fix`)",
+                show(p.half_width),
+                limit.trim()
             )
         }
     };
@@ -435,19 +397,16 @@ fn unidentifiable(result: &Identification) -> Vec<String> {
 
 /// An identified modulus that no rubber has.
 fn no_rubber(result: &Identification) -> Option<String> {
-    let is_free = result
-        .parameters
-        .iter()
-        .any(|p| p.target.is_some_and(Target::is_of_law));
+    let mut targets = result.parameters.iter().filter_map(|p| p.target);
+    let is_free = targets.any(Target::is_of_law);
     let modulus_mpa = result.muscle.tube().rubber.law.shear_modulus_mpa();
-    (is_free && !(MODULI.0..=MODULI.1).contains(&modulus_mpa)).then(|| {
+    let (low, high) = MODULI;
+    (is_free && !(low..=high).contains(&modulus_mpa)).then(|| {
         format!(
-            "the shear modulus is {} MPa, and rubbers lie between {} and {} MPa: check the units \
-             of the columns, the zero of the contraction, and wall, diameter and angle of the \
-             muscle",
-            show(modulus_mpa),
-            MODULI.0,
-            MODULI.1
+            "the shear modulus is {} MPa, and rubbers lie between {low} and {high} MPa: check the \
+             units of the columns, the zero of the contraction, and wall, diameter and angle of \
+             the muscle",
+            show(modulus_mpa)
         )
     })
 }
@@ -457,20 +416,18 @@ const TOGETHER: f64 = 0.95;
 
 fn correlated(result: &Identification) -> Vec<String> {
     let mut out = vec![];
-    for i in 0..result.parameters.len() {
-        for j in 0..i {
-            let rho = result.correlation[i][j];
+    for (i, b) in result.parameters.iter().enumerate() {
+        for (a, rho) in result.parameters.iter().zip(&result.correlation[i]).take(i) {
             if rho.abs() > TOGETHER {
-                let a = &result.parameters[j].name;
-                let b = &result.parameters[i].name;
-                let way = if rho > 0.0 {
+                let way = if *rho > 0.0 {
                     "together"
                 } else {
                     "against each other"
                 };
                 out.push(format!(
-                    "{a} and {b} move {way} (correlation {rho:.3}): these data determine a \
-                     combination of the two better than either"
+                    "{} and {} move {way} (correlation {rho:.3}): these data determine a \
+                     combination of the two better than either",
+                    a.name, b.name
                 ));
             }
         }
@@ -507,10 +464,8 @@ pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
         .collect();
     let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();
     let together: f64 = pairs.iter().map(|p| p.0 * p.1).sum();
-    (
-        pairs.len(),
-        if square > 0.0 { together / square } else { 0.0 },
-    )
+    let alike = if square > 0.0 { together / square } else { 0.0 };
+    (pairs.len(), alike)
 }
 
 /// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the
@@ -539,21 +494,22 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     let limit = (2.0 * result.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + result.candidate.contraction_offset;
-        let model = result
-            .candidate
-            .section_muscle(&p.section)
-            .ok()
-            .and_then(|m| build(&m).ok());
-        let force = model.and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
-        force.is_some_and(|f| f > limit)
+        let force_n = || {
+            let model = build(&result.candidate.section_muscle(&p.section).ok()?).ok()?;
+            let force_n = model.force_n(&mut Workspace::new(), p.at.pressure_mpa, e);
+            force_n.ok()
+        };
+        force_n().is_some_and(|f| f > limit)
     };
     let wrong: Vec<u64> = result.slack.iter().filter(pulls).map(|p| p.line).collect();
     let left = format!("{n} points without a pull were left out (slack, not a measurement)");
     Some(if wrong.is_empty() {
         format!("{left}; the model agrees that the muscle is slack there")
     } else {
-        let n = wrong.len();
-        let which = lines(&wrong);
-        format!("{left}; at {n} of them the model pulls by more than twice the rms ({which})")
+        format!(
+            "{left}; at {} of them the model pulls by more than twice the rms ({})",
+            wrong.len(),
+            lines(&wrong)
+        )
     })
 }

@@ -8,7 +8,7 @@ use mckibben::muscle::{
 };
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Family {
     /// k₀ in N/mm.
     pub stiffness: f64,
@@ -19,7 +19,7 @@ pub struct Family {
 }
 
 /// A muscle that is tried.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Candidate {
     pub muscle: Muscle,
     pub(super) family: Option<Family>,

@@ -23,7 +23,7 @@ use mckibben::{
 const EARLY_LOCK: f64 = 3.0;
 
 /// The identification with one law.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct LawTrial {
     pub law: &'static str,
     pub result: Result<Identification>,

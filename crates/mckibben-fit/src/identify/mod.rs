@@ -21,7 +21,6 @@ mod run;
 mod signs;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
-pub use advice::doubts;
 pub use candidate::Candidate;
 pub use default_parameters::{default_targets, identify_default, matters};
 pub(crate) use error::Result;
@@ -31,6 +30,7 @@ pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Identification, Identified, PointFit, Spread};
 pub use run::{Request, identify};
+pub use signs::doubts;
 
 #[cfg(test)]
 mod tests;

@@ -13,7 +13,7 @@ use mckibben::{
 use thiserror::Error;
 
 /// A constant or measure that data may tell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
     /// A constant of the rubber law, by its place in
     /// [`Law::constants`](mckibben::rubber::Law::constants).
@@ -53,7 +53,7 @@ fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
 }
 
 /// Why a word names no parameter.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Error)]
 #[error("{0}")]
 pub struct ParameterError(String);
 

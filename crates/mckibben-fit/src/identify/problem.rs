@@ -74,14 +74,12 @@ fn local(
 ) -> Result<Local> {
     let mut model = Evaluation::new(m, w, branch);
     let r = model.response(p, e)?;
-    let by_contraction = -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm();
-    let by_pressure = model.force_per_pressure_mm2(&r)?;
     Ok(Local {
         pressure_mpa: p,
         contraction: e,
         force: r.force_n,
-        by_contraction,
-        by_pressure,
+        by_contraction: -model.stiffness_n_per_mm(&r)? * m.muscle().length_mm(),
+        by_pressure: model.force_per_pressure_mm2(&r)?,
     })
 }
 
@@ -127,17 +125,15 @@ impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history;
     /// `start`: values of the free targets.
     pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
-        let chunks = chunks(points);
-        let scales = [1.0; 4];
         let mut out = Self {
             request,
             points,
             history,
-            chunks,
-            scales,
+            chunks: chunks(points),
+            scales: [1.0; 4],
             analytic: false,
         };
-        out.scales = out.mean_slopes(start).unwrap_or([1.0; 4]);
+        out.scales = out.mean_slopes(start).unwrap_or(out.scales);
         out.analytic = out.knows_derivatives(start);
         out
     }
@@ -200,13 +196,8 @@ impl<'a> Problem<'a> {
             let muscle = candidate.section_muscle(&chunk.section).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
-            Some(
-                chunk
-                    .rows
-                    .iter()
-                    .map(|&i| one(model.as_ref(), &mut w, i))
-                    .collect(),
-            )
+            let rows = chunk.rows.iter();
+            Some(rows.map(|&i| one(model.as_ref(), &mut w, i)).collect())
         };
         let lists = threads::map(&self.chunks, compute);
         let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
@@ -246,12 +237,10 @@ impl<'a> Problem<'a> {
         };
         let length = candidate.muscle.length_mm();
         let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
-        let contraction = mean(Quantity::Contraction, &|l| l.by_contraction);
-        let pressure = mean(Quantity::Pressure, &|l| l.by_pressure);
         Some([
             1.0,
-            contraction,
-            pressure,
+            mean(Quantity::Contraction, &|l| l.by_contraction),
+            mean(Quantity::Pressure, &|l| l.by_pressure),
             mean(Quantity::Volume, &by_volume),
         ])
     }
@@ -261,33 +250,27 @@ impl<'a> Problem<'a> {
         let Some(candidate) = self.candidate(start) else {
             return false;
         };
-        if self.history.is_some() || self.points.iter().any(|p| p.measured == Quantity::Volume) {
-            return false;
-        }
+        let muscle = &candidate.muscle;
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows = matches!(
-            candidate.muscle.braid().stiffness,
+            muscle.braid().stiffness,
             BraidStiffness::Paper | BraidStiffness::OfStrands
         );
-        if follows && self.request.free.iter().any(|p| p.target.is_geometry()) {
-            return false;
-        }
-        // Friction from contact depends on every free parameter.
-        if candidate
-            .muscle
-            .friction()
-            .is_some_and(|f| f.lever_mm > 0.0)
+        if self.history.is_some()
+            || self.points.iter().any(|p| p.measured == Quantity::Volume)
+            || follows && self.request.free.iter().any(|p| p.target.is_geometry())
+            // Friction from contact depends on every free parameter.
+            || muscle.friction().is_some_and(|f| f.lever_mm > 0.0)
         {
             return false;
         }
-        let names = self.names(&candidate);
         let probe = || {
-            let point = self.points.first()?;
-            let model =
-                (self.request.build)(&candidate.section_muscle(&point.section).ok()?).ok()?;
-            let e = point.at.contraction + candidate.contraction_offset;
-            let w = &mut Workspace::new();
-            model.force_by(w, point.at.pressure_mpa, e, &names).ok()?
+            let DataPoint { at, section, .. } = self.points.first()?;
+            let model = (self.request.build)(&candidate.section_muscle(section).ok()?).ok()?;
+            let e = at.contraction + candidate.contraction_offset;
+            let names = self.names(&candidate);
+            let slopes = model.force_by(&mut Workspace::new(), at.pressure_mpa, e, &names);
+            slopes.ok()?
         };
         probe().is_some()
     }
@@ -320,11 +303,8 @@ impl<'a> Problem<'a> {
         let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
-            names
-                .iter()
-                .zip(&slopes)
-                .find(|s| s.0 == name)
-                .map_or(0.0, |s| *s.1)
+            let known = names.iter().zip(&slopes).find(|s| s.0 == name);
+            known.map_or(0.0, |s| *s.1)
         };
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
@@ -446,11 +426,9 @@ fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
     let mut out = vec![];
     for mut group in groups {
         group.rows.sort_by(|&a, &b| {
-            let a = &points[a].at;
-            let b = &points[b].at;
-            a.contraction
-                .total_cmp(&b.contraction)
-                .then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+            let (a, b) = (&points[a].at, &points[b].at);
+            let contractions = a.contraction.total_cmp(&b.contraction);
+            contractions.then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
         });
         let size = group.rows.len().div_ceil(PARTS).max(LEAST);
         out.extend(group.rows.chunks(size).map(|rows| Chunk {

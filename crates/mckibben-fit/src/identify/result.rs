@@ -9,7 +9,7 @@ use mckibben::muscle::{Bench, Direction, Muscle};
 use serde::Serialize;
 
 /// One identified parameter.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Identified {
     /// The constant of the muscle; `None` of a drive's.
     #[serde(skip)]
@@ -46,7 +46,7 @@ pub struct Identified {
 }
 
 /// A point with the residual of the model.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize)]
 pub struct PointFit {
     pub point: DataPoint,
     /// Model less measured, in the unit of the measured quantity: N, –, MPa, mm³.
@@ -59,7 +59,7 @@ pub struct PointFit {
 }
 
 /// Root mean square and largest residual of some points.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Spread {
     /// The points.
     #[serde(rename = "of")]
@@ -75,7 +75,7 @@ pub struct Spread {
 }
 
 /// The result of an identification.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Identification {
     /// The free parameters, with value and error.
     pub parameters: Vec<Identified>,

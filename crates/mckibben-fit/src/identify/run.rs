@@ -52,17 +52,14 @@ impl<'a> Request<'a> {
         points: &'a [DataPoint],
         build: &'a Build<'a>,
     ) -> Self {
-        let fixed = &[];
-        let progress = &Silent;
-        let loss = Loss::Squares;
         Self {
             muscle,
             free,
-            fixed,
+            fixed: &[],
             points,
             build,
-            progress,
-            loss,
+            progress: &Silent,
+            loss: Loss::Squares,
             two_sided: false,
             history: false,
         }
@@ -145,9 +142,12 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     let stated = points.iter().filter(|p| p.error.is_some()).count();
     let without = points.iter().find(|p| p.error.is_none());
     if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
-        let all = points.len();
-        let line = *line;
-        return Err(DataError::SomeErrors { stated, all, line }.into());
+        return Err(DataError::SomeErrors {
+            stated,
+            all: points.len(),
+            line: *line,
+        }
+        .into());
     }
     let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
     Ok((points.iter().map(one).collect(), stated > 0))
@@ -254,8 +254,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         bench: None,
     };
     out.bench = bench(request, &out, &minimum);
-    let after = advice::after(&out, request);
-    out.notes.extend(after);
+    out.notes.extend(advice::after(&out, request));
     Ok(out)
 }
 
@@ -346,9 +345,9 @@ fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result
         let which = format!("{n} of {all} points at the starting values (first: line {line})");
         return Err(IdentifyError::Start(which, error));
     }
-    let at = advice::lines(&lines);
     let note = format!(
-        "{n} points ({at}) have no answer of the model at the start and were left out: {error}"
+        "{n} points ({}) have no answer of the model at the start and were left out: {error}",
+        advice::lines(&lines)
     );
     Ok((kept, residuals, Some(note)))
 }

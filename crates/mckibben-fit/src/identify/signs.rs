@@ -22,6 +22,16 @@ fn lines(list: &[u64]) -> String {
     }
 }
 
+/// Doubts about points that a model is compared with: signs and units.
+///
+/// # Errors
+/// [`IdentifyError::Flipped`] where most of them have the wrong sign.
+pub fn doubts(muscle: &Muscle, points: &[DataPoint]) -> Result<Vec<String>> {
+    let mut notes = check(muscle, points, true)?;
+    notes.extend(advice::units(muscle, points));
+    Ok(notes)
+}
+
 /// Sentences on single points with the wrong sign; `two_sided`: forces below zero are measurements.
 pub fn check(muscle: &Muscle, points: &[DataPoint], two_sided: bool) -> Result<Vec<String>> {
     let points: Vec<&DataPoint> = points.iter().filter(|p| p.weight > 0.0).collect();
@@ -45,18 +55,15 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
     if !pulls.iter().any(|(p, pull)| p.at.force_n < -push * pull) {
         return Ok(vec![]);
     }
-    let negative: Vec<u64> = pulls
-        .iter()
-        .filter(|(p, _)| p.at.force_n < 0.0)
-        .map(|(p, _)| p.line)
-        .collect();
+    let negative = pulls.iter().filter(|(p, _)| p.at.force_n < 0.0);
+    let negative: Vec<u64> = negative.map(|(p, _)| p.line).collect();
     let n = negative.len();
     let all = pulls.len();
     let lines = lines(&negative);
     let which = format!(
         "the force is below zero at {n} of the {all} points where this muscle pulls{lines}"
     );
-    if nothing_pulls || !two_sided && 2 * negative.len() >= pulls.len() {
+    if nothing_pulls || !two_sided && 2 * n >= all {
         return Err(IdentifyError::Flipped(format!(
             "{which}: is the sign of the force flipped?"
         )));
@@ -68,18 +75,13 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
 
 /// Pulls that rise with the contraction.
 fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
-    let mut order: Vec<&DataPoint> = points
-        .iter()
-        .copied()
-        .filter(|p| p.at.force_n > 0.0)
-        .collect();
+    let mut order = points.to_vec();
+    order.retain(|p| p.at.force_n > 0.0);
     let compare =
         |a: &DataPoint, b: &DataPoint| advice::compare_curves(a, b).then(a.set.cmp(&b.set));
     order.sort_by(|a, b| compare(a, b).then(a.at.contraction.total_cmp(&b.at.contraction)));
-    let mut curves = 0;
-    let mut rising = 0;
-    let mut lines_of_rising = vec![];
-    let mut stretched = vec![];
+    let (mut curves, mut rising) = (0, 0);
+    let (mut lines_of_rising, mut stretched) = (vec![], vec![]);
     for curve in order.chunk_by(|a, b| compare(a, b).is_eq()) {
         cancel::check()?;
         let Some(rise) = rise(curve) else { continue };
@@ -130,10 +132,8 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
 /// By how much a straight line through a curve rises from its smallest to its largest contraction,
 /// in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
-    let points: Vec<(f64, f64)> = curve
-        .iter()
-        .map(|p| (p.at.contraction, p.at.force_n))
-        .collect();
+    let points = curve.iter().map(|p| (p.at.contraction, p.at.force_n));
+    let points: Vec<(f64, f64)> = points.collect();
     let width = curve.last()?.at.contraction - curve.first()?.at.contraction;
     (width > 1e-6).then(|| width * Line::through(&points).slope)
 }

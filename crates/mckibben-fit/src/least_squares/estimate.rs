@@ -35,9 +35,7 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 }
 
 /// Loss function of the residuals.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "LossWord")]
 pub enum Loss {
@@ -54,7 +52,7 @@ pub enum Loss {
 }
 
 /// A minimum with its statistics. Matrices have one row and column an unknown.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Estimate {
     pub x: Vec<f64>,
     /// Standard errors; infinite where the data do not determine the unknown at all, 0 on a bound.
@@ -346,8 +344,10 @@ pub fn estimate(
     loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
-        let unknown = unknowns[index];
-        return Err(EstimateError::Unsound { index, unknown });
+        return Err(EstimateError::Unsound {
+            index,
+            unknown: unknowns[index],
+        });
     }
     let points = weights.iter().filter(|w| **w > 0.0).count();
     if points <= unknowns.len() {

@@ -8,9 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 /// The measured quantity; the others were set.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
@@ -112,15 +110,13 @@ pub struct DataPoint {
 impl DataPoint {
     /// A measured pull of the muscle itself.
     pub fn new(at: MeasuredPoint) -> Self {
-        let measured = Quantity::Force;
-        let section = Section::default();
         Self {
             at,
-            measured,
+            measured: Quantity::Force,
             volume_mm3: None,
             error: None,
             weight: 1.0,
-            section,
+            section: Section::default(),
             line: 0,
             set: 0,
         }

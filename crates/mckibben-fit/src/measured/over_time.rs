@@ -5,7 +5,7 @@ use super::data::interpolate;
 use mckibben::{extremes::ends, muscle::Direction};
 
 /// Pressures over time that another instrument recorded.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone)]
 pub struct PressureLog {
     /// Its file, to say so.
     pub name: String,

@@ -3,13 +3,14 @@
 use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section, over_time::branches};
 use mckibben::{cancel, extremes::ends, muscle::Direction};
 use mckibben_io::table::{
-    Column, Columns, Meaning, POINTS, RECORDED, Table, TableError, Understood, is_absolute, spoken,
+    Column, Columns, MEASURED, Meaning::*, POINTS, RECORDED, Table, TableError, Understood,
+    is_absolute, spoken,
 };
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 /// What the table does not state.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct PointOptions {
     /// Columns whose heading does not say what they are.
     pub columns: Columns,
@@ -47,31 +48,31 @@ pub fn read_measured(text: &str) -> Result<Vec<MeasuredPoint>> {
 /// is not `ok` (points without answer, as `curve` writes them) are left out.
 pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>, Understood)> {
     let mut table = of_log(text, options)?;
-    table.keep(Meaning::Status, &["", "ok"]);
-    let is_volume = |row: usize| matches!(table.text(row, Meaning::Measured), Some((_, "volume")));
-    if table.column(Meaning::Force).is_some() && !(0..table.lines().len()).any(is_volume) {
-        table.forget(Meaning::Volume);
+    table.keep(Status, &["", "ok"]);
+    let is_volume = |row: usize| matches!(table.text(row, Measured), Some((_, "volume")));
+    if table.column(Force).is_some() && !(0..table.lines().len()).any(is_volume) {
+        table.forget(Volume);
     }
     leave_blank_out(&mut table)?;
-    let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
-    let length = table.column(Meaning::Length);
+    let beside = table.needed(CONTRACTION)?.meaning != Length;
+    let length = table.column(Length);
     let ours = length.is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
-    let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
+    let length_is_l0 = beside && ours && table.column(RestLength).is_none();
     if length_is_l0 {
-        table.rename(Meaning::Length, Meaning::RestLength);
+        table.rename(Length, RestLength);
     }
     let (pressures, joined) = pressures_by_log(&mut table, options.log.as_ref())?;
-    let rest = table.above_zero(Meaning::RestLength, MEASURE)?;
+    let rest = table.above_zero(RestLength, MEASURE)?;
     let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
     if length_is_l0 {
         check_rest(&table, &rest, &contractions)?;
     }
-    let by_velocity = matches!(table.text(0, Meaning::Branch), Some((_, "velocity")));
+    let by_velocity = matches!(table.text(0, Branch), Some((_, "velocity")));
     let branches = by_velocity
         .then(|| branches(&contractions, &pressures))
         .flatten();
     if by_velocity {
-        table.forget(Meaning::Branch);
+        table.forget(Branch);
     }
     let mut points = rows(&table)?;
     let forces = forces(&table, &points)?;
@@ -123,10 +124,10 @@ fn pressures_by_log(table: &mut Table, log: Option<&PressureLog>) -> Result<(Vec
 fn leave_blank_out(table: &mut Table) -> Result<()> {
     let contraction = table.needed(CONTRACTION)?.meaning;
     let force = table.needed(FORCE)?.meaning;
-    table.keep_filled(|table, row| match table.text(row, Meaning::Measured) {
+    table.keep_filled(|table, row| match table.text(row, Measured) {
         Some((_, "contraction")) => contraction,
-        Some((_, "pressure")) => Meaning::Pressure,
-        Some((_, "volume")) => Meaning::Volume,
+        Some((_, "pressure")) => Pressure,
+        Some((_, "volume")) => Volume,
         _ => force,
     });
     Ok(())
@@ -137,13 +138,13 @@ const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
 /// Pulls; 0 in rows of volumes that state none.
 fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>> {
     let column = table.needed(FORCE)?;
-    if column.meaning == Meaning::Volume {
+    if column.meaning == Volume {
         return Ok(vec![0.0; points.len()]);
     }
     if points.iter().all(|p| p.measured != Quantity::Volume) {
         return table.numbers(column);
     }
-    let stated = table.some_numbers(Meaning::Force)?;
+    let stated = table.some_numbers(Force)?;
     let one = |(row, (force, point)): (usize, (Option<f64>, &DataPoint))| match force {
         None if point.measured != Quantity::Volume => {
             Err(table.impossible(row, column, "is empty, and the row is none of a volume"))
@@ -188,9 +189,9 @@ fn contractions(
     let column = table.needed(CONTRACTION)?;
     let raw = table.numbers(column)?;
     let (values, note) = match column.meaning {
-        Meaning::Contraction => (raw, None),
-        Meaning::Extension => {
-            let free = table.above_zero(Meaning::FreeLength, MEASURE)?;
+        Contraction => (raw, None),
+        Extension => {
+            let free = table.above_zero(FreeLength, MEASURE)?;
             let one = |(at, free): (usize, Option<f64>)| {
                 let free = free?;
                 let rest = rest[at].or(muscle)?;
@@ -215,7 +216,7 @@ fn contractions(
                 _ => "the L0 of each row".into(),
             };
             let ratios = raw.iter().zip(&rest);
-            if meaning == Meaning::Length {
+            if meaning == Length {
                 check_varies(column, &raw)?;
                 let ratios = ratios.map(|(l, l0)| rounded(1.0 - l / l0));
                 (ratios.collect(), Some(format!("1 − L/L0, {l0}")))
@@ -232,15 +233,13 @@ fn contractions(
     };
     let wrong = |expected| Err(table.impossible(row, column, expected));
     match (column.meaning, column.unit) {
-        (Meaning::Contraction, None) => Err(table.percent(row, column)),
-        (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
+        (Contraction, None) => Err(table.percent(row, column)),
+        (Contraction, Some(unit)) if unit.name.is_empty() => wrong(
             "is not a valid contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column \
              contraction_percent",
         ),
-        (Meaning::Contraction, _) => {
-            wrong("is not a valid contraction: no muscle shortens by so much")
-        }
-        (Meaning::Length, _) => {
+        (Contraction, _) => wrong("is not a valid contraction: no muscle shortens by so much"),
+        (Length, _) => {
             wrong("is not a valid length of this muscle; check its unit and L0 (`length_mm`)")
         }
         _ => wrong("is not a valid shortening of this muscle; check its unit and L0 (`length_mm`)"),
@@ -284,8 +283,8 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
         return Ok(());
     }
     let way = table
-        .column(Meaning::Shortening)
-        .filter(|_| table.column(Meaning::Contraction).is_none());
+        .column(Shortening)
+        .filter(|_| table.column(Contraction).is_none());
     let ways = way.map(|column| table.numbers(column)).transpose()?;
     let rests = lengths()
         .zip(contractions)
@@ -294,7 +293,7 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
             Some(ways) => l + ways[i],
             None => l / (1.0 - e),
         });
-    match table.column(Meaning::RestLength) {
+    match table.column(RestLength) {
         Some(Column { heading, .. }) if spread(rests.clone()) < 0.2 * spread(lengths()) => {
             Err(TableError::Refused(format!(
                 "column {heading} decreases with the contraction; together with a contraction it \
@@ -313,29 +312,21 @@ const NO_WEIGHT: &str = "is not a valid weight; it must not be below zero";
 
 /// The rows, without pressure, contraction, pull and length.
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
-    let weights = table.some_numbers(Meaning::Weight)?;
-    let errors = [
-        Meaning::ForceError,
-        Meaning::ContractionError,
-        Meaning::PressureError,
-        Meaning::VolumeError,
-    ];
+    let weights = table.some_numbers(Weight)?;
+    let errors = [ForceError, ContractionError, PressureError, VolumeError];
     let stated = errors.map(|meaning| table.some_numbers(meaning));
     let stated = stated.into_iter().collect::<Result<Vec<_>>>()?;
-    let volumes = table.above_zero(
-        Meaning::Volume,
-        "is not a volume of a muscle; it must be above zero",
-    )?;
+    let volumes = table.above_zero(Volume, "is not a volume of a muscle; it must be above zero")?;
     // Without pulls the volumes were measured.
-    let alone = table.column(Meaning::Force).is_none() && table.column(Meaning::Volume).is_some();
+    let alone = table.column(Force).is_none() && table.column(Volume).is_some();
     let otherwise = if alone {
         Quantity::Volume
     } else {
         Quantity::Force
     };
-    let diameters = table.above_zero(Meaning::OuterDiameter, MEASURE)?;
-    let walls = table.above_zero(Meaning::Wall, MEASURE)?;
-    let angles = table.above_zero(Meaning::Angle, MEASURE)?;
+    let diameters = table.above_zero(OuterDiameter, MEASURE)?;
+    let walls = table.above_zero(Wall, MEASURE)?;
+    let angles = table.above_zero(Angle, MEASURE)?;
     let branches = Direction::ALL.into_iter();
     let branches =
         branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
@@ -344,27 +335,19 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         cancel::check()?;
         let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
             lengthens) nor \"mean\" (of both)";
-        let branch = table.word(row, Meaning::Branch, &branches, known)?;
+        let branch = table.word(row, Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
         let measured = table
-            .word(row, Meaning::Measured, &Quantity::WORDS, known)?
+            .word(row, Measured, &Quantity::WORDS, known)?
             .unwrap_or(otherwise);
         let error = stated[measured as usize][row];
         let is_volume = measured == Quantity::Volume;
         let of_error = errors[measured as usize];
         for (wrong, meaning, expected) in [
-            (
-                is_volume && volumes[row].is_none(),
-                Meaning::Measured,
-                NEEDS_VOLUME,
-            ),
-            (alone && !is_volume, Meaning::Measured, NEEDS_PULL),
+            (is_volume && volumes[row].is_none(), Measured, NEEDS_VOLUME),
+            (alone && !is_volume, Measured, NEEDS_PULL),
             (error.is_some_and(|e| e <= 0.0), of_error, NO_ERROR),
-            (
-                weights[row].is_some_and(|w| w < 0.0),
-                Meaning::Weight,
-                NO_WEIGHT,
-            ),
+            (weights[row].is_some_and(|w| w < 0.0), Weight, NO_WEIGHT),
         ] {
             if wrong {
                 let column = table.column(meaning);
@@ -400,27 +383,9 @@ fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];
-    let others = [
-        Meaning::RestLength,
-        Meaning::FreeLength,
-        Meaning::Branch,
-        Meaning::Measured,
-        Meaning::Status,
-        Meaning::Volume,
-        Meaning::ForceError,
-        Meaning::ContractionError,
-        Meaning::PressureError,
-        Meaning::VolumeError,
-        Meaning::Weight,
-        Meaning::OuterDiameter,
-        Meaning::Wall,
-        Meaning::Angle,
-    ];
-    used.extend(
-        others
-            .into_iter()
-            .filter_map(|m| Some((table.column(m)?, None))),
-    );
+    let others = [RestLength, FreeLength].iter().chain(MEASURED);
+    let others = others.filter(|meaning| **meaning != Force);
+    used.extend(others.filter_map(|meaning| Some((table.column(*meaning)?, None))));
     Ok(table.understood(&used))
 }
 

@@ -13,13 +13,13 @@
 use nalgebra::{DMatrix, DVector};
 
 /// g·x ≥ h.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Inequality {
     pub g: Vec<f64>,
     pub h: f64,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Solution {
     pub x: Vec<f64>,
     /// Diagonal of the covariance, without s².

@@ -7,7 +7,11 @@ use super::TensionPoint;
 use crate::measured::distinct;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
 use mckibben::joined;
-use mckibben_io::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood};
+use mckibben_io::table::{
+    Column, Columns,
+    Meaning::{self, *},
+    TESTS, Table, TableError, Understood,
+};
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
@@ -24,18 +28,18 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
     let stretch = table.needed(STRETCH)?;
     let stress = table.needed(STRESS)?;
     let gauges = match stretch.meaning {
-        Meaning::Extension | Meaning::Length => {
+        Extension | Length => {
             let needs =
                 "the length at rest: a column `gauge_length`, or `set` such as gauge_length=25mm";
-            of_specimen(&table, Meaning::RestLength, stretch, needs)?
+            of_specimen(&table, RestLength, stretch, needs)?
         }
         _ => vec![1.0; table.lines().len()],
     };
     let areas = match stress.meaning {
-        Meaning::Force => {
+        Force => {
             let needs = "the cross-section of the specimen at rest: a column `area`, or `set` such \
                 as area=8mm2";
-            of_specimen(&table, Meaning::Area, stress, needs)?
+            of_specimen(&table, Area, stress, needs)?
         }
         _ => vec![],
     };
@@ -44,7 +48,7 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
         table: &table,
         areas_mm2: &areas,
     };
-    let has_sheets = table.column(Meaning::Stretch2).is_some();
+    let has_sheets = table.column(Stretch2).is_some();
     let points = if has_sheets {
         tests.sheet_points(&lengths)
     } else {
@@ -54,13 +58,13 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
         return Err(TableError::empty());
     }
     let over = match stretch.meaning {
-        Meaning::Extension => Some(format!("over {} mm", listed(&gauges))),
-        Meaning::Length => Some(format!("L/L0, L0 {} mm", listed(&gauges))),
+        Extension => Some(format!("over {} mm", listed(&gauges))),
+        Length => Some(format!("L/L0, L0 {} mm", listed(&gauges))),
         _ => None,
     };
-    let under = (stress.meaning == Meaning::Force).then(|| format!("over {} mm²", listed(&areas)));
+    let under = (stress.meaning == Force).then(|| format!("over {} mm²", listed(&areas)));
     let mut used = vec![(stretch, over), (stress, under)];
-    let of_specimen = [Meaning::Mode, Meaning::RestLength, Meaning::Area];
+    let of_specimen = [Meaning::Mode, RestLength, Area];
     used.extend(
         of_specimen
             .into_iter()
@@ -74,8 +78,7 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
                 .map(|c| (c, None)),
         );
     }
-    let understood = table.understood(&used);
-    Ok((points, understood))
+    Ok((points, table.understood(&used)))
 }
 
 /// A dimension of the specimen of each row.
@@ -100,24 +103,24 @@ fn listed(values: &[f64]) -> String {
 /// L/L0, row by row.
 fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>> {
     let (stretch, too_far, too_short): (&dyn Fn(f64, f64) -> f64, _, _) = match column.meaning {
-        Meaning::Stretch => (
+        Stretch => (
             &|v, _| v,
             "is not a valid stretch L/L0; if it is a strain in percent, name the column \
              strain_percent",
             "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name \
              the column engineering_strain",
         ),
-        Meaning::Strain => (
+        Strain => (
             &|v, _| 1.0 + v,
             "is not a valid strain ΔL/L0; if it is in percent, name the column strain_percent",
             "is not a valid strain: the specimen would have no length left",
         ),
-        Meaning::TrueStrain => (
+        TrueStrain => (
             &|v, _| v.exp(),
             "is not a valid true strain ln(L/L0)",
             "is not a valid true strain ln(L/L0)",
         ),
-        Meaning::Length => (
+        Length => (
             &|v, gauge| v / gauge,
             "is too long for this gauge length",
             "is not a valid length of a specimen in tension; check the gauge length",

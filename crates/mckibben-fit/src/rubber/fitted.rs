@@ -28,7 +28,7 @@ pub struct Parameter {
 }
 
 /// Differences of nominal stress over some points.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StressErrors {
     /// How many points.
     pub points: usize,
@@ -279,11 +279,10 @@ fn parameters(law: &Law, raw: &Raw) -> Vec<Parameter> {
 
 fn mode_error(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
     let errors = StressErrors::for_law(law, problem.points.iter().filter(|p| p.mode == mode));
-    let stable_to_stretch = stable_to(mode, law, errors.to_stretch.max(hoop));
     (errors.points > 0).then_some(ModeError {
         mode,
         errors,
-        stable_to_stretch,
+        stable_to_stretch: stable_to(mode, law, errors.to_stretch.max(hoop)),
     })
 }
 

@@ -28,20 +28,11 @@ struct Linear<'a> {
 
 impl Residuals for Linear<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        let row = |k: usize| {
-            self.columns
-                .iter()
-                .zip(x)
-                .map(|(c, x)| c[k] * x)
-                .sum::<f64>()
+        let residual = |(k, b): (usize, &f64)| {
+            let terms = self.columns.iter().zip(x).map(|(c, x)| c[k] * x);
+            terms.sum::<f64>() - b
         };
-        Some(
-            self.measured
-                .iter()
-                .enumerate()
-                .map(|(k, b)| row(k) - b)
-                .collect(),
-        )
+        Some(self.measured.iter().enumerate().map(residual).collect())
     }
 
     fn by_unknowns(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
@@ -158,9 +149,7 @@ pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -
 /// The smallest eigenvalue of H(c), and vᵀHᵢv with its eigenvector v.
 fn deepest(of_basis: &[[f64; 3]], c: &[f64]) -> (f64, Vec<f64>) {
     let sum = |k: usize| of_basis.iter().zip(c).map(|(h, c)| h[k] * c).sum::<f64>();
-    let xx = sum(0);
-    let xy = sum(1);
-    let yy = sum(2);
+    let [xx, xy, yy] = [0, 1, 2].map(sum);
     // Angle of the principal axes: tan 2φ = 2 xy/(xx − yy); the smaller eigenvalue lies across.
     let phi = 0.5 * (2.0 * xy).atan2(xx - yy) + std::f64::consts::FRAC_PI_2;
     let (s, k) = phi.sin_cos();

@@ -60,12 +60,11 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit> {
     check(settings)?;
-    let history = || runs::Sorted {
-        kept: points.to_vec(),
-        ..Default::default()
-    };
     let sorted = if settings.history {
-        history()
+        runs::Sorted {
+            kept: points.to_vec(),
+            ..Default::default()
+        }
     } else {
         runs::sort(points)
     };
@@ -86,8 +85,8 @@ pub fn fit_tension_with(
     );
     let count = problem.counting();
     let forms = chosen(settings, count)?;
-    if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
-        let modulus_mpa = problem.modulus_mpa;
+    let modulus_mpa = problem.modulus_mpa;
+    if !(modulus_mpa > 0.0 && modulus_mpa.is_finite()) {
         return Err(TensionFitError::Refused(format!(
             "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the \
              stretch is above 1; check the columns and their signs"
@@ -124,11 +123,10 @@ pub fn fit_tension_with(
         laws.iter()
             .flat_map(|l| warning::for_law(l, settings.hoop_stretch)),
     );
-    let left_out = points.len() - count - held_out.len();
     Ok(TensionFit {
         points: problem.points,
+        left_out: points.len() - count - held_out.len(),
         held_out,
-        left_out,
         fitted_to_stretch,
         laws,
         failed,
@@ -183,15 +181,11 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
         .filter(|f| points >= f.fewest_points())
         .collect();
     match (forms.is_empty(), requested.first()) {
-        (true, Some(first)) => {
-            let law = first.name();
-            let fewest = first.fewest_points();
-            Err(TensionFitError::TooFew {
-                points,
-                law,
-                fewest,
-            })
-        }
+        (true, Some(first)) => Err(TensionFitError::TooFew {
+            points,
+            law: first.name(),
+            fewest: first.fewest_points(),
+        }),
         _ => Ok(forms),
     }
 }
@@ -230,7 +224,7 @@ pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError
 }
 
 /// Settings of a fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct FitSettings {
     /// The laws; none means all that the number of points determines.

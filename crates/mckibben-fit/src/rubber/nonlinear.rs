@@ -50,7 +50,7 @@ impl Residuals for Unknowns<'_> {
 }
 
 /// The constant that says where a law locks, at the value with which it does so at `i1_minus_3`.
-fn limit(form: Form, law: &Law, i1_minus_3: f64) -> Option<Limit> {
+fn limit(law: &Law, i1_minus_3: f64) -> Option<Limit> {
     law.locks_at()?;
     let constants = law.constants();
     let place = constants.iter().position(|c| !c.constant.is_modulus())?;
@@ -64,18 +64,15 @@ fn limit(form: Form, law: &Law, i1_minus_3: f64) -> Option<Limit> {
         (low, high) = (high, 2.0 * high);
     }
     // Halved until nothing lies between.
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
+    let mut middle = 0.5 * (low + high);
+    while low < middle && middle < high {
         if locks(middle) {
             low = middle
         } else {
             high = middle
         }
+        middle = 0.5 * (low + high);
     }
-    debug_assert_eq!(form.constants(), constants.len());
     Some(Limit {
         place,
         at_data: high,
@@ -96,12 +93,9 @@ pub fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
         .example()
         .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
     let law = example.scaled(mu / example.shear_modulus_mpa());
-    let limit_at = |i1: f64| limit(form, &law, i1);
-    let limit = limit_at(problem.largest_i1_minus_3());
-    let high = match (
-        limit,
-        hoop.and_then(|hoop| limit_at(muscle_i1_minus_3(hoop))),
-    ) {
+    let of_muscle = hoop.and_then(|hoop| limit(&law, muscle_i1_minus_3(hoop)));
+    let limit = limit(&law, problem.largest_i1_minus_3());
+    let high = match (limit, of_muscle) {
         (Some(data), Some(muscle)) => (data.at_data / (1.02 * muscle.at_data)).min(0.999),
         _ => 0.999,
     };

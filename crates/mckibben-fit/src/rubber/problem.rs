@@ -9,9 +9,7 @@ use mckibben::{
 use serde::{Deserialize, Serialize};
 
 /// The objective of a fit.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Measure {
     /// Differences of nominal stress.

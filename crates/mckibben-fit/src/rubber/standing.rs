@@ -3,7 +3,7 @@
 use super::{FittedLaw, Mode, TensionFitError, TensionPoint};
 
 /// The laws of one set of tests.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct TensionFit {
     /// The points that were fitted.
     pub points: Vec<TensionPoint>,

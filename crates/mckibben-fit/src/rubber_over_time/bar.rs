@@ -15,7 +15,7 @@ use mckibben::rubber::{
 use mckibben_io::table::{Columns, HISTORIES, Table, TableError};
 
 /// A point of a history.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct TimePoint {
     /// In s.
     pub time_s: f64,
@@ -36,10 +36,7 @@ impl TimePoint {
 pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
     let table = Table::read(text, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
-    let times = column(0)?;
-    let stretches = column(1)?;
-    let stresses = column(2)?;
-    let rows = times.into_iter().zip(stretches).zip(stresses);
+    let rows = column(0)?.into_iter().zip(column(1)?).zip(column(2)?);
     Ok(rows
         .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint {
             time_s,
@@ -50,7 +47,7 @@ pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, Tab
 }
 
 /// A bar of a law with memory.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct Bar<'a, L> {
     law: &'a L,
     softening: Option<OgdenRoxburgh>,

@@ -24,7 +24,7 @@ use mckibben::rubber::{
 use serde::Serialize;
 
 /// A law that relaxes, from a uniaxial test over time.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "PronyAnswer")]
 pub struct PronyFit {
     /// The law.
@@ -50,7 +50,7 @@ pub struct PronyFit {
 }
 
 /// A branch of a Prony series.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "BranchAnswer")]
 pub struct BranchFit {
     /// gᵢ: share of the instantaneous stress that relaxes.
@@ -184,8 +184,12 @@ impl Relaxing<'_> {
             share: b / whole,
             time_constant_s: t.exp(),
         };
-        let branches = over.iter().zip(times).map(branch).collect();
-        (long_time.scaled(whole), Prony { branches })
+        (
+            long_time.scaled(whole),
+            Prony {
+                branches: over.iter().zip(times).map(branch).collect(),
+            },
+        )
     }
 }
 

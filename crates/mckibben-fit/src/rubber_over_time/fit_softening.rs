@@ -17,7 +17,7 @@ use mckibben::rubber::{
 use serde::Serialize;
 
 /// A law that softens after its first loading, from a uniaxial test in the order of time.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "SofteningAnswer")]
 pub struct SofteningFit {
     /// The law.

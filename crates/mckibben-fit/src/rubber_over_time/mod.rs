@@ -22,7 +22,7 @@ use thiserror::Error;
 pub(crate) type Result<T, E = OverTimeFitError> = std::result::Result<T, E>;
 
 /// Why there are no constants of rubber over time.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, PartialEq, Error)]
 pub enum OverTimeFitError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

@@ -3,20 +3,19 @@
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
-use super::rubber::RubberCase;
-use crate::{identify::Parameter, measured::DataPoint};
-use mckibben::{
-    cancel::Cancel,
-    muscle::{Friction, Muscle},
+use crate::{
+    identify::Parameter,
+    measured::DataPoint,
+    rubber::{Form, Mode, TensionPoint},
+    rubber_over_time::TimePoint,
 };
+use mckibben::muscle::{Friction, Muscle};
 use mckibben_io::table::TableError;
-use rust_embed::Embed;
 use serde::{Deserialize, Serialize};
-use std::sync::LazyLock;
 use thiserror::Error;
 
 /// The files of a measured muscle or rubber.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MeasuredFolder {
     /// What to call it in messages: the name of the folder.
     pub name: String,
@@ -31,7 +30,7 @@ pub struct MeasuredFolder {
     pub identified: String,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub enum Measurement {
     Muscle(MuscleCase),
     Rubber(RubberCase),
@@ -83,16 +82,48 @@ pub struct CaseFit {
 }
 
 /// Which points are fitted; the others are predicted blind.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(try_from = "super::read::SplitText")]
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(try_from = "SplitText")]
 pub struct Split {
     /// Quantity that divides the points.
     pub by: By,
     pub fitted: FittedSubset,
 }
 
+/// Which points are fitted, as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SplitText {
+    by: By,
+    fit_on: Option<String>,
+    from: Option<f64>,
+    to: Option<f64>,
+}
+
+impl TryFrom<SplitText> for Split {
+    type Error = &'static str;
+
+    fn try_from(text: SplitText) -> Result<Self, &'static str> {
+        let fitted = match (text.fit_on.as_deref(), text.from, text.to) {
+            (Some("one"), None, None) => FittedSubset::One,
+            (Some("others"), None, None) => FittedSubset::Others,
+            (None, Some(from), Some(to)) if from <= to => FittedSubset::Range(from, to),
+            _ => {
+                return Err(
+                    "`split` must be a table such as { by = \"length_mm\", fit_on = \"one\" } \
+                     (or \"others\"), or { by = \"pressure_mpa\", from = 0.1, to = 0.3 }",
+                );
+            }
+        };
+        Ok(Self {
+            by: text.by,
+            fitted,
+        })
+    }
+}
+
 /// Quantity that divides points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize)]
 pub enum By {
     /// L0 of the muscle.
     #[serde(rename = "length_mm")]
@@ -104,7 +135,7 @@ pub enum By {
 }
 
 /// Which points are fitted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub enum FittedSubset {
     /// Those of one value, for each value in turn.
     One,
@@ -114,71 +145,46 @@ pub enum FittedSubset {
     Range(f64, f64),
 }
 
-#[derive(Embed)]
-#[folder = "data/measured"]
-struct Folders;
+/// A measured rubber, and which laws are fitted to it.
+#[derive(Debug)]
+pub struct RubberCase {
+    /// What is known of it.
+    pub facts: Facts,
+    pub fits: Vec<RubberCaseFit>,
+    pub(super) points: Points,
+}
 
-/// The texts of the folders that are built in.
-pub fn built_in() -> Vec<MeasuredFolder> {
-    let files = |name: String| {
-        let text = |file| text_of(&name, file).unwrap_or_default();
-        MeasuredFolder {
-            case: text("case.toml"),
-            muscle: text("muscle.toml"),
-            points: text("points.csv"),
-            identified: text(IDENTIFIED),
-            name,
+#[derive(Debug)]
+pub enum Points {
+    Tests(Vec<TensionPoint>),
+    /// One specimen over time, with loading and unloading.
+    History(Vec<TimePoint>),
+}
+
+impl RubberCase {
+    /// How many points there are.
+    pub fn count(&self) -> usize {
+        match &self.points {
+            Points::Tests(list) => list.len(),
+            Points::History(list) => list.len(),
         }
-    };
-    with_file("case.toml").into_iter().map(files).collect()
+    }
 }
 
-/// The file of the identified muscle.
-pub const IDENTIFIED: &str = "identified.toml";
-
-/// A file of a folder that is built in.
-pub(super) fn text_of(name: &str, file: &str) -> Option<String> {
-    let file = Folders::get(&format!("{name}/{file}"))?;
-    Some(String::from_utf8_lossy(&file.data).into_owned())
-}
-
-/// The folders that are built in and hold a file.
-pub(super) fn with_file(file: &str) -> Vec<String> {
-    let folder = |path: &str| Some(path.strip_suffix(file)?.strip_suffix('/')?.to_owned());
-    let mut names: Vec<String> = Folders::iter().filter_map(|path| folder(&path)).collect();
-    names.sort();
-    names
-}
-
-type BuiltIn = LazyLock<Result<Vec<Measurement>, CaseError>>;
-
-static MUSCLES: BuiltIn = LazyLock::new(|| read_built_in(false));
-static RUBBERS: BuiltIn = LazyLock::new(|| read_built_in(true));
-
-fn read_built_in(rubbers: bool) -> Result<Vec<Measurement>, CaseError> {
-    // For every caller, and not for the first alone, who may leave.
-    let _entered = Cancel::default().enter();
-    let wanted = |files: &&MeasuredFolder| files.muscle.trim().is_empty() == rubbers;
-    let all = built_in();
-    all.iter().filter(wanted).map(Measurement::read).collect()
-}
-
-/// What is built in, of its kind.
-fn built_in_of_kind<T>(
-    list: &'static BuiltIn,
-    of: fn(&Measurement) -> Option<&T>,
-) -> Result<Vec<&'static T>, &'static CaseError> {
-    Ok(list.as_ref()?.iter().filter_map(of).collect())
-}
-
-/// The measured muscles that are built in.
-pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    built_in_of_kind(&MUSCLES, Measurement::muscle)
-}
-
-/// The measured rubbers that are built in.
-pub fn rubbers() -> Result<Vec<&'static RubberCase>, &'static CaseError> {
-    built_in_of_kind(&RUBBERS, Measurement::rubber)
+/// A law, and which points it is fitted to.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RubberCaseFit {
+    pub name: String,
+    #[serde(rename = "law")]
+    pub form: Form,
+    /// Modes that are fitted, all where none is named; the others are blind.
+    #[serde(default)]
+    pub modes: Vec<Mode>,
+    /// Stretch up to which it is fitted; what is stretched further is blind.
+    pub up_to_stretch: Option<f64>,
+    /// Branches of a Prony series beside it, of a test over time.
+    pub relaxation: Option<usize>,
 }
 
 impl Measurement {

@@ -23,9 +23,8 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
     let judged = sets.iter().filter(|set| set.rms_of_blocked.is_some());
     let of_set = |&set: &&'static MuscleCase| {
         let all = first_fit_residuals(set, set.friction_share(), by).unwrap_or_default();
-        let errors = |mean| ForceErrors::new(all.iter().filter(|r| r.branch.is_mean() == mean));
-        let means = errors(true);
-        let single = errors(false);
+        let [means, single] = [true, false]
+            .map(|mean| ForceErrors::new(all.iter().filter(|r| r.branch.is_mean() == mean)));
         let mut rows = vec![rms(set, &means), covered(set, &means, "points")];
         if single.points > 0 {
             rows.push(covered(set, &single, "points of single branches"));
@@ -41,12 +40,11 @@ pub(super) fn validated(
     measure: Measure,
     error: Option<f64>,
 ) -> VerificationRow {
-    let ok = error.is_some_and(|e| e <= row.tolerance);
     VerificationRow {
         kind: CaseKind::Validation,
         measure,
         error,
-        ok,
+        ok: error.is_some_and(|e| e <= row.tolerance),
         ..row
     }
 }
@@ -75,14 +73,11 @@ pub(super) fn share_row(
         Coverage::Least => by_chance,
         Coverage::Exact => by_chance.max(0.02),
     };
-    let off = errors.held.map(|share| COVERAGE - share);
-    let error = off.map(|off| {
-        if coverage == Coverage::Exact {
-            off.abs()
-        } else {
-            off.max(0.0)
-        }
-    });
+    let off = |share| match coverage {
+        Coverage::Exact => f64::abs(COVERAGE - share),
+        _ => f64::max(COVERAGE - share, 0.0),
+    };
+    let error = errors.held.map(off);
     let row = VerificationRow::new(name, source, COVERAGE, errors.held, tolerance);
     validated(row, Measure::Share, error)
 }
@@ -127,6 +122,6 @@ pub fn first_fit_residuals(
     };
     let means = mean_of_data(&set.points);
     let (muscle, _) = by.fitted(fit, &means)?;
-    let compared = compared(&means, &set.points);
-    Ok(residuals(by.build, &muscle, compared, friction_share))
+    let points = compared(&means, &set.points);
+    Ok(residuals(by.build, &muscle, points, friction_share))
 }

@@ -8,7 +8,8 @@
 //! machines, and the pull does not change with it.
 
 use super::{
-    case::{CaseError, CaseFit, IDENTIFIED, MuscleCase, muscles, text_of, with_file},
+    built_in::{IDENTIFIED, muscles, text_of, with_file},
+    case::{CaseError, CaseFit, MuscleCase},
     held_out::fit_points,
     residual::{ForceErrors, Residual, residuals},
 };
@@ -93,13 +94,12 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
         largest_n,
         ..
     } = ForceErrors::new(on_bench.iter().chain(&others));
-    let bench_points = bench.map_or(0, |_| on_bench.len());
     LibraryAgreement {
         points,
         rms_n,
         rms_of_blocked,
         largest_n,
-        bench_points,
+        bench_points: bench.map_or(0, |_| on_bench.len()),
         held,
     }
 }

@@ -10,6 +10,7 @@
 //! validation report of each case ([`report`], of rubbers [`rubber`]) gives the errors of each fit,
 //! at fitted points and at predicted points.
 
+pub mod built_in;
 pub mod case;
 pub mod coverage;
 pub mod held_out;
@@ -52,14 +53,13 @@ pub fn cases(
     elements: &Build<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<VerificationRow>, Cancelled> {
-    let sets = match case::muscles() {
+    let sets = match built_in::muscles() {
         Ok(sets) => sets,
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => {
             let name = format!("measured muscles: {error}");
             let none = ForceErrors::default();
-            let least = Coverage::Calibrated;
-            return Ok(vec![share_row(name, "", &none, least)]);
+            return Ok(vec![share_row(name, "", &none, Coverage::Calibrated)]);
         }
     };
     let mut rows = hand_made(elements, progress)?;
@@ -116,7 +116,7 @@ fn hand_made(
 }
 
 fn points() -> Vec<MeasuredPoint> {
-    let text = case::text_of(FOLDER, "points.csv").unwrap_or_default();
+    let text = built_in::text_of(FOLDER, "points.csv").unwrap_or_default();
     read_measured(&text)
         .map(|p| mean_of_branches(&p))
         .unwrap_or_default()
@@ -124,7 +124,7 @@ fn points() -> Vec<MeasuredPoint> {
 
 /// The 20° muscle with what is fitted of it.
 fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) -> Option<Muscle> {
-    let m = parse_muscle(&case::text_of(FOLDER, "muscle.toml")?).ok()?;
+    let m = parse_muscle(&built_in::text_of(FOLDER, "muscle.toml")?).ok()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
     let request = Request {

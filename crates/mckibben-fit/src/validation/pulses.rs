@@ -41,7 +41,7 @@ const STEPS: usize = 8;
 const TAUT: f64 = 0.05;
 
 /// Pulses that were counted on a muscle at one contraction, the mean of its tests.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Counted {
     /// L0 in mm.
     pub length_mm: f64,
@@ -52,7 +52,7 @@ pub struct Counted {
 }
 
 /// Pulses predicted by the volumes of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Predicted {
     /// Vd in mm³.
     pub dead_volume_mm3: f64,

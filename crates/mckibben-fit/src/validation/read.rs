@@ -1,16 +1,17 @@
 //! A folder → what was measured.
 
-use super::{
-    case::{
-        By, CaseError, CaseFit, Facts, FittedSubset, MeasuredFolder, Measurement, MuscleCase, Split,
-    },
-    rubber::RubberCase,
+use super::case::{
+    CaseError, CaseFit, Facts, MeasuredFolder, Measurement, MuscleCase, Points, RubberCase,
+    RubberCaseFit, Split,
 };
 use crate::{
     identify::{Parameter, Target},
     measured::{Quantity, read_data},
+    rubber::read_tests,
+    rubber_over_time::read_history,
 };
 use mckibben::muscle::{Muscle, file::parse_muscle};
+use mckibben_io::table::Columns;
 use serde::{
     Deserialize,
     de::{DeserializeOwned, IgnoredAny},
@@ -55,38 +56,6 @@ enum Branches {
     Both,
 }
 
-/// Which points are fitted, as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SplitText {
-    by: By,
-    fit_on: Option<String>,
-    from: Option<f64>,
-    to: Option<f64>,
-}
-
-impl TryFrom<SplitText> for Split {
-    type Error = &'static str;
-
-    fn try_from(text: SplitText) -> Result<Self, &'static str> {
-        let fitted = match (text.fit_on.as_deref(), text.from, text.to) {
-            (Some("one"), None, None) => FittedSubset::One,
-            (Some("others"), None, None) => FittedSubset::Others,
-            (None, Some(from), Some(to)) if from <= to => FittedSubset::Range(from, to),
-            _ => {
-                return Err(
-                    "`split` must be a table such as { by = \"length_mm\", fit_on = \"one\" } \
-                     (or \"others\"), or { by = \"pressure_mpa\", from = 0.1, to = 0.3 }",
-                );
-            }
-        };
-        Ok(Self {
-            by: text.by,
-            fitted,
-        })
-    }
-}
-
 fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText<F>), CaseError> {
     let case: CaseText<F> = toml_edit::de::from_str(&files.case).map_err(|error| {
         let before = error.span().and_then(|span| files.case.get(..span.start));
@@ -113,13 +82,23 @@ fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText
 
 impl Measurement {
     pub fn read(files: &MeasuredFolder) -> Result<Self, CaseError> {
+        let unread = |error| CaseError::Points(files.name.clone(), error);
         if files.muscle.trim().is_empty() {
-            let (facts, case) = parse(files)?;
-            return RubberCase::new(facts, &files.points, case.fit).map(Self::Rubber);
+            let (facts, case) = parse::<RubberCaseFit>(files)?;
+            // Over time where a fit wants its relaxation.
+            let points = if case.fit.iter().any(|f| f.relaxation.is_some()) {
+                read_history(&files.points, &Columns::default()).map(Points::History)
+            } else {
+                read_tests(&files.points, &Columns::default()).map(|read| Points::Tests(read.0))
+            };
+            return Ok(Self::Rubber(RubberCase {
+                facts,
+                fits: case.fit,
+                points: points.map_err(unread)?,
+            }));
         }
         let (facts, case) = parse::<FitText>(files)?;
-        let points = read_data(&files.points);
-        let points = points.map_err(|error| CaseError::Points(files.name.clone(), error))?;
+        let points = read_data(&files.points).map_err(unread)?;
         let fits = case.fit.into_iter().enumerate();
         let fits: Vec<CaseFit> = fits
             .map(|(i, text)| fit(files, i, text))
@@ -244,7 +223,7 @@ fn muscle_file_of_fit(files: &MeasuredFolder, number: usize) -> Result<String, C
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::{built_in, muscles, rubbers};
+    use super::super::built_in::{built_in, measurements, muscles};
     use super::*;
 
     fn files() -> MeasuredFolder {
@@ -260,9 +239,9 @@ mod tests {
         let folders = std::fs::read_dir(root.join("data/measured"))
             .unwrap()
             .count();
-        // Otherwise touch src/validation/case.rs: a folder is newer than this build.
+        // Otherwise touch src/validation/built_in.rs: a folder is newer than this build.
         assert_eq!(folders, built_in().len());
-        assert_eq!(muscles().unwrap().len() + rubbers().unwrap().len(), folders);
+        assert_eq!(measurements().unwrap().len(), folders);
         for files in built_in() {
             let enough = match Measurement::read(&files).unwrap() {
                 Measurement::Muscle(case) => case.points.len() > 5 && !case.fits.is_empty(),

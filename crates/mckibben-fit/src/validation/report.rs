@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;
 
 /// Why there is no validation report.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, PartialEq, Error)]
 pub enum ReportError {
     /// The caller wanted it to end.
     #[error(transparent)]
@@ -55,7 +55,7 @@ pub struct MeasuredFit {
 }
 
 /// Errors at some points: measured − computed.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Group {
     /// The points that are compared.
     pub of: String,
@@ -77,7 +77,7 @@ pub struct Group {
 }
 
 /// Errors of a fit at the points of one branch of the hysteresis.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation`
     /// back.
@@ -88,7 +88,7 @@ pub struct MeasuredBranch {
 }
 
 /// Errors of a fit at points of about one contraction.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
     pub from: f64,
@@ -157,10 +157,7 @@ fn fit_case(
         let points: Vec<&DataPoint> = compared.iter().copied().filter(|p| keep(p)).collect();
         let all = points.len();
         let residuals = residuals(by.build, &muscle, points, case.friction_share());
-        Group {
-            unanswered: all - residuals.len(),
-            ..Group::new(name, blind, &residuals)
-        }
+        Group::new(name, blind, &residuals, all - residuals.len())
     };
     let mut groups = vec![group(label.clone(), nothing, &|p| training.holds(p))];
     let values = training.values(&others);
@@ -179,11 +176,10 @@ fn fit_case(
             group(training.label(&[*v]), true, &keep)
         }));
     }
-    let fitted_to = if nothing { "nothing".into() } else { label };
     Ok(MeasuredFit {
         case: number,
         fit: fit.name.clone(),
-        fitted_to,
+        fitted_to: if nothing { "nothing".into() } else { label },
         parameters,
         muscle,
         groups,
@@ -191,31 +187,32 @@ fn fit_case(
 }
 
 impl Group {
-    fn new(name: String, blind: bool, residuals: &[Residual]) -> Self {
+    fn new(of: String, blind: bool, residuals: &[Residual], unanswered: usize) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = peak(means().map(|r| r.contraction));
         let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
-        let bins = bins.take_while(|bin| bin.0 <= end).map(|(from, to)| {
-            let errors = ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction)));
-            MeasuredBin { from, to, errors }
+        let bins = bins
+            .take_while(|bin| bin.0 <= end)
+            .map(|(from, to)| MeasuredBin {
+                from,
+                to,
+                errors: ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction))),
+            });
+        let branches = [Direction::Contraction, Direction::Elongation].into_iter();
+        let by_branch = branches.map(|branch| MeasuredBranch {
+            branch,
+            errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
         });
-        let by_branch = [Direction::Contraction, Direction::Elongation].map(|branch| {
-            let errors = ForceErrors::new(residuals.iter().filter(|r| r.branch == branch));
-            MeasuredBranch { branch, errors }
-        });
-        let branches = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
+        let single = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
-            of: name,
+            of,
             blind,
-            unanswered: 0,
+            unanswered,
             by_contraction: bins.filter(|bin| bin.errors.points > 0).collect(),
-            by_branch: by_branch
-                .into_iter()
-                .filter(|b| b.errors.points > 0)
-                .collect(),
+            by_branch: by_branch.filter(|b| b.errors.points > 0).collect(),
             means: ForceErrors::new(means()),
-            branch_points: branches.points,
-            branch_held: branches.held,
+            branch_points: single.points,
+            branch_held: single.held,
         }
     }
 }
@@ -224,9 +221,9 @@ impl Group {
 #[derive(Clone, Copy)]
 struct Training<'a> {
     case: &'a MuscleCase,
-    pub fit: &'a CaseFit,
+    fit: &'a CaseFit,
     /// The points of the case, with the means of its branches.
-    pub means: &'a [DataPoint],
+    means: &'a [DataPoint],
     /// Both ends in it.
     range: (f64, f64),
     /// Fitted are those outside.
@@ -266,7 +263,7 @@ fn trainings<'a>(
 
 impl Training<'_> {
     /// The quantity that divides the points.
-    pub fn value(&self, point: &DataPoint) -> Option<f64> {
+    fn value(&self, point: &DataPoint) -> Option<f64> {
         Some(match self.fit.split?.by {
             By::Length => point
                 .section
@@ -277,7 +274,7 @@ impl Training<'_> {
         })
     }
 
-    pub fn holds(&self, point: &DataPoint) -> bool {
+    fn holds(&self, point: &DataPoint) -> bool {
         let Some(v) = self.value(point) else {
             return true;
         };
@@ -287,12 +284,12 @@ impl Training<'_> {
     }
 
     /// The values of points, each once.
-    pub fn values(&self, points: &[DataPoint]) -> Vec<f64> {
+    fn values(&self, points: &[DataPoint]) -> Vec<f64> {
         distinct(points.iter().filter_map(|p| self.value(p)))
     }
 
     /// `233, 281 mm`, or `0.04 to 0.6 MPa` where there are many.
-    pub fn label(&self, values: &[f64]) -> String {
+    fn label(&self, values: &[f64]) -> String {
         let unit = match self.fit.split.map(|split| split.by) {
             None => return "all".into(),
             Some(By::Length) => " mm",
@@ -309,7 +306,7 @@ impl Training<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::muscles;
+    use super::super::built_in::muscles;
     use super::super::elements;
     use super::*;
     use mckibben::cancel::Cancelled;
@@ -377,7 +374,7 @@ mod tests {
             point(Elongation, 2.0, Some(3.0)),
             point(Elongation, 2.0, None),
         ];
-        let group = Group::new("all".into(), true, &points);
+        let group = Group::new("all".into(), true, &points, 0);
         let of = |errors: &ForceErrors| (errors.points, errors.bias_n, errors.rms_n, errors.held);
         assert_eq!(of(&group.means), (1, 0.5, 0.5, Some(1.0)));
         let branches = group.by_branch.iter().map(|b| (b.branch, of(&b.errors)));
@@ -390,7 +387,7 @@ mod tests {
         );
         assert_eq!((group.branch_points, group.branch_held), (5, Some(0.75)));
         // A branch that was not measured has no row.
-        let rising = Group::new("some".into(), true, &points[..1]);
+        let rising = Group::new("some".into(), true, &points[..1], 0);
         assert_eq!(rising.by_branch.len(), 1);
     }
 

@@ -17,7 +17,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// One measured point beside what a model says of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Residual {
     /// ε.
     pub contraction: f64,
@@ -78,8 +78,11 @@ fn residual(
     let mut evaluation = Evaluation::new(model, blocked, options);
     let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
     let half_width_n = |parts: UncertaintyParts| {
-        let friction = parts.friction.filter(|_| !branch.is_mean());
-        UncertaintyParts { friction, ..parts }.total()
+        UncertaintyParts {
+            friction: parts.friction.filter(|_| !branch.is_mean()),
+            ..parts
+        }
+        .total()
     };
     Some(Residual {
         contraction,
@@ -160,7 +163,7 @@ pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> V
 }
 
 /// Errors of a model at some points: measured less computed.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
 pub struct ForceErrors {
     /// How many points.
     pub points: usize,

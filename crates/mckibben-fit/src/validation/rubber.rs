@@ -2,72 +2,12 @@
 //! to and at those it predicts.
 
 use super::{
-    case::{CaseError, Facts},
+    case::{Points, RubberCase},
     report::ReportError,
 };
-use crate::{
-    rubber::{Form, Mode, Parameter, StressErrors, TensionPoint, read_tests},
-    rubber_over_time::{self, TimePoint, read_history},
-};
+use crate::rubber::{Parameter, StressErrors};
 use mckibben::progress::Progress;
-use mckibben_io::table::Columns;
-use serde::{Deserialize, Serialize};
-
-/// A measured rubber, and which laws are fitted to it.
-#[derive(Debug, Clone)]
-pub struct RubberCase {
-    /// What is known of it.
-    pub facts: Facts,
-    pub fits: Vec<RubberCaseFit>,
-    points: Points,
-}
-
-#[derive(Debug, Clone)]
-enum Points {
-    Tests(Vec<TensionPoint>),
-    /// One specimen over time, with loading and unloading.
-    History(Vec<TimePoint>),
-}
-
-impl RubberCase {
-    /// Reads the points: those of a test over time where a fit wants its relaxation.
-    pub(super) fn new(
-        facts: Facts,
-        points: &str,
-        fits: Vec<RubberCaseFit>,
-    ) -> Result<Self, CaseError> {
-        let points = if fits.iter().any(|f| f.relaxation.is_some()) {
-            read_history(points, &Columns::default()).map(Points::History)
-        } else {
-            read_tests(points, &Columns::default()).map(|read| Points::Tests(read.0))
-        };
-        let points = points.map_err(|error| CaseError::Points(facts.name.clone(), error))?;
-        Ok(Self {
-            facts,
-            fits,
-            points,
-        })
-    }
-
-    /// How many points there are.
-    pub fn count(&self) -> usize {
-        match &self.points {
-            Points::Tests(list) => list.len(),
-            Points::History(list) => list.len(),
-        }
-    }
-
-    fn fit_case(
-        &self,
-        fit: &RubberCaseFit,
-        progress: &dyn Progress,
-    ) -> rubber_over_time::Result<RubberFit> {
-        match &self.points {
-            Points::Tests(points) => fit.to_tests(points, progress),
-            Points::History(points) => fit.to_history(points, progress),
-        }
-    }
-}
+use serde::Serialize;
 
 /// Every fit of rubbers.
 pub fn report(
@@ -78,7 +18,11 @@ pub fn report(
     for (number, case) in cases.iter().enumerate() {
         for fit in &case.fits {
             progress.check()?;
-            let result = case.fit_case(fit, progress).map_err(|error| {
+            let result = match &case.points {
+                Points::Tests(points) => fit.to_tests(points, progress),
+                Points::History(points) => fit.to_history(points, progress),
+            };
+            let result = result.map_err(|error| {
                 ReportError::Rubber(format!("{}, fit \"{}\"", case.facts.name, fit.name), error)
             })?;
             out.push(RubberFit {
@@ -90,22 +34,6 @@ pub fn report(
         }
     }
     Ok(out)
-}
-
-/// A law, and which points it is fitted to.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RubberCaseFit {
-    pub name: String,
-    #[serde(rename = "law")]
-    pub form: Form,
-    /// Modes that are fitted, all where none is named; the others are blind.
-    #[serde(default)]
-    pub modes: Vec<Mode>,
-    /// Stretch up to which it is fitted; what is stretched further is blind.
-    pub up_to_stretch: Option<f64>,
-    /// Branches of a Prony series beside it, of a test over time.
-    pub relaxation: Option<usize>,
 }
 
 /// A law that was fitted, with its constants and errors.
@@ -132,7 +60,7 @@ pub struct RubberFit {
 }
 
 /// Errors at some nominal stresses: measured less computed.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct RubberGroup {
     /// The points that are compared: a mode, a mode `further` than the law was fitted, or a branch
     /// of a test over time.
@@ -145,7 +73,7 @@ pub struct RubberGroup {
 
 #[cfg(test)]
 mod tests {
-    use super::super::case::rubbers;
+    use super::super::{built_in::measurements, case::Measurement};
     use super::*;
     use mckibben::progress::Silent;
 
@@ -153,7 +81,8 @@ mod tests {
     /// others.
     #[test]
     fn every_rubber_that_is_built_in_is_fitted() {
-        let cases = rubbers().unwrap();
+        let all = measurements().unwrap().iter();
+        let cases: Vec<_> = all.filter_map(Measurement::rubber).collect();
         let results = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(
             results.len(),

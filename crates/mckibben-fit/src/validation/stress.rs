@@ -1,6 +1,9 @@
 //! A law fitted to measured stresses, and its errors there.
 
-use super::rubber::{RubberCaseFit, RubberFit, RubberGroup};
+use super::{
+    case::RubberCaseFit,
+    rubber::{RubberFit, RubberGroup},
+};
 use crate::{
     rubber::{
         FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with,
@@ -31,11 +34,9 @@ impl RubberCaseFit {
     }
 
     fn settings(&self) -> FitSettings {
-        let forms = vec![self.form];
-        let fit_modes = self.modes.clone();
         FitSettings {
-            forms,
-            fit_modes,
+            forms: vec![self.form],
+            fit_modes: self.modes.clone(),
             up_to_stretch: self.up_to_stretch,
             ..FitSettings::default()
         }
@@ -74,20 +75,17 @@ impl RubberCaseFit {
         ] {
             groups.extend(Mode::ALL.map(|mode| {
                 let points = list.iter().filter(|p| p.mode == mode);
-                let errors = StressErrors::for_law(&fitted.law, points);
                 RubberGroup {
                     of: format!("{mode}{further}"),
                     blind,
-                    errors,
+                    errors: StressErrors::for_law(&fitted.law, points),
                 }
             }));
         }
         groups.retain(|g| g.errors.points > 0);
-        let stable = fitted.quality.stable;
-        let parameters = fitted.parameters;
         Ok(RubberFit {
-            stable,
-            parameters,
+            stable: fitted.quality.stable,
+            parameters: fitted.parameters,
             groups,
             ..RubberFit::default()
         })
@@ -153,9 +151,8 @@ impl RubberCaseFit {
             .iter()
             .map(|b| (b.share, b.time_constant_s))
             .collect();
-        let stable = quality.stable;
         Ok(RubberFit {
-            stable,
+            stable: quality.stable,
             parameters,
             prony,
             groups,

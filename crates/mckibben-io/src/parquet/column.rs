@@ -15,7 +15,7 @@ pub struct Field {
 }
 
 /// How the values of a column are packed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Packing {
     /// Few values come again and again: a dictionary of them.
     Repeated,

@@ -23,8 +23,9 @@ pub struct Reader {
 impl Reader {
     /// Reads the metadata of a file.
     pub fn new(file: File) -> std::result::Result<Self, TableError> {
-        let file = guarded(|| SerializedFileReader::new(file))?;
-        Ok(Self { file })
+        Ok(Self {
+            file: guarded(|| SerializedFileReader::new(file))?,
+        })
     }
 
     fn metadata(&self) -> &FileMetaData {

@@ -60,8 +60,9 @@ impl<'a> Writer<'a> {
         };
         let lines: String = fields.iter().map(line).collect();
         let schema = parse_message_type(&format!("message {table} {{\n{lines}}}"))?;
-        let out = SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties.build()))?;
-        Ok(Self { out })
+        Ok(Self {
+            out: SerializedFileWriter::new(sink, Arc::new(schema), Arc::new(properties.build()))?,
+        })
     }
 
     /// Writes rows as a group.

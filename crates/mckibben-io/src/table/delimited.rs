@@ -9,7 +9,7 @@ use mckibben_units::cancel;
 pub const MAX_BYTES: usize = 32 << 20;
 
 /// What is between two fields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Separator {
     Mark(char),
     /// Spaces, as many as there are.
@@ -30,7 +30,7 @@ impl Separator {
 }
 
 /// A line with its fields, without the spaces around them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub struct TableRow {
     /// Its number from 1.
     pub line: u64,
@@ -150,12 +150,13 @@ fn is_comment(text: &str) -> bool {
     text.starts_with('#') || text.starts_with("//")
 }
 
+fn is_row(line: &&str) -> bool {
+    !line.trim().is_empty() && !is_comment(line)
+}
+
 /// Fields of the last line with any, which is data.
 fn columns(text: &str) -> usize {
-    let last = text
-        .lines()
-        .rev()
-        .find(|l| !l.trim().is_empty() && !is_comment(l));
+    let last = text.lines().rev().find(is_row);
     last.map_or(0, |l| l.split_whitespace().count())
 }
 
@@ -186,12 +187,9 @@ fn spaced(line: &str, count: usize) -> Vec<&str> {
 
 /// Excel's first line.
 fn stated_separator(text: &str) -> Option<Separator> {
-    let first = text
-        .lines()
-        .next()?
-        .trim_matches(['"', ' '])
-        .to_ascii_lowercase();
-    match first.strip_prefix("sep=")?.chars().next() {
+    let first = text.lines().next()?.to_ascii_lowercase();
+    let stated = first.trim_matches(['"', ' ']).strip_prefix("sep=")?;
+    match stated.chars().next() {
         Some(mark @ (';' | ',' | '\t' | '|')) => Some(Separator::Mark(mark)),
         // A tab that was trimmed away by somebody.
         _ => Some(Separator::Mark('\t')),
@@ -201,10 +199,7 @@ fn stated_separator(text: &str) -> Option<Separator> {
 /// The separator that is in the last lines, which are data. A comma may be a decimal one: it comes
 /// last.
 fn separator(text: &str) -> Separator {
-    let rows: Vec<&str> = text
-        .lines()
-        .filter(|l| !l.trim().is_empty() && !is_comment(l))
-        .collect();
+    let rows: Vec<&str> = text.lines().filter(is_row).collect();
     let data = &rows[rows.len() - (rows.len() / 4).max(2).min(rows.len())..];
     let holds = |mark: char| data.iter().filter(|l| outside_quotes(l, mark)).count();
     let separates = |mark: &char| holds(*mark) > 0 && 2 * holds(*mark) >= data.len();

@@ -220,10 +220,8 @@ impl Search {
                     first,
                 });
             }
-            if best
-                .as_ref()
-                .is_none_or(|best| best.0.columns.len() < guess.columns.len())
-            {
+            let is_better = |best: &(Guess, _)| best.0.columns.len() < guess.columns.len();
+            if best.as_ref().is_none_or(is_better) {
                 best = Some((guess, headings));
             }
         }
@@ -273,18 +271,13 @@ impl Search {
 
     /// A table without a heading, whose columns are chosen by number.
     fn by_numbers(&self, rows: &[TableRow]) -> Result<Option<Head>, TableError> {
-        let Some(row) = rows
-            .first()
-            .filter(|_| self.choices.iter().any(|c| c.constant().is_none()))
-        else {
+        let Some(row) = rows.first() else {
             return Ok(None);
         };
         let is_numbered = |c: &Choice| c.by_number().is_some_and(|i| is_number(row.field(i)));
-        let numbered = self
-            .choices
-            .iter()
-            .all(|c| c.constant().is_some() || is_numbered(c));
-        if !numbered {
+        let columns = self.choices.iter().filter(|c| c.constant().is_none());
+        let (numbered, named): (Vec<_>, Vec<_>) = columns.partition(|c| is_numbered(c));
+        if numbered.is_empty() || !named.is_empty() {
             return Ok(None);
         }
         let headings: Vec<String> = (1..=row.len()).map(|i| format!("#{i}")).collect();
@@ -319,7 +312,7 @@ impl Search {
             return true;
         };
         let is_zero =
-            column.meaning != Meaning::Force && !first.contains(|c| ('1'..='9').contains(&c));
+            column.meaning != Meaning::Force && !first.contains(|c| matches!(c, '1'..='9'));
         let in_its_place = |c: &Column| {
             let mut groups = self.vocabulary.needed.iter().map(|need| &need.any_of);
             groups.any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))

@@ -260,10 +260,9 @@ impl Vocabulary {
         cuts(heading).find_map(|(words, behind)| {
             let label = label(words);
             self.quantities().find_map(|meaning| {
-                let rank = rank(heading, &label, meaning.words())?;
                 Some(Column {
                     label: label.clone(),
-                    rank,
+                    rank: rank(heading, &label, meaning.words())?,
                     ..Column::new(heading, meant(meaning, behind)?)
                 })
             })

@@ -35,51 +35,6 @@ const TIMES: Need = Need {
     any_of: &[Time],
     names: "time_s or Time [ms]",
 };
-const STRETCHES_OVER_TIME: Need = Need {
-    wanted: "stretches",
-    any_of: &[Stretch],
-    names: "stretch",
-};
-const STRESSES_OVER_TIME: Need = Need {
-    wanted: "stresses",
-    any_of: &[NominalStress],
-    names: "nominal_stress_mpa (or _kpa, _psi)",
-};
-const PRESSURES: Need = Need {
-    wanted: "pressures",
-    any_of: &[Pressure],
-    names: "pressure_mpa, pressure_bar or Pressure [psi]",
-};
-const OPENINGS: Need = Need {
-    wanted: "openings",
-    any_of: &[Opening],
-    names: "opening (-1 to 1)",
-};
-const VOLUMES: Need = Need {
-    wanted: "volumes",
-    any_of: &[Volume],
-    names: "volume_mm3 or volume_ml",
-};
-const CONTRACTIONS: Need = Need {
-    wanted: "contractions",
-    any_of: &[Contraction, Shortening],
-    names: "contraction, contraction_percent or Shortening [mm]",
-};
-const ANGLES: Need = Need {
-    wanted: "angles",
-    any_of: &[JointAngle],
-    names: "angle_deg or Angle [rad]",
-};
-const SHORTENINGS: Need = Need {
-    wanted: "shortenings",
-    any_of: &[Shortening, Contraction],
-    names: "Shortening [mm] or contraction",
-};
-const FORCES_OF_LOAD: Need = Need {
-    wanted: "forces",
-    any_of: &[Force],
-    names: "force_n, Force [kN] or Force [lbf]",
-};
 const PRESSURES_OF_MUSCLE: Need = Need {
     wanted: "pressures",
     any_of: &[Pressure],
@@ -95,16 +50,6 @@ const FORCES_OF_MUSCLE: Need = Need {
     any_of: &[Force, Volume],
     names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
 };
-const STRETCHES_OF_TEST: Need = Need {
-    wanted: "stretches",
-    any_of: &[Stretch, Strain, TrueStrain, Extension, Length],
-    names: "stretch, engineering_strain, strain_percent or extension_mm",
-};
-const STRESSES_OF_TEST: Need = Need {
-    wanted: "stresses",
-    any_of: &[NominalStress, TrueStress, Force, TrueStressDifference],
-    names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
-};
 
 /// What a muscle was commanded over time.
 const COMMANDS: &[&[Meaning]] = &[&[Time, Pressure, Contraction, Opening, Volume, JointAngle]];
@@ -113,7 +58,7 @@ const STATE: &[Meaning] = &[Pressure, Contraction, Shortening, RestLength, Lengt
 /// The length against that without load.
 const EXTENSION: &[Meaning] = &[Extension, FreeLength];
 /// What was measured in a state, and of which muscle.
-const MEASURED: &[Meaning] = &[
+pub const MEASURED: &[Meaning] = &[
     Force,
     Volume,
     VolumeError,
@@ -133,7 +78,19 @@ const MEASURED: &[Meaning] = &[
 pub static HISTORIES: Vocabulary = Vocabulary {
     what: "a test over time",
     quantities: &[&[Time, Stretch, NominalStress]],
-    needed: &[TIMES, STRETCHES_OVER_TIME, STRESSES_OVER_TIME],
+    needed: &[
+        TIMES,
+        Need {
+            wanted: "stretches",
+            any_of: &[Stretch],
+            names: "stretch",
+        },
+        Need {
+            wanted: "stresses",
+            any_of: &[NominalStress],
+            names: "nominal_stress_mpa (or _kpa, _psi)",
+        },
+    ],
 };
 /// Measured points of a muscle.
 pub static POINTS: Vocabulary = Vocabulary {
@@ -176,19 +133,71 @@ pub static TESTS: Vocabulary = Vocabulary {
         Mode,
         Area,
     ]],
-    needed: &[STRETCHES_OF_TEST, STRESSES_OF_TEST],
+    needed: &[
+        Need {
+            wanted: "stretches",
+            any_of: &[Stretch, Strain, TrueStrain, Extension, Length],
+            names: "stretch, engineering_strain, strain_percent or extension_mm",
+        },
+        Need {
+            wanted: "stresses",
+            any_of: &[NominalStress, TrueStress, Force, TrueStressDifference],
+            names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
+        },
+    ],
 };
 /// A load over the shortening of the muscle that meets it.
 pub static LOADS: Vocabulary = Vocabulary {
     what: "a load",
     quantities: &[STATE, MEASURED],
-    needed: &[SHORTENINGS, FORCES_OF_LOAD],
+    needed: &[
+        Need {
+            wanted: "shortenings",
+            any_of: &[Shortening, Contraction],
+            names: "Shortening [mm] or contraction",
+        },
+        Need {
+            wanted: "forces",
+            any_of: &[Force],
+            names: "force_n, Force [kN] or Force [lbf]",
+        },
+    ],
 };
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
 pub static OVER_TIME: [Vocabulary; 5] = [
-    over_time(COMMANDS, &[TIMES, PRESSURES]),
-    over_time(COMMANDS, &[TIMES, OPENINGS]),
-    over_time(COMMANDS, &[TIMES, VOLUMES]),
+    over_time(
+        COMMANDS,
+        &[
+            TIMES,
+            Need {
+                wanted: "pressures",
+                any_of: &[Pressure],
+                names: "pressure_mpa, pressure_bar or Pressure [psi]",
+            },
+        ],
+    ),
+    over_time(
+        COMMANDS,
+        &[
+            TIMES,
+            Need {
+                wanted: "openings",
+                any_of: &[Opening],
+                names: "opening (-1 to 1)",
+            },
+        ],
+    ),
+    over_time(
+        COMMANDS,
+        &[
+            TIMES,
+            Need {
+                wanted: "volumes",
+                any_of: &[Volume],
+                names: "volume_mm3 or volume_ml",
+            },
+        ],
+    ),
     over_time(
         &[&[
             Time,
@@ -199,9 +208,26 @@ pub static OVER_TIME: [Vocabulary; 5] = [
             Volume,
             JointAngle,
         ]],
-        &[TIMES, CONTRACTIONS],
+        &[
+            TIMES,
+            Need {
+                wanted: "contractions",
+                any_of: &[Contraction, Shortening],
+                names: "contraction, contraction_percent or Shortening [mm]",
+            },
+        ],
     ),
-    over_time(COMMANDS, &[TIMES, ANGLES]),
+    over_time(
+        COMMANDS,
+        &[
+            TIMES,
+            Need {
+                wanted: "angles",
+                any_of: &[JointAngle],
+                names: "angle_deg or Angle [rad]",
+            },
+        ],
+    ),
 ];
 
 const fn over_time(

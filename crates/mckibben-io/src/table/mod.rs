@@ -36,5 +36,5 @@ pub use understood::{Understood, UnderstoodColumn};
 pub use delimited::MAX_BYTES;
 pub use find::Table;
 pub use heading::{Column, is_absolute};
-pub use kinds::{HISTORIES, POINTS, RECORDED, TESTS, Vocabulary};
+pub use kinds::{HISTORIES, MEASURED, POINTS, RECORDED, TESTS, Vocabulary};
 pub use vocabulary::{Meaning, spoken};

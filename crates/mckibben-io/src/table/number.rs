@@ -3,7 +3,7 @@
 use super::delimited::Separator;
 
 /// Which mark is before the decimals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decimal {
     Point,
     Comma,
@@ -12,7 +12,7 @@ pub enum Decimal {
 }
 
 /// Why a field is no number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoNumber {
     Text,
     /// `1.234` could be a thousand or one and a bit.
@@ -24,26 +24,17 @@ fn evidence(text: &str) -> Option<Decimal> {
     let (number, _) = cut(text)?;
     let number = number.trim_start_matches(['+', '-']);
     let number = number.split(['e', 'E']).next().unwrap_or(number);
-    match (number.rfind('.'), number.rfind(',')) {
-        (Some(point), Some(comma)) => Some(if point > comma {
-            Decimal::Point
-        } else {
-            Decimal::Comma
-        }),
-        (None, None) => None,
-        (point, comma) => {
-            let at = point.or(comma)?;
-            let before = &number[..at];
-            let behind = &number[at + 1..];
-            let whole = before.contains(['.', ',']) || (behind.len() == 3 && is_lead(before));
-            let mark = if point.is_some() {
-                Decimal::Point
-            } else {
-                Decimal::Comma
-            };
-            (!whole).then_some(mark)
-        }
-    }
+    let (point, comma) = (number.rfind('.'), number.rfind(','));
+    let at = point.max(comma)?;
+    let before = &number[..at];
+    let is_alone = point.is_none() || comma.is_none();
+    let is_group = before.contains(['.', ',']) || (number.len() == at + 4 && is_lead(before));
+    let mark = if point > comma {
+        Decimal::Point
+    } else {
+        Decimal::Comma
+    };
+    (!(is_alone && is_group)).then_some(mark)
 }
 
 /// One to three digits that may precede a group of thousands.
@@ -52,27 +43,16 @@ fn is_lead(text: &str) -> bool {
 }
 
 /// The decimal mark of a table, from all of its numbers.
-pub fn decimal<'a>(fields: impl Iterator<Item = &'a str>, separator: Separator) -> Decimal {
-    let mut point = false;
-    let mut comma = false;
-    let mut points = false;
-    let mut commas = false;
-    for field in fields {
-        match evidence(field) {
-            Some(Decimal::Point) => point = true,
-            Some(Decimal::Comma) => comma = true,
-            _ => {}
-        }
-        points |= field.contains('.');
-        commas |= field.contains(',');
-    }
-    match (point, comma) {
+pub fn decimal<'a>(fields: impl Iterator<Item = &'a str> + Clone, separator: Separator) -> Decimal {
+    let shows = |mark| fields.clone().any(|field| evidence(field) == Some(mark));
+    let holds = |mark| fields.clone().any(|field| field.contains(mark));
+    match (shows(Decimal::Point), shows(Decimal::Comma)) {
         (true, false) => Decimal::Point,
         (false, true) => Decimal::Comma,
         (true, true) => Decimal::Unknown,
         // Nobody who writes decimal commas separates by commas; behind semicolons `1.234` may be a
         // thousand.
-        (false, false) if !commas && (!points || separator != Separator::Mark(';')) => {
+        (false, false) if !holds(',') && (!holds('.') || separator != Separator::Mark(';')) => {
             Decimal::Point
         }
         (false, false) => Decimal::Unknown,
@@ -116,8 +96,7 @@ fn exponent_follows(text: &str) -> bool {
 
 /// Three digits and no fourth.
 fn groups_follow(text: &str) -> bool {
-    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-    digits == 3
+    text.bytes().take_while(u8::is_ascii_digit).count() == 3
 }
 
 /// A finite number and the unit behind it, which may be empty.

@@ -95,13 +95,9 @@ impl Table {
         let Some(column) = self.column(meaning) else {
             return Ok(vec![None; self.rows.len()]);
         };
-        let one = |row: usize| {
-            let empty = self.rows[row].field(column.index).is_empty();
-            if empty {
-                Ok(None)
-            } else {
-                self.number(row, column).map(Some)
-            }
+        let one = |row: usize| match self.rows[row].field(column.index) {
+            "" => Ok(None),
+            _ => self.number(row, column).map(Some),
         };
         (0..self.rows.len()).map(one).collect()
     }
@@ -208,14 +204,10 @@ impl Table {
         words: &[(&str, T)],
         known: &'static str,
     ) -> Result<Option<T>, TableError> {
-        let Some(column) = self.column(meaning) else {
+        let stated = self.text(row, meaning).filter(|t| !t.1.is_empty());
+        let Some((line, text)) = stated else {
             return Ok(None);
         };
-        let line = self.rows[row].line;
-        let text = self.rows[row].field(column.index);
-        if text.is_empty() {
-            return Ok(None);
-        }
         let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
         let name = &meaning.words().name;
         word.map(Some)
@@ -224,11 +216,9 @@ impl Table {
 
     /// A value that cannot be.
     pub fn impossible(&self, row: usize, column: &Column, expected: &str) -> TableError {
-        let (line, text) = self
-            .rows
-            .get(row)
-            .map_or((0, ""), |r| (r.line, r.field(column.index)));
-        column.refused(line, format!("{} {expected}", short(text)))
+        let row = &self.rows[row];
+        let text = short(row.field(column.index));
+        column.refused(row.line, format!("{text} {expected}"))
     }
 
     /// A ratio that is probably in percent.
@@ -268,12 +258,8 @@ impl Table {
                 column = column.heading
             ));
         }
-        let column = column
-            .heading
-            .split(['[', '('])
-            .next()
-            .unwrap_or_default()
-            .trim();
+        let column = column.heading.split(['[', '(']).next();
+        let column = column.unwrap_or_default().trim();
         TableError::Refused(format!(
             "column {column} does not state its unit{stated}; write it after the heading, as \
              {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"

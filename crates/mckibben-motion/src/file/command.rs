@@ -227,11 +227,10 @@ fn spoken(text: &str, dimension: Dimension) -> Option<Command> {
         "sine" => {
             let (values, frequency) = rest.split_once(" at ")?;
             let (mean, amplitude) = swing(values)?;
-            let frequency_hz = one(frequency, Dimension::Frequency)?;
             Some(Command::Sine {
                 mean,
                 amplitude,
-                frequency_hz,
+                frequency_hz: one(frequency, Dimension::Frequency)?,
                 phase_rad: -std::f64::consts::FRAC_PI_2,
             })
         }

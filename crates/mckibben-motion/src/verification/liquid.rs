@@ -32,12 +32,11 @@ const PUSHED_MM3: f64 = 60e3;
 const DEAD_MM3: f64 = 50e3;
 
 fn water(bulk_modulus_mpa: f64, dead_volume_mm3: f64) -> Option<Fluid> {
-    let liquid = Liquid::named("water", 0.0)
-        .ok()?
-        .with_bulk_modulus(bulk_modulus_mpa)
-        .ok()?;
     Some(Fluid::Liquid(LiquidFill {
-        liquid,
+        liquid: Liquid::named("water", 0.0)
+            .ok()?
+            .with_bulk_modulus(bulk_modulus_mpa)
+            .ok()?,
         temperature_k: 293.15,
         dead_volume_mm3,
     }))
@@ -63,9 +62,8 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
 /// A valve as wide in both directions.
 fn valve() -> Option<Actuator> {
     let restriction = Restriction::new(KV_MM3_PER_S).ok()?;
-    let kind = ValveKind::DEFAULT;
     Some(Actuator::LiquidValve(LiquidValve {
-        kind,
+        kind: ValveKind::DEFAULT,
         supply: restriction,
         tank: restriction,
         line: None,
@@ -91,9 +89,8 @@ struct Hanging {
 
 impl Hanging {
     fn new() -> Self {
-        let model = ThickWall::new(&Muscle::prototype());
         Self {
-            model,
+            model: ThickWall::new(&Muscle::prototype()),
             load: Load::Mass {
                 mass_kg: 10.0,
                 level: false,

@@ -218,9 +218,8 @@ fn loops() -> Vec<VerificationRow> {
                     time_constant_s: 0.02,
                 },
             );
-            let presliding_mm = Some(PRESLIDING_MM);
             muscle.friction = Some(Friction {
-                presliding_mm,
+                presliding_mm: Some(PRESLIDING_MM),
                 ..Friction::power_law(LEVEL_N, 0.0)
             });
             let sine = Command::Sine {

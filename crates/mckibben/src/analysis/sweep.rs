@@ -55,12 +55,11 @@ pub struct Sweep<F, E> {
 impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
     /// No samples yet of a function whose errors are a share of `scale`.
     pub fn new(costly: bool, scale: f64, at: F) -> Self {
-        let closing = if costly { CLOSING.1 } else { CLOSING.0 };
         Self {
             at,
             samples: vec![],
             costly,
-            closing,
+            closing: if costly { CLOSING.1 } else { CLOSING.0 },
             tiny: SAME * scale,
             refused: None,
             lost: None,

@@ -185,11 +185,10 @@ fn what_it_was_not_made_for_is_refused() {
     );
     // The same stiffness said in another way is the same braid.
     let k = proto.family_stiffness_n_per_mm().unwrap();
-    let stiffness = crate::muscle::BraidStiffness::NewtonPerMm(k);
     assert!(
         check(
             &braid(crate::muscle::Braid {
-                stiffness,
+                stiffness: crate::muscle::BraidStiffness::NewtonPerMm(k),
                 ..proto.braid().clone()
             }),
             0.2,

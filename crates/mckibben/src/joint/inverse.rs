@@ -58,14 +58,11 @@ impl JointModel<'_> {
                 .evaluation(i, workspace, Direction::Mean)
                 .force_n(max_pressure_mpa, contraction);
             // Beyond its free contraction there may be no answer, and there is no pull.
-            let most_n = most.unwrap_or(0.0).max(0.0);
-            let arm_mm = s.arm_mm;
-            let arm_by_angle_mm = s.arm_by_angle_mm;
             here.push(Here {
                 contraction,
-                arm_mm,
-                arm_by_angle_mm,
-                most_n,
+                arm_mm: s.arm_mm,
+                arm_by_angle_mm: s.arm_by_angle_mm,
+                most_n: most.unwrap_or(0.0).max(0.0),
             });
         }
         let (passive, passive_slope) = self.joint().passive_nm(angle);

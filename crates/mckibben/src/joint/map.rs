@@ -180,9 +180,8 @@ impl JointModel<'_> {
             if violations.is_empty() && range.make.is_empty() {
                 continue;
             }
-            let model = self.model(i).info().name.to_string();
             let error = ModelError::OutOfRange {
-                model,
+                model: self.model(i).info().name.to_string(),
                 violations,
                 make: range.make.clone(),
             };

@@ -51,9 +51,8 @@ impl Path {
                 // l l′ = −a·c′ with c′ = (−y, x); l l″ = a·c − l′²
                 let slope = (a[0] * now[1] - a[1] * now[0]) / length;
                 let second = (a[0] * now[0] + a[1] * now[1] - slope * slope) / length;
-                let mm = self.length_mm(0.0) - length;
                 Shortening {
-                    mm,
+                    mm: self.length_mm(0.0) - length,
                     arm_mm: -slope,
                     arm_by_angle_mm: -second,
                 }

@@ -45,10 +45,9 @@ fn a_rest_and_a_table_have_one_torque() {
     for _ in 0..rounds(40) {
         let mut one = muscle(Path::Pulley { radius_mm: 25.0 }, random.between(0.0, 0.1));
         let angle_deg = random.between(18.0, 50.0);
-        let stiffness = BraidStiffness::Inextensible;
         let braid = Braid {
             angle_deg,
-            stiffness,
+            stiffness: BraidStiffness::Inextensible,
             ..Braid::paper()
         };
         let stretch = random.one_of(&[1.0, 1.08, 1.2]);
@@ -186,9 +185,8 @@ fn an_unknown_that_both_muscles_share_shifts_both_pulls_at_once() {
     let joint_of = |k: f64, stiffness_factor: f64| {
         let muscles = [25.0, -25.0].map(|radius_mm| {
             let joint_muscle = muscle(Path::Pulley { radius_mm }, 0.1);
-            let stiffness = BraidStiffness::NewtonPerMm(k);
             let braid = Braid {
-                stiffness,
+                stiffness: BraidStiffness::NewtonPerMm(k),
                 stiffness_factor,
                 ..joint_muscle.muscle.braid().clone()
             };

@@ -133,10 +133,9 @@ impl Evaluation<'_> {
         let (pressure_mpa, contraction) = way.state_on_leg(leg, at)?;
         let volume_mm3 = filling.volume_mm3;
         if !is_in {
-            let largest_mm3 = way.pushed_mm3(leg, at)?;
             return Err(FillError::TooLarge {
                 volume_mm3,
-                largest_mm3,
+                largest_mm3: way.pushed_mm3(leg, at)?,
                 pressure_mpa,
                 contraction,
             });

@@ -50,10 +50,9 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let per_pressure = move |contraction: f64| {
         let g = braid.shape_at(contraction)?;
         if contraction > 0.0 && g.l <= 2.0 * kc * contraction {
-            let lowest = 1.0 - 1.0 / braid.cos;
             return Err(ModelError::Geometry {
                 contraction,
-                lowest,
+                lowest: 1.0 - 1.0 / braid.cos,
                 highest: 1.0 / (1.0 + 2.0 * kc),
             });
         }

@@ -129,13 +129,12 @@ impl ForceModel for FestoSarosi {
         let [a, b, c, d, ..] = self.fit.constants;
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);
-        let force_n = slope * bar + rest;
         // dF/dκ, κ in %
         let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
         Response {
             pressure_mpa,
             contraction,
-            force_n,
+            force_n: slope * bar + rest,
             stiffness_n_per_mm: Some(-100.0 * by_percent / self.info.muscle.length_mm()),
             force_per_pressure_mm2: Some(BAR_PER_MPA * slope),
             ..Response::default()

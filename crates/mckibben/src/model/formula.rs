@@ -138,11 +138,9 @@ pub fn of_sections(
     make: Vec<String>,
     m: &Muscle,
 ) -> ModelRange {
-    let pressure_mpa = r.pressure_mpa;
-    let contraction = r.contraction;
     ModelRange {
-        pressure_mpa,
-        contraction,
+        pressure_mpa: r.pressure_mpa,
+        contraction: r.contraction,
         make,
         ..ModelRange::open()
     }

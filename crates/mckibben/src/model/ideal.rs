@@ -43,9 +43,8 @@ impl Ideal {
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
-        let accuracy = Accuracy::share(0.93, Reference::Elements(COMPARED));
         let info = ModelInfo {
-            accuracy,
+            accuracy: Accuracy::share(0.93, Reference::Elements(COMPARED)),
             ..ModelInfo::new(&ENTRY, muscle)
         };
         Self {

@@ -79,10 +79,9 @@ fn universal(
     formula: Option<std::sync::Arc<UniversalFormula>>,
     muscle: &Muscle,
 ) -> Result<Box<dyn ForceModel>> {
-    let missing = "its built-in coefficients, which cannot be read; rebuild the program";
     let formula = formula.ok_or(ModelError::Missing {
         model,
-        missing,
+        missing: "its built-in coefficients, which cannot be read; rebuild the program",
         key: "",
     })?;
     Ok(Box::new(Universal::new(formula, muscle)))

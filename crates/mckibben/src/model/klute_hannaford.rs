@@ -55,14 +55,12 @@ impl KluteHannaford {
                 model",
             key: "tube.material",
         })?;
-        let c10 = law.c10_mpa;
-        let c01 = law.c01_mpa;
         Ok(Self {
             info: ModelInfo::of_soft_strands(&ENTRY, muscle, 0.55),
             ideal: Ideal::new(muscle),
             braid: Pantograph::from_muscle(muscle),
-            c10,
-            c01,
+            c10: law.c10_mpa,
+            c01: law.c01_mpa,
         })
     }
 

@@ -55,14 +55,12 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         // The contractions do not contain the displacement of a slip.
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
-        let contraction = (whole(low).max(-1.0), whole(high));
         let range = ModelRange {
-            contraction,
+            contraction: (whole(low).max(-1.0), whole(high)),
             ..of_inner.range.clone()
         };
-        let muscle = Arc::new(muscle.clone());
         let info = ModelInfo {
-            muscle,
+            muscle: Arc::new(muscle.clone()),
             range,
             ..of_inner.clone()
         };

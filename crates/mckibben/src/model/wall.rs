@@ -127,14 +127,13 @@ impl Wall {
             let e = self.integrated(law, l, r);
             let i = 0.5 / r;
             let by_x = e.r * i;
-            let xx = (e.rr - 2.0 * by_x) * i * i;
             SquareEnergy {
                 w: e.w,
                 l: e.l,
                 x: by_x,
                 ll: e.ll,
                 lx: e.lr * i,
-                xx,
+                xx: (e.rr - 2.0 * by_x) * i * i,
             }
         };
         SquareEnergy {

@@ -106,11 +106,9 @@ impl Muscle {
 
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
     pub fn prototype() -> Self {
-        let tube = Tube::prototype();
-        let braid = Braid::paper();
         let parts = Parts {
-            tube,
-            braid,
+            tube: Tube::prototype(),
+            braid: Braid::paper(),
             terminals: Terminals::default(),
             friction: None,
         };
@@ -272,10 +270,9 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`], and where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
-        let braid = self.braid_on(tube.outer_diameter_mm)?;
         self.with_parts(Parts {
+            braid: self.braid_on(tube.outer_diameter_mm)?,
             tube,
-            braid,
             ..self.parts.clone()
         })
     }

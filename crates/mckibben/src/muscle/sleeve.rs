@@ -52,10 +52,9 @@ impl Sleeve {
     /// # Ok::<(), mckibben::refused::Refused>(())
     /// ```
     pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
-        let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
         let strands = self.of_strands()?;
         Ok(Braid {
-            angle_deg,
+            angle_deg: self.shape.angle_deg_on(outer_diameter_mm)?,
             stiffness: BraidStiffness::OfStrands,
             strands: Some(strands),
             stiffness_factor: self.stiffness_factor(),

@@ -165,13 +165,12 @@ impl Stated {
             .measures
             .get(&STRANDS_PER_CARRIER)
             .or(sleeve.strands_per_carrier);
-        let sleeve = Some(sleeve.shape);
         Ok(Braid {
             stiffness,
             strands,
             stiffness_factor,
             strands_per_carrier,
-            sleeve,
+            sleeve: Some(sleeve.shape),
             ..braid
         })
     }

@@ -30,17 +30,14 @@ pub struct Tube {
 impl Tube {
     /// A tube by its outer diameter, wall and length in mm, and its rubber.
     pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
-        let density_kg_per_m3 = None;
-        let prestretch = 1.0;
-        let temperature_degc = None;
         Self {
             outer_diameter_mm,
             wall_mm,
             length_mm,
             rubber,
-            density_kg_per_m3,
-            prestretch,
-            temperature_degc,
+            density_kg_per_m3: None,
+            prestretch: 1.0,
+            temperature_degc: None,
         }
     }
 

@@ -121,13 +121,12 @@ impl Rubber {
     #[must_use]
     pub fn relaxed(self, held: Held) -> Self {
         let Some(prony) = self.prony else { return self };
-        let softening = self.softening.map(|s| OgdenRoxburgh {
-            m_mpa: prony.left(held) * s.m_mpa,
-            ..s
-        });
         Self {
             law: prony.relaxed_law(&self.law, held),
-            softening,
+            softening: self.softening.map(|s| OgdenRoxburgh {
+                m_mpa: prony.left(held) * s.m_mpa,
+                ..s
+            }),
             prony: None,
             ..self
         }
@@ -144,13 +143,12 @@ impl Rubber {
     pub fn at_temperature(&self, degc: f64) -> Self {
         const KELVIN: f64 = 273.15;
         let factor = (degc + KELVIN) / (Self::OF_CONSTANTS_DEGC + KELVIN);
-        let softening = self.softening.map(|s| OgdenRoxburgh {
-            m_mpa: factor * s.m_mpa,
-            ..s
-        });
         Self {
             law: self.law.scaled(factor),
-            softening,
+            softening: self.softening.map(|s| OgdenRoxburgh {
+                m_mpa: factor * s.m_mpa,
+                ..s
+            }),
             ..self.clone()
         }
     }

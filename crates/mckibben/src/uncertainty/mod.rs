@@ -506,13 +506,11 @@ impl<'a> Pull<'_, 'a> {
             let measured = self.measured_friction_n(bench, fit_n);
             Some(measured.map_or(general, |measured| measured.min(general)))
         };
-        let friction_known = self.evaluation.friction_known();
-        let fit = Some(fit_n);
         Some(UncertaintyParts {
             formula,
             friction,
-            fit,
-            friction_known,
+            fit: Some(fit_n),
+            friction_known: self.evaluation.friction_known(),
             ..UncertaintyParts::default()
         })
     }

@@ -40,12 +40,11 @@ impl Shifts {
         };
         let mut laws = of_equal_standing(own, muscle.reach());
         if own.law.locks_at().is_some() && muscle.differs_from_identified() {
-            let law = Law::NeoHookean(NeoHookean {
-                mu_mpa: own.law.shear_modulus_mpa(),
-            });
             laws.push(Rubber {
                 name: None,
-                law,
+                law: Law::NeoHookean(NeoHookean {
+                    mu_mpa: own.law.shear_modulus_mpa(),
+                }),
                 ..own.clone()
             });
         }
@@ -81,9 +80,8 @@ impl Shifts {
                 .collect()
         });
         let mut with_strands = |factor: f64| {
-            let stiffness = BraidStiffness::NewtonPerMm(stiffness? * factor);
             let braid = Braid {
-                stiffness,
+                stiffness: BraidStiffness::NewtonPerMm(stiffness? * factor),
                 ..muscle.braid().clone()
             };
             Some(pull(&muscle.with_braid(braid).ok()?)? - here)

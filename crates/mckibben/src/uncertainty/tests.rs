@@ -388,10 +388,9 @@ fn no_uncertainty_of_an_identified_muscle_is_below_the_scatter_of_its_points() {
 #[test]
 fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let m = Muscle::prototype();
-    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
     let m = m
         .with_tube(Tube {
-            rubber,
+            rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 })),
             ..m.tube().clone()
         })
         .unwrap();
@@ -411,11 +410,9 @@ fn a_muscle_that_lifts_pulls_less_by_a_share_of_what_its_strands_pull() {
     let cos = 0.9 * 28f64.to_radians().cos();
     let r = 15.0 * (1.0 - cos * cos).sqrt() / 28f64.to_radians().sin();
     let h = 0.085 * (force_n + std::f64::consts::PI * r * r * p);
-    let direction = Direction::Contraction;
-    let friction_share = m.friction_share();
     let options = Options {
-        direction,
-        friction_share,
+        direction: Direction::Contraction,
+        friction_share: m.friction_share(),
         ..Options::default()
     };
     let branch = Evaluation::new(&model, w, options).point(p, e).unwrap();

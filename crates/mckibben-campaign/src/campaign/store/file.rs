@@ -4,7 +4,7 @@
 use super::{
     folder::part_name,
     layout::Field,
-    provenance::{Provenance, VERSION, Which},
+    provenance::{Provenance, VERSION},
     table::Table,
 };
 use crate::{
@@ -27,7 +27,8 @@ const MAX_BYTES: u64 = 64 << 30;
 /// A file of a store whose metadata are read.
 pub struct Opened {
     pub(crate) provenance: Provenance,
-    pub(crate) which: Which,
+    /// The part that it holds; `None` of the whole table.
+    pub(crate) part: Option<u64>,
     path: PathBuf,
     fields: Arc<[Field]>,
     reader: Reader,
@@ -37,26 +38,27 @@ impl Opened {
     pub(crate) fn file(path: &Path) -> Result<Self> {
         let file = open(path).map_err(CampaignError::read(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
-            let limit = MAX_BYTES;
-            return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
+            return Err(CampaignError::read(path)(ReadError::TooLarge {
+                limit: MAX_BYTES,
+            }));
         }
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
-        let (provenance, which) = Provenance::read(&reader.pairs()).map_err(none)?;
+        let (provenance, part) = Provenance::read(&reader.pairs()).map_err(none)?;
         let fields = provenance.layout.fields();
         let names = reader.names();
         if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {
             let why = format!("its table lacks the column {name}; run the plan again");
             return Err(none(why));
         }
-        let (rows, actual) = (provenance.rows_of(which), reader.rows());
+        let (rows, actual) = (provenance.rows_of(part), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
             let why = format!("it has {actual} rows instead of {rows}");
             return Err(CampaignError::damaged(path, why));
         }
         Ok(Self {
             provenance,
-            which,
+            part,
             path: path.into(),
             fields,
             reader,
@@ -70,13 +72,13 @@ impl Opened {
     }
 
     /// The same, if it is this share of a campaign.
-    pub(crate) fn expect(self, which: Which, of: &Provenance) -> Result<Self> {
+    pub(crate) fn expect(self, part: Option<u64>, of: &Provenance) -> Result<Self> {
         of.check_same(&self.provenance, &self.path)?;
-        let why = match which {
-            Which::Whole => "it contains only a part of the campaign",
-            Which::Part(_) => "it contains a different part from its name",
+        let why = match part {
+            None => "it contains only a part of the campaign",
+            Some(_) => "it contains a different part from its name",
         };
-        if self.which == which {
+        if self.part == part {
             Ok(self)
         } else {
             Err(CampaignError::damaged(&self.path, why))
@@ -138,20 +140,14 @@ pub fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8
     let mut bytes = vec![];
     let name = part_name(number);
     let tables = std::iter::once(Ok(table));
-    write(
-        provenance,
-        Which::Part(number),
-        tables,
-        &mut bytes,
-        name.as_ref(),
-    )?;
+    write(provenance, Some(number), tables, &mut bytes, name.as_ref())?;
     Ok(bytes)
 }
 
 /// Tables into an empty file, row group by row group; how the tables are cut does not matter.
 pub fn write(
     provenance: &Provenance,
-    which: Which,
+    part: Option<u64>,
     tables: impl Iterator<Item = Result<Table>>,
     file: &mut (dyn Write + Send),
     path: &Path,
@@ -162,7 +158,9 @@ pub fn write(
     };
     let mut group = Table::new(provenance.layout.fields());
     let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
-    let pairs = provenance.write(which);
+    let pairs = provenance
+        .write(part)
+        .map_err(|e| failed(TableError::Io(e.into())))?;
     let program = format!("mckibben {VERSION}");
     let mut out = Writer::new(file, "campaign", &program, &fields, pairs).map_err(failed)?;
     for table in tables {

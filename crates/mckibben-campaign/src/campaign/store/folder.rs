@@ -180,15 +180,10 @@ impl Folder {
             .collect())
     }
 
-    /// Writes parts so that they survive whatever follows.
-    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<()> {
-        if parts.is_empty() {
-            return Ok(());
-        }
-        for (number, bytes) in parts.drain(..) {
-            put_all(&self.path, [(part_name(number), bytes)], true)
-                .map_err(|(path, error)| CampaignError::Write(path, error))?;
-        }
+    /// Writes a part so that it survives whatever follows.
+    pub(crate) fn write(&self, number: u64, bytes: Vec<u8>) -> Result<()> {
+        put_all(&self.path, [(part_name(number), bytes)], true)
+            .map_err(|(path, error)| CampaignError::Write(path, error))?;
         sync(&self.path);
         Ok(())
     }

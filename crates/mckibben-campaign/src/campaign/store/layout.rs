@@ -5,10 +5,11 @@ use crate::{
     columns::{COLUMNS, Column, PointRow, Role, Slot},
 };
 use mckibben_io::parquet::{Column as Values, Packing};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Which columns a table has.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
     pub(crate) constants: Vec<String>,

@@ -7,65 +7,48 @@ use super::{
 };
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, read};
-use serde::{Deserialize, Serialize};
 use std::{io::ErrorKind, path::Path};
 
 /// Its longest file in bytes.
-const LONGEST: u64 = 1 << 16;
+const LONGEST: u64 = 1 << 24;
 
-/// What a folder is of.
-#[derive(PartialEq, Serialize, Deserialize)]
-pub struct Manifest {
-    pub version: String,
-    pub plan_sha256: String,
-    pub parts: u64,
+/// What a folder is of, where that is noted.
+pub fn noted(folder: &Path) -> Option<Provenance> {
+    let text = read(&folder.join(MANIFEST), LONGEST).ok()?;
+    Some(Provenance::from_json(&text).ok()?.0)
 }
 
-impl Manifest {
-    pub fn new(provenance: &Provenance) -> Self {
-        Self {
-            version: provenance.version.clone(),
-            plan_sha256: provenance.plan_sha256.clone(),
-            parts: provenance.parts(),
+/// Claims a folder for a plan; one of another plan or version is refused.
+pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
+    let path = folder.join(MANIFEST);
+    // Another process may write it between the two steps: it is read again.
+    for _ in 0..2 {
+        let theirs = noted(folder);
+        if theirs.as_ref() == Some(provenance) {
+            return Ok(());
         }
-    }
-
-    pub fn read(folder: &Path) -> Option<Self> {
-        serde_json::from_slice(&read(&folder.join(MANIFEST), LONGEST).ok()?).ok()
-    }
-
-    /// Claims a folder for a plan; one of another plan or version is refused.
-    pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
-        let path = folder.join(MANIFEST);
-        let ours = Self::new(provenance);
-        // Another process may write it between the two steps: it is read again.
-        for _ in 0..2 {
-            let theirs = Self::read(folder);
-            if theirs.as_ref() == Some(&ours) {
-                return Ok(());
-            }
-            if let (Some(theirs), false) = (theirs, overwrite) {
-                return provenance.check_plan(&theirs.version, &theirs.plan_sha256, folder);
+        if !overwrite {
+            if let Some(theirs) = theirs {
+                return provenance.check_same(&theirs, folder);
             }
             // Parts that were copied have no such file.
-            if !overwrite
-                && let Some(part) = Folder::parts(folder)?.into_values().next()
+            if let Some(part) = Folder::parts(folder)?.into_values().next()
                 && let Ok(opened) = Opened::file(&part)
             {
                 provenance.check_same(&opened.provenance, &part)?;
             }
-            let put = || {
-                let text = serde_json::to_vec(&ours)?;
-                let exists = path.exists();
-                Unfinished::inside(&path, exists)?
-                    .with_content(&text)?
-                    .put(exists)
-            };
-            match put() {
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-                put => return put.map_err(CampaignError::write(&path)),
-            }
         }
-        Ok(())
+        let put = || {
+            let exists = path.exists();
+            let text = provenance.to_json(None)?;
+            Unfinished::inside(&path, exists)?
+                .with_content(text.as_bytes())?
+                .put(exists)
+        };
+        match put() {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            put => return put.map_err(CampaignError::write(&path)),
+        }
     }
+    Ok(())
 }

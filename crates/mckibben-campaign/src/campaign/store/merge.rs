@@ -3,7 +3,7 @@
 use super::{
     file::{Opened, chained, write},
     folder::{Folder, is_file_name, part_name},
-    provenance::{Provenance, Which},
+    provenance::Provenance,
 };
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::{Unfinished, sync};
@@ -15,7 +15,7 @@ use std::{
 };
 
 /// A merged campaign.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Merged {
     /// The file.
     pub output: PathBuf,
@@ -70,15 +70,17 @@ impl Parts {
             let why = format!("the plan has only {count} parts");
             return Err(CampaignError::damaged(path, why));
         }
-        let files = parts.into_values().collect();
-        Ok(Self { provenance, files })
+        Ok(Self {
+            provenance,
+            files: parts.into_values().collect(),
+        })
     }
 
     /// Each is opened when its turn comes, and checked against the plan it must belong to.
     pub fn opened(self) -> impl Iterator<Item = Result<Opened>> {
-        (0..).zip(self.files).map(move |(number, file)| {
-            Opened::file(&file)?.expect(Which::Part(number), &self.provenance)
-        })
+        (0..)
+            .zip(self.files)
+            .map(move |(number, file)| Opened::file(&file)?.expect(Some(number), &self.provenance))
     }
 
     /// Writes them as one file, which appears whole or not at all; with `clobber` instead of an
@@ -88,7 +90,7 @@ impl Parts {
         let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
         let provenance = self.provenance.clone();
         let tables = chained(self.opened(), Opened::tables);
-        write(&provenance, Which::Whole, tables, file.file(), out)?;
+        write(&provenance, None, tables, file.file(), out)?;
         file.put(clobber).map_err(|error| match error.kind() {
             ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
             _ => CampaignError::write(out)(error),

@@ -8,14 +8,14 @@ use crate::{
     },
     hash,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// This version of the program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a table comes from. No time and no host: the same plan gives the same bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Provenance {
     /// Version of the program.
     pub version: String,
@@ -41,14 +41,20 @@ pub struct Provenance {
     pub(crate) layout: Layout,
 }
 
-/// Which share of the table a file holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Which {
-    Whole,
-    Part(u64),
-}
+/// The key that holds all of it as JSON; some of it has keys of its own, for people.
+const STORED: &str = "mckibben.campaign";
 
-const PREFIX: &str = "mckibben.";
+/// What [`STORED`] holds.
+#[derive(Serialize, Deserialize)]
+struct Stored {
+    #[serde(flatten)]
+    provenance: Provenance,
+    muscles_per_part: u64,
+    #[serde(flatten)]
+    layout: Layout,
+    /// The part that the file holds; nothing of the whole table.
+    part: Option<u64>,
+}
 
 impl Provenance {
     /// Of the table of a plan.
@@ -67,30 +73,24 @@ impl Provenance {
         }
     }
 
-    /// Whether a file has these metadata.
+    /// Whether a file has these metadata: is of this plan and this version of the program.
     pub(crate) fn check_same(&self, theirs: &Self, file: &Path) -> Result<()> {
-        self.check_plan(&theirs.version, &theirs.plan_sha256, file)?;
-        if theirs == self {
-            return Ok(());
-        }
-        let why = "its metadata are not those of this plan";
-        Err(CampaignError::damaged(file, why))
-    }
-
-    /// Whether a file is of this plan and this version of the program.
-    pub(crate) fn check_plan(&self, version: &str, plan_sha256: &str, file: &Path) -> Result<()> {
         let name = file.display();
-        let ours = &self.plan_sha256;
-        let our_version = &self.version;
-        let other = if plan_sha256 != ours {
+        let other = if theirs.plan_sha256 != self.plan_sha256 {
             format!(
-                "{name} contains a campaign of another plan (sha256 {plan_sha256:.12}, this plan \
-                 has {ours:.12})"
+                "{name} contains a campaign of another plan (sha256 {:.12}, this plan has {:.12})",
+                theirs.plan_sha256, self.plan_sha256
             )
-        } else if version != our_version {
-            format!("{name} was written by mckibben {version}, and this is version {our_version}")
-        } else {
+        } else if theirs.version != self.version {
+            format!(
+                "{name} was written by mckibben {}, and this is version {}",
+                theirs.version, self.version
+            )
+        } else if theirs == self {
             return Ok(());
+        } else {
+            let why = "its metadata are not those of this plan";
+            return Err(CampaignError::damaged(file, why));
         };
         Err(CampaignError::OtherPlan(other))
     }
@@ -100,7 +100,7 @@ impl Provenance {
     }
 
     pub fn points(&self) -> u64 {
-        self.muscles.saturating_mul(self.points_per_muscle)
+        self.rows_of(None)
     }
 
     pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
@@ -108,81 +108,50 @@ impl Provenance {
         from..from.saturating_add(self.block).min(self.muscles)
     }
 
-    /// Rows of a file.
-    pub(crate) fn rows_of(&self, which: Which) -> u64 {
-        match which {
-            Which::Whole => self.points(),
-            Which::Part(part) => {
-                let muscles = self.muscles_of(part);
-                (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
-            }
-        }
+    /// Rows of the file of a part, or of the whole table.
+    pub(crate) fn rows_of(&self, part: Option<u64>) -> u64 {
+        let muscles = part.map_or(0..self.muscles, |part| self.muscles_of(part));
+        (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
     }
 
-    pub(crate) fn write(&self, which: Which) -> Vec<(String, String)> {
-        let mut pairs = vec![
-            ("version", self.version.clone()),
-            ("plan_sha256", self.plan_sha256.clone()),
-            ("plan", self.plan.clone()),
-            ("model", self.model.clone()),
-            ("sampling", self.sampling.clone()),
-            ("muscles", self.muscles.to_string()),
-            ("points_per_muscle", self.points_per_muscle.to_string()),
-            ("muscles_per_part", self.block.to_string()),
-            ("constants", self.layout.constants.join(",")),
-            ("measures", self.layout.measures.join(",")),
-            ("sensitivities", self.layout.sensitivities.join(",")),
-        ];
-        pairs.extend(self.seed.map(|seed| ("seed", seed.to_string())));
-        if let Which::Part(part) = which {
-            pairs.push(("part", part.to_string()));
-        }
-        pairs
-            .into_iter()
-            .map(|(key, value)| (format!("{PREFIX}{key}"), value))
-            .collect()
+    /// All of it as JSON.
+    pub(crate) fn to_json(&self, part: Option<u64>) -> serde_json::Result<String> {
+        serde_json::to_string(&Stored {
+            provenance: self.clone(),
+            muscles_per_part: self.block,
+            layout: self.layout.clone(),
+            part,
+        })
     }
 
-    pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Which), String> {
-        let find = |key: &str| {
-            let pair = pairs.iter().find(|p| p.0.strip_prefix(PREFIX) == Some(key));
-            pair.map(|p| p.1.clone())
+    pub(crate) fn from_json(text: &[u8]) -> Result<(Self, Option<u64>), String> {
+        let stored: Stored = serde_json::from_slice(text).map_err(|e| format!("{STORED}: {e}"))?;
+        let provenance = Self {
+            block: stored.muscles_per_part.max(1),
+            layout: stored.layout,
+            ..stored.provenance
         };
-        let text =
-            |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
-        let number = |text: String| {
-            text.parse::<u64>()
-                .map_err(|_| format!("\"{text}\" is not a number"))
-        };
-        let list = |text: String| {
-            text.split(',')
-                .filter(|t| !t.is_empty())
-                .map(str::to_owned)
-                .collect()
-        };
-        let out = Self {
-            version: text("version")?,
-            plan_sha256: text("plan_sha256")?,
-            plan: text("plan")?,
-            model: text("model")?,
-            sampling: text("sampling")?,
-            seed: find("seed").map(number).transpose()?,
-            muscles: number(text("muscles")?)?,
-            points_per_muscle: number(text("points_per_muscle")?)?,
-            block: number(text("muscles_per_part")?)?.max(1),
-            layout: Layout {
-                constants: list(text("constants")?),
-                measures: list(text("measures")?),
-                sensitivities: list(text("sensitivities")?),
-            },
-        };
-        if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
+        if hash::hex(provenance.plan.as_bytes()) != provenance.plan_sha256 {
             return Err("the plan in its metadata does not match its hash".into());
         }
-        let which = find("part")
-            .map(number)
-            .transpose()?
-            .map_or(Which::Whole, Which::Part);
-        Ok((out, which))
+        Ok((provenance, stored.part))
+    }
+
+    /// Keys and values in the metadata of a file.
+    pub(crate) fn write(&self, part: Option<u64>) -> serde_json::Result<Vec<(String, String)>> {
+        let mut pairs = vec![
+            (STORED, self.to_json(part)?),
+            ("mckibben.version", self.version.clone()),
+            ("mckibben.plan", self.plan.clone()),
+            ("mckibben.plan_sha256", self.plan_sha256.clone()),
+        ];
+        pairs.extend(self.seed.map(|seed| ("mckibben.seed", seed.to_string())));
+        Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())
+    }
+
+    pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Option<u64>), String> {
+        let stored = pairs.iter().find(|(key, _)| key == STORED);
+        let (_, text) = stored.ok_or_else(|| format!("its metadata have no {STORED}"))?;
+        Self::from_json(text.as_bytes())
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     file::{Opened, chained},
     merge::Parts,
-    provenance::{Provenance, Which},
+    provenance::Provenance,
 };
 use crate::{
     campaign::error::{CampaignError, Result},
@@ -37,7 +37,7 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows> {
         });
     }
     let opened = Opened::file(path)?;
-    if opened.which != Which::Whole {
+    if opened.part.is_some() {
         let why = "it is one part of a campaign: give the folder".into();
         return Err(CampaignError::NoCampaign(path.into(), why));
     }

@@ -1,10 +1,6 @@
 //! Existing files, and whether they belong to a plan.
 
-use super::{
-    file::Opened,
-    folder::Folder,
-    provenance::{Provenance, Which},
-};
+use super::{file::Opened, folder::Folder, provenance::Provenance};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben::threads::Threads;
 use serde::Serialize;
@@ -14,7 +10,7 @@ use std::{
 };
 
 /// A damaged file that was computed again.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Recomputed {
     /// The file.
     pub file: PathBuf,
@@ -23,18 +19,18 @@ pub struct Recomputed {
 }
 
 /// An existing file, if it is this share of this plan; a file of something else is not replaced.
-fn of_this_plan(provenance: &Provenance, path: &Path, which: Which) -> Result<Opened> {
+fn of_this_plan(provenance: &Provenance, path: &Path, part: Option<u64>) -> Result<Opened> {
     let opened = Opened::file(path).map_err(|error| match error {
         CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
         error => error,
     });
-    opened?.expect(which, provenance)
+    opened?.expect(part, provenance)
 }
 
 /// Checks that an existing file is the whole table of this plan, and removes the parts that a run
 /// left which was killed behind writing it.
 pub fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<()> {
-    of_this_plan(provenance, out, Which::Whole)?;
+    of_this_plan(provenance, out, None)?;
     if !parts.is_dir() {
         return Ok(());
     }
@@ -66,7 +62,7 @@ pub fn existing(
     parts.retain(|&number, _| is_checked(number));
     let parts: Vec<(u64, PathBuf)> = parts.into_iter().collect();
     let damage = |(number, path): &(u64, PathBuf)| {
-        let opened = of_this_plan(provenance, path, Which::Part(*number));
+        let opened = of_this_plan(provenance, path, Some(*number));
         match opened.and_then(Opened::checked) {
             Ok(_) => Ok(None),
             Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),

@@ -3,7 +3,7 @@
 use super::{
     file::part,
     folder::{Folder, check_name, is_file_name},
-    manifest::Manifest,
+    manifest,
     merge::Parts,
     provenance::Provenance,
     resume::{Recomputed, existing, finished},
@@ -21,11 +21,10 @@ use serde::Serialize;
 use std::{
     path::{Path, PathBuf},
     sync::atomic::{AtomicBool, Ordering},
-    time::{Duration, Instant},
 };
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
 pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
@@ -44,7 +43,7 @@ pub struct Counts {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// The file or folder.
     pub output: PathBuf,
@@ -66,11 +65,8 @@ pub struct Outcome {
     pub store: PathBuf,
 }
 
-/// Parts are brought to the disk this often.
-const FLUSH: Duration = Duration::from_millis(500);
-
 /// How a plan is run.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct RunOptions {
     /// Only this share of the plan.
     pub shard: Option<Shard>,
@@ -177,7 +173,7 @@ impl Run<'_> {
             return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
         }
         let folder = Folder::for_writing(self.out, self.options.shard)?;
-        Manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
+        manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
         self.complete(&folder)
     }
 
@@ -258,9 +254,7 @@ impl Run<'_> {
     ) -> Result<()> {
         let report = |c: &Counts| self.progress.report(c.muscles as usize, c.of as usize);
         report(counts);
-        let mut pending = vec![];
         let mut ended = Ok(());
-        let mut flushed = Instant::now();
         // A separate flag: an error here is not the user's wish to end.
         let failed = AtomicBool::new(false);
         let halted = || self.progress.cancelled() || failed.load(Ordering::Relaxed);
@@ -271,13 +265,9 @@ impl Run<'_> {
                     counts.muscles += self.muscles_of([done.part].into_iter());
                     counts.points += done.points;
                     counts.failed += done.failed;
-                    pending.push((done.part, done.bytes));
+                    folder.write(done.part, done.bytes)?;
                 }
                 report(counts);
-                if flushed.elapsed() > FLUSH {
-                    folder.write(&mut pending)?;
-                    flushed = Instant::now();
-                }
                 Ok(())
             };
             if ended.is_ok() {
@@ -285,8 +275,7 @@ impl Run<'_> {
                 failed.store(ended.is_err(), Ordering::Relaxed);
             }
         });
-        ended?;
-        folder.write(&mut pending)
+        ended
     }
 
     /// One part; `None` where the run is to end.

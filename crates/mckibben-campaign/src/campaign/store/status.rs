@@ -1,7 +1,7 @@
 //! How far a folder of parts is, shard by shard: from names, locks and ends of files alone, at any
 //! time and from any machine.
 
-use super::{file::Opened, folder::Folder, manifest::Manifest, shard::Shard};
+use super::{file::Opened, folder::Folder, manifest::noted, shard::Shard};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::ReadError;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use std::{
 };
 
 /// How a shard is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShardState {
     /// All its parts are there.
@@ -24,7 +24,7 @@ pub enum ShardState {
 }
 
 /// One shard.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct ShardStatus {
     /// The share, i/n.
     pub shard: String,
@@ -37,7 +37,7 @@ pub struct ShardStatus {
 }
 
 /// A campaign in a folder.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct CampaignStatus {
     /// The folder.
     pub output: PathBuf,
@@ -68,16 +68,17 @@ pub struct CampaignStatus {
 /// Looks at a folder of parts.
 pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let mut parts = Folder::parts(folder)?;
-    let manifest = match (Manifest::read(folder), parts.values().next()) {
-        (Some(manifest), _) => manifest,
+    let provenance = match (noted(folder), parts.values().next()) {
+        (Some(provenance), _) => provenance,
         // The parts of one file, or copies.
-        (None, Some(part)) => Manifest::new(&Opened::file(part)?.provenance),
+        (None, Some(part)) => Opened::file(part)?.provenance,
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
             return Err(CampaignError::NoCampaign(folder.into(), why));
         }
     };
-    parts.retain(|&number, _| number < manifest.parts);
+    let parts_wanted = provenance.parts();
+    parts.retain(|&number, _| number < parts_wanted);
     let mut whole = BTreeSet::new();
     let mut damaged = vec![];
     for (number, path) in parts {
@@ -93,23 +94,23 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let shards_wanted = Folder::shards(folder)?;
     let shards: Vec<ShardStatus> = (1..=shards_wanted)
         .filter_map(|index| Shard::new(index, shards_wanted))
-        .map(|shard| shard_status(folder, shard, &whole, manifest.parts))
+        .map(|shard| shard_status(folder, shard, &whole, parts_wanted))
         .collect();
     let count_of = |state| shards.iter().filter(|s| s.state == state).count() as u64;
     let parts = whole.len() as u64;
     Ok(CampaignStatus {
         output: folder.into(),
-        complete: parts == manifest.parts,
+        complete: parts == parts_wanted,
         parts,
-        parts_wanted: manifest.parts,
+        parts_wanted,
         shards_wanted,
         shards_done: count_of(ShardState::Done),
         shards_running: count_of(ShardState::Running),
         shards_missing: count_of(ShardState::Missing),
         shards,
         damaged,
-        plan_sha256: manifest.plan_sha256,
-        version: manifest.version,
+        plan_sha256: provenance.plan_sha256,
+        version: provenance.version,
     })
 }
 

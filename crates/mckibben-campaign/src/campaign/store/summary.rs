@@ -1,11 +1,6 @@
 //! The content of a campaign in a few numbers.
 
-use super::{
-    file::Opened,
-    folder::Folder,
-    layout::Field,
-    provenance::{Provenance, Which},
-};
+use super::{file::Opened, folder::Folder, layout::Field, provenance::Provenance};
 use crate::{
     campaign::error::{CampaignError, Result},
     columns::{PointRow, Role},
@@ -15,7 +10,7 @@ use serde::Serialize;
 use std::{collections::BTreeMap, path::Path};
 
 /// Rows that failed in the same way.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -37,7 +32,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,
@@ -149,7 +144,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
                     .as_ref()
                     .map_or(&opened.provenance, |s| &s.provenance)
                     .clone();
-                opened.expect(Which::Part(number), &first)
+                opened.expect(Some(number), &first)
             });
         match opened {
             Ok(opened) => {

@@ -52,7 +52,7 @@ fn fill(
 }
 
 /// Some rows of a campaign.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Table {
     pub(super) fields: Arc<[Field]>,
     pub(crate) columns: Vec<Column>,

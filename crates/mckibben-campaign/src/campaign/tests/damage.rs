@@ -6,7 +6,6 @@ use crate::campaign::store::{
     file::{Opened, part as encode},
     folder::Folder,
     layout::Layout,
-    provenance::Which,
     table::Table,
 };
 
@@ -182,10 +181,7 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     // The rows of muscle 4 under the name of muscle 3.
     let forged = encode(&Provenance::for_plan(&plan()), 3, table_of(&plan(), 4)).unwrap();
     std::fs::write(part(&other, 3), forged).unwrap();
-    assert_eq!(
-        Opened::file(&part(&other, 3)).unwrap().which,
-        Which::Part(3)
-    );
+    assert_eq!(Opened::file(&part(&other, 3)).unwrap().part, Some(3));
     let error = merge(&[one, other], &dir.path().join("m.parquet"), false).unwrap_err();
     assert!(matches!(error, CampaignError::Conflict { .. }), "{error}");
 }

@@ -128,7 +128,6 @@ fn contractions_can_be_shares_of_the_largest() {
 fn tables_larger_than_a_group_come_back_row_by_row() {
     use crate::campaign::store::file::{Opened, write};
     use crate::campaign::store::layout::Layout;
-    use crate::campaign::store::provenance::Which;
     use crate::campaign::store::table::Table;
     let plan = Plan::parse(
         "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length \
@@ -160,7 +159,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         });
         let path = dir.path().join(format!("{cut}.parquet"));
         let mut file = std::fs::File::create(&path).unwrap();
-        write(&provenance, Which::Whole, tables, &mut file, &path).unwrap();
+        write(&provenance, None, tables, &mut file, &path).unwrap();
         files.push(bytes(&path));
         assert_eq!(Opened::file(&path).unwrap().tables().count(), 2);
         let mut count = 0;

@@ -86,16 +86,15 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
         })
     };
     // Up to the first point without a pull: behind it a tube may have collapsed.
-    let points = (0..=STEPS).map_while(point).collect();
     Some(Sample {
         number: number as u64,
         muscle: muscle.clone(),
-        points,
+        points: (0..=STEPS).map_while(point).collect(),
     })
 }
 
 /// A model and its errors.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct HeldOutRow {
     /// The model, in words.
     pub model: String,

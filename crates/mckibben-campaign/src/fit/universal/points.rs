@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// A point of a muscle where it pulls.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct PullPoint {
     /// P in MPa.
     pub pressure_mpa: f64,
@@ -69,14 +69,13 @@ pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
             .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
             .collect();
         let point = |r: &PointRow| {
-            let force_n = r.force_n.filter(|f| *f > 0.0)?;
             let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
             let (pressure_mpa, contraction, volume_mm3) =
                 (r.pressure_mpa, r.contraction, r.volume_mm3);
             Some(PullPoint {
                 pressure_mpa,
                 contraction,
-                force_n,
+                force_n: r.force_n.filter(|f| *f > 0.0)?,
                 blocked_n,
                 volume_mm3,
             })

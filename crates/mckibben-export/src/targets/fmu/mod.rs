@@ -30,7 +30,7 @@ pub const TARGET: Target = Target {
 };
 
 /// A version of FMI.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Version {
     Second,
     Third,

@@ -6,7 +6,7 @@ use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 use mckibben::joined;
 use std::fmt::Write as _;
 
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq)]
 enum Role {
     Input,
     Fixed,

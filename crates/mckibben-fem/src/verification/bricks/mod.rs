@@ -58,12 +58,10 @@ fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
 
 /// A small mesh: as many nodes of either brick.
 fn coarse(brick: Brick) -> BrickSpec {
-    let around = Some(4 / brick.order());
-    let along = Some(12 / brick.order());
     BrickSpec {
         brick,
-        around,
-        along,
+        around: Some(4 / brick.order()),
+        along: Some(12 / brick.order()),
         ..BrickSpec::default()
     }
 }

@@ -611,11 +611,10 @@ fn pulls_that_are_all_negative_are_named() {
 #[test]
 fn a_modulus_of_no_rubber_is_named() {
     let thin = |mu_mpa: f64| {
-        let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
         soft()
             .with_tube(Tube {
                 wall_mm: 0.1,
-                rubber,
+                rubber: Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa })),
                 ..soft().tube().clone()
             })
             .unwrap()

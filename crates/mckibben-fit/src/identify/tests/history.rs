@@ -35,14 +35,12 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
                 let half =
                     LEVER_MM * pivoting_n_per_mm(&model, w, pressure_mpa, contraction).unwrap();
                 let mean = model.force_n(w, pressure_mpa, contraction).unwrap();
-                let force_n = mean - half * state(0.25 * i as f64) + deviation_n * noise.next();
                 let first = out.last().is_none_or(|p| p.set != set);
-                let branch = first.then_some(Direction::Contraction);
                 let at = MeasuredPoint {
                     pressure_mpa,
                     contraction,
-                    force_n,
-                    branch,
+                    force_n: mean - half * state(0.25 * i as f64) + deviation_n * noise.next(),
+                    branch: first.then_some(Direction::Contraction),
                 };
                 out.push(DataPoint {
                     set,

@@ -3,11 +3,10 @@ use super::*;
 const L0: f64 = 200.0;
 
 fn read_with(text: &str, columns: &str) -> Result<(Vec<DataPoint>, Understood), TableError> {
-    let columns = Columns::parse(columns).unwrap();
     read_points(
         text,
         &PointOptions {
-            columns,
+            columns: Columns::parse(columns).unwrap(),
             rest_length_mm: Some(L0),
             log: None,
         },
@@ -156,11 +155,10 @@ fn constants(set: &[&str], of: (usize, usize), file: &str) -> Result<Columns, Ta
 fn a_pull_at_constant_pressure_is_points() {
     let text = "\"Time\",\"Extension\",\"Load\"\n\"(s)\",\"(mm)\",\"(N)\"\n\"0.98\",\"0.5\",\"0.678\"\n\"39.01\",\"20\",\"8.637\"\n";
     let read = |set: &[&str], file: &str| {
-        let columns = constants(set, (1, 2), file)?;
         read_points(
             text,
             &PointOptions {
-                columns,
+                columns: constants(set, (1, 2), file)?,
                 rest_length_mm: Some(L0),
                 log: None,
             },
@@ -284,9 +282,8 @@ fn a_log_is_cut_into_branches_by_the_sign_of_its_velocity() {
         0.0, 0.02, 0.019, 0.05, 0.1, 0.0995, 0.1, 0.06, 0.0605, 0.03, 0.05, 0.08,
     ];
     let rows = values.map(|e| format!("3,{e},100\n")).concat();
-    let columns = constants(&["branch=velocity"], (0, 1), "log.csv").unwrap();
     let options = PointOptions {
-        columns,
+        columns: constants(&["branch=velocity"], (0, 1), "log.csv").unwrap(),
         ..PointOptions::default()
     };
     let (points, _) = read_points(

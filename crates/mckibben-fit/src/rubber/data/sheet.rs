@@ -9,17 +9,21 @@ use super::{
     cell::{LARGEST_STRESS_MPA, LARGEST_STRETCH, STRESS, Tests},
 };
 use crate::rubber::{Mode, TensionPoint};
-use mckibben_io::table::{Column, Meaning, TableError};
+use mckibben_io::table::{
+    Column,
+    Meaning::{self, *},
+    TableError,
+};
 
 /// Columns beside the first stretch.
 pub const MEANINGS: [Meaning; 7] = [
-    Meaning::Stretch2,
-    Meaning::NominalStress,
-    Meaning::TrueStress,
-    Meaning::Force,
-    Meaning::NominalStress2,
-    Meaning::TrueStress2,
-    Meaning::TrueStressDifference,
+    Stretch2,
+    NominalStress,
+    TrueStress,
+    Force,
+    NominalStress2,
+    TrueStress2,
+    TrueStressDifference,
 ];
 
 /// How far the second stretch may lie from that of a mode of one stretch, as a share of it.
@@ -99,7 +103,7 @@ impl Tests<'_> {
         stretch: f64,
         measured: Option<f64>,
     ) -> Result<f64> {
-        let column = self.table.column(Meaning::Stretch2);
+        let column = self.table.column(Stretch2);
         let impossible = |expected| match column {
             Some(column) => self.table.impossible(row, column, expected),
             None => TableError::empty(),

@@ -42,10 +42,9 @@ fn only(form: Form) -> FitSettings {
 
 /// neo-Hookean and Mooney–Rivlin, fitted up to a stretch.
 fn one_or_two_constants(stretch: f64) -> FitSettings {
-    let forms = vec![named("neo-hookean"), named("mooney-rivlin")];
     FitSettings {
         up_to_stretch: Some(stretch),
-        forms,
+        forms: vec![named("neo-hookean"), named("mooney-rivlin")],
         ..FitSettings::default()
     }
 }

@@ -145,17 +145,14 @@ impl Burst {
     /// One of which nothing is known.
     pub fn unknown(why: NoBurst) -> Self {
         let none = FailurePressure::Unknown(why);
-        let rated_mpa = None;
-        let safety = Safety::default();
-        let from_thick_wall = false;
         Self {
             strands: none,
             mesh: none,
             bladder: none,
             ends: none,
-            rated_mpa,
-            safety,
-            from_thick_wall,
+            rated_mpa: None,
+            safety: Safety::default(),
+            from_thick_wall: false,
         }
     }
 

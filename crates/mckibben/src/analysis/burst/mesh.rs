@@ -65,12 +65,10 @@ impl Openings {
         let strands = muscle.braid().strands?;
         let side_by_side = muscle.braid().strands_per_carrier?;
         let diameter = (4.0 / PI * strands.section?.0).sqrt();
-        let carriers = 0.5 * f64::from(strands.count) / side_by_side;
-        let shear_modulus_mpa = muscle.rubber().law.shear_modulus_mpa();
         Some(Self {
             radii: Radii::new(muscle),
-            shear_modulus_mpa,
-            carriers,
+            shear_modulus_mpa: muscle.rubber().law.shear_modulus_mpa(),
+            carriers: 0.5 * f64::from(strands.count) / side_by_side,
             band_mm: side_by_side * diameter,
         })
     }

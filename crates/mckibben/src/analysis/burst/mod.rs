@@ -50,14 +50,12 @@ pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
         .into_iter()
         .filter_map(FailurePressure::mpa)
         .fold(up_to_mpa, f64::min);
-    let bladder = bladder::tearing(muscle, least)?;
-    let rated_mpa = muscle.terminals().rated_pressure_mpa;
     Ok(Burst {
         strands,
         mesh,
-        bladder,
+        bladder: bladder::tearing(muscle, least)?,
         ends,
-        rated_mpa,
+        rated_mpa: muscle.terminals().rated_pressure_mpa,
         safety: Safety::default(),
         from_thick_wall,
     })

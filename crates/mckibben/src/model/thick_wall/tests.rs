@@ -194,10 +194,9 @@ fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
             c01_mpa: 0.0,
         });
         let tube = Tube::new(14.0, 1.0, 200.0, Rubber::new(law));
-        let stiffness = BraidStiffness::Inextensible;
         let braid = Braid {
             angle_deg: 20.0,
-            stiffness,
+            stiffness: BraidStiffness::Inextensible,
             thickness_mm,
             ..Braid::paper()
         };

@@ -155,11 +155,10 @@ impl Universal {
             stretches = sections.map(|s| s.stretch.v + s.stretch.by[0] * step);
             if settled {
                 let force = tension.v - p * PI * x1 + force_l * step;
-                let r = r + radius.by[0] * step;
                 return (force >= 0.0).then_some(Root {
                     force,
                     l,
-                    r,
+                    r: r + radius.by[0] * step,
                     stretches,
                 });
             }
@@ -179,12 +178,10 @@ impl Universal {
         let slope = 1.0 / (s * e.ll);
         let step = (e.w - s * e.l - h.v) * slope;
         let by = ((e.x - s * e.lx) * x.by[0] - h.by[0]) * slope;
-        let stretch = Dual::new(s + step, [by]);
-        let tension = Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]);
         let section = Section {
             radius,
-            stretch,
-            tension,
+            stretch: Dual::new(s + step, [by]),
+            tension: Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]),
         };
         (e.ll > 0.0).then_some(Stepped {
             section,

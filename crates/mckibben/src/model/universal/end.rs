@@ -132,8 +132,10 @@ impl EndZone {
         let end = self.shape(&middle, way, sections)?;
         if share < 1.0 {
             let linear = self.linear(l, state, way, self.kept(axial));
-            let deficit = linear.deficit * (1.0 - share) + end.deficit * share;
-            return Some(End { deficit, ..end });
+            return Some(End {
+                deficit: linear.deficit * (1.0 - share) + end.deficit * share,
+                ..end
+            });
         }
         Some(end)
     }
@@ -205,11 +207,9 @@ impl EndZone {
         let cos = one - turn;
         let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
         let per_r = stretch * sin;
-        let shortening = (stretch * cos - lambda) / per_r;
-        let volume = (r.squared() * stretch * cos - b.squared() * lambda) * PI / per_r;
         Point {
-            shortening,
-            volume,
+            shortening: (stretch * cos - lambda) / per_r,
+            volume: (r.squared() * stretch * cos - b.squared() * lambda) * PI / per_r,
             sin,
             per_r,
             tension,
@@ -298,15 +298,13 @@ impl EndZone {
     /// The last step of Newton's method leaves an error of its square.
     fn solved(&self, r: Dual, h: Dual, l: f64, step: f64, e: &WallEnergy) -> Section {
         let by = [0, 1].map(|i| ((e.r - l * e.lr) * r.by[i] - h.by[i]) / (l * e.ll));
-        let stretch = Dual::new(l + step, by);
-        let tension = Dual::new(
-            e.l + e.ll * step,
-            [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]),
-        );
         Section {
             radius: r,
-            stretch,
-            tension,
+            stretch: Dual::new(l + step, by),
+            tension: Dual::new(
+                e.l + e.ll * step,
+                [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]),
+            ),
         }
     }
 }

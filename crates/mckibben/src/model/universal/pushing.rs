@@ -62,10 +62,9 @@ impl Universal {
     fn sought_zero(&self, p: f64) -> Option<Zero> {
         let (l, state) = self.without_pull(p)?;
         let middle = self.middle(p, l, state, None)?;
-        let slope = self.slope(&middle).max(LEAST_SLOPE);
         Some(Zero {
             contraction: self.contraction(&middle),
-            slope,
+            slope: self.slope(&middle).max(LEAST_SLOPE),
             middle,
         })
     }

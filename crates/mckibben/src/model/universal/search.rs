@@ -204,12 +204,11 @@ impl Universal {
         if slope.is_nan() || slope <= LEAST_SLOPE {
             return Err(ModelError::not_converged(p, contraction));
         }
-        let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
         Ok(SearchPoint {
             l,
             state: m.state,
             slope,
-            by_pressure,
+            by_pressure: -2.0 * m.deficit.by[1] / (self.length * slope),
             ends: m,
         })
     }

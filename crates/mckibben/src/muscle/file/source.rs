@@ -155,9 +155,8 @@ impl<'t> Source<'t> {
         span: Option<Range<usize>>,
         problem: impl Into<String>,
     ) -> FileError {
-        let place = span.map(|span| position_at(self.text, span.start));
         FileError {
-            place,
+            place: span.map(|span| position_at(self.text, span.start)),
             key: Some(dotted.to_owned()),
             ..FileError::new(problem)
         }

@@ -178,7 +178,6 @@ prop_compose! {
         let outer_diameter_mm = outer_diameter_mm.max(braid.diameter_mm.unwrap_or(0.0)).max(1.01 * strand_mm);
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
-        let plug_diameter_mm = grip_mm.map(|_| 1.1 * 2.0 * tube.inner_radius_mm());
         let pull_off_n = seating_mm.map(|v| 100.0 + v);
         let rated_pressure_mpa = grip_mm.map(|_| 0.8);
         let terminals = Terminals {
@@ -186,15 +185,14 @@ prop_compose! {
             seating_mm,
             slip_mm_per_n,
             grip_mm,
-            plug_diameter_mm,
+            plug_diameter_mm: grip_mm.map(|_| 1.1 * 2.0 * tube.inner_radius_mm()),
             pull_off_n,
             rated_pressure_mpa,
             end_factor,
             cone_factor,
         };
         let friction = friction.map(|(coefficient, exponent, lever_mm, length_mm)| {
-            let presliding_mm = length_mm.filter(|_| coefficient > 0.0 || lever_mm > 0.0);
-            Friction { coefficient, exponent, lever_mm, presliding_mm }
+            Friction { coefficient, exponent, lever_mm, presliding_mm: length_mm.filter(|_| coefficient > 0.0 || lever_mm > 0.0) }
         });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
@@ -288,7 +286,6 @@ fn every_key_is_understood() {
         "#,
     )
     .unwrap();
-    let terms = vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)];
     let rubber = Rubber {
         bulk: Bulk::Modulus(1500.0),
         softening: Some(OgdenRoxburgh {
@@ -298,7 +295,9 @@ fn every_key_is_understood() {
         }),
         conditioned: Some(Conditioned::Pressure(0.25)),
         prony: Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)])),
-        ..Rubber::new(Law::Ogden(Ogden { terms }))
+        ..Rubber::new(Law::Ogden(Ogden {
+            terms: vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)],
+        }))
     };
     assert_eq!(muscle.tube().rubber, rubber);
     let strands = Strands {

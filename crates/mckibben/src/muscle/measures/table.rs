@@ -1,9 +1,9 @@
 //! The table: every measure, and how it is read from and written to the parts of a muscle.
 
-use super::{Bounds, Identify, Measure, Scale};
+use super::{Bounds::*, Identify, Measure, Scale};
 use crate::{
     muscle::{BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Parts, Strands},
-    units::Dimension,
+    units::Dimension::*,
 };
 
 /// All of them: fields of requests are in this order, keys of a muscle file in this order within
@@ -53,7 +53,7 @@ pub static OUTER_DIAMETER: Measure = Measure {
     about: "Outer diameter D0 of the tube at rest",
     has_flag: true,
     short: Some('D'),
-    dimension: Dimension::Length,
+    dimension: Length,
     identify: Some(Identify {
         share: Some(0.1),
         is_geometry: true,
@@ -73,7 +73,7 @@ pub static WALL: Measure = Measure {
     about: "Wall thickness s of the tube at rest",
     has_flag: true,
     short: Some('s'),
-    dimension: Dimension::Length,
+    dimension: Length,
     identify: Some(Identify {
         scale: Scale::Diameter,
         bounds: Some((0.0, 0.5)),
@@ -95,7 +95,7 @@ pub static LENGTH: Measure = Measure {
     comment: "between the terminals",
     has_flag: true,
     short: Some('L'),
-    dimension: Dimension::Length,
+    dimension: Length,
     identify: Some(Identify {
         is_geometry: true,
         ..Identify::UNKNOWN
@@ -114,7 +114,7 @@ pub static DENSITY: Measure = Measure {
     about: "Density ρ of the rubber",
     comment: "of the rubber; only its mass follows from it",
     has_flag: true,
-    dimension: Dimension::Density,
+    dimension: Density,
     is_shown: true,
     get: |p| p.tube.density_kg_per_m3,
     set: |p, v| p.tube.density_kg_per_m3 = Some(v),
@@ -131,7 +131,7 @@ pub static PRESTRETCH: Measure = Measure {
         of the mounted muscle",
     comment: "mounted length over free length; D0, wall and length are the mounted ones",
     has_flag: true,
-    bounds: Bounds::Between(0.5, 2.0),
+    bounds: Between(0.5, 2.0),
     default: Some(1.0),
     is_shown: true,
     digested: true,
@@ -156,8 +156,8 @@ pub static TEMPERATURE: Measure = Measure {
     about: "Temperature T of the rubber; its moduli change like the absolute temperature, from \
         23 °C on",
     comment: "of the rubber, whose constants are those at 23 °C",
-    dimension: Dimension::Temperature,
-    bounds: Bounds::Between(-20.0, 120.0),
+    dimension: Temperature,
+    bounds: Between(-20.0, 120.0),
     is_shown: true,
     digested: true,
     get: |p| p.tube.temperature_degc,
@@ -174,9 +174,9 @@ pub static ANGLE: Measure = Measure {
     about: "Angle θ0 of the strands to the axis at rest",
     comment: "strands to the muscle's axis, at rest",
     has_flag: true,
-    dimension: Dimension::Angle,
+    dimension: Angle,
     has_rules: true,
-    bounds: Bounds::OfPart,
+    bounds: OfPart,
     identify: Some(Identify {
         bounds: Some((1.0, 54.23561031724535)),
         limit: Some(3.0),
@@ -195,8 +195,8 @@ pub static INSERTION: Measure = Measure {
     label: "insertion of each plug",
     about: "Length of tube and braid clamped on each plug",
     comment: "tube and braid clamped on each plug",
-    dimension: Dimension::Length,
-    bounds: Bounds::NotNegative,
+    dimension: Length,
+    bounds: NotNegative,
     get: |p| p.terminals.insertion_mm,
     set: |p, v| p.terminals.insertion_mm = Some(v),
     ..Measure::NONE
@@ -210,8 +210,8 @@ pub static SEATING: Measure = Measure {
     about: "Seating: total displacement of both ends under load",
     comment: "total displacement of both ends under load",
     has_flag: true,
-    dimension: Dimension::Length,
-    bounds: Bounds::NotNegative,
+    dimension: Length,
+    bounds: NotNegative,
     default: Some(0.0),
     is_shown: true,
     digested: true,
@@ -235,8 +235,8 @@ pub static SLIP: Measure = Measure {
     about: "Slip of both ends together per newton of clamp load",
     comment: "slip of both ends together per newton of clamp load",
     has_flag: true,
-    dimension: Dimension::Compliance,
-    bounds: Bounds::NotNegative,
+    dimension: Compliance,
+    bounds: NotNegative,
     default: Some(0.0),
     is_shown: true,
     digested: true,
@@ -260,8 +260,8 @@ pub static GRIP: Measure = Measure {
     about: "Length at each end, within L0, in which tube and braid are clamped",
     comment: "clamped at each end, within the length",
     has_flag: true,
-    dimension: Dimension::Length,
-    bounds: Bounds::NotNegative,
+    dimension: Length,
+    bounds: NotNegative,
     default: Some(0.0),
     is_shown: true,
     digested: true,
@@ -286,7 +286,7 @@ pub static PLUG_DIAMETER: Measure = Measure {
     about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the \
         tube where none is stated",
     comment: "on which the tube is drawn; its bore where none is stated",
-    dimension: Dimension::Length,
+    dimension: Length,
     is_shown: true,
     models: &["fe", "fe3d", "universal"],
     digested: true,
@@ -311,7 +311,7 @@ pub static PULL_OFF: Measure = Measure {
     about: "Axial load at which a clamp lets go of tube and braid",
     comment: "axial load at which a clamp lets go; the burst pressure follows from it",
     has_flag: true,
-    dimension: Dimension::Force,
+    dimension: Force,
     is_shown: true,
     get: |p| p.terminals.pull_off_n,
     set: |p, v| p.terminals.pull_off_n = Some(v),
@@ -326,7 +326,7 @@ pub static RATED_PRESSURE: Measure = Measure {
     about: "Pressure for which plugs and fittings are rated",
     comment: "of plugs and fittings; the allowed pressure is at most this",
     has_flag: true,
-    dimension: Dimension::Pressure,
+    dimension: Pressure,
     is_shown: true,
     get: |p| p.terminals.rated_pressure_mpa,
     set: |p, v| p.terminals.rated_pressure_mpa = Some(v),
@@ -342,7 +342,7 @@ pub static END_FACTOR: Measure = Measure {
     about: "Empirical end factor k of Tondu & Lopez",
     has_flag: true,
     has_rules: true,
-    bounds: Bounds::OfPart,
+    bounds: OfPart,
     models: &["tondu-lopez", "thick-wall"],
     identify: Some(Identify {
         also: &["end-factor"],
@@ -364,7 +364,7 @@ pub static CONE_FACTOR: Measure = Measure {
     about: "Cone factor kc",
     has_flag: true,
     has_rules: true,
-    bounds: Bounds::NotNegative,
+    bounds: NotNegative,
     models: &["conical-ends"],
     digested: true,
     get: |p| p.terminals.cone_factor,
@@ -380,9 +380,9 @@ pub static STIFFNESS: Measure = Measure {
     label: "stiffness of a strand family",
     about: "Stiffness k of one strand family",
     has_flag: true,
-    dimension: Dimension::Stiffness,
+    dimension: Stiffness,
     has_rules: true,
-    bounds: Bounds::OfPart,
+    bounds: OfPart,
     get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
     set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
     ..Measure::NONE
@@ -397,7 +397,7 @@ pub static STIFFNESS_FACTOR: Measure = Measure {
     about: "Factor within which the stiffness of the strands is known",
     comment: "the stiffness is known within this factor; the ± of the pull carries it",
     has_rules: true,
-    bounds: Bounds::Between(1.0, 10.0),
+    bounds: Between(1.0, 10.0),
     default: Some(1.0),
     get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
     set: |p, v| p.braid.stiffness_factor = v,
@@ -412,7 +412,7 @@ pub static STRANDS: Measure = Measure {
     label: "number of strands",
     about: "Number N of strands, both families together",
     has_rules: true,
-    bounds: Bounds::Even,
+    bounds: Even,
     get: |p| p.braid.strands.map(|s| f64::from(s.count)),
     set: |p, v| strands(p).count = v as u32,
     ..Measure::NONE
@@ -425,7 +425,7 @@ pub static STRAND_AREA: Measure = Measure {
     symbol: "A",
     label: "cross-section of a strand",
     about: "Cross-section A of one strand",
-    dimension: Dimension::Area,
+    dimension: Area,
     has_rules: true,
     get: |p| Some(p.braid.strands?.section?.0),
     set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v,
@@ -440,7 +440,7 @@ pub static STRAND_MODULUS: Measure = Measure {
     label: "Young's modulus of a strand",
     about: "Young's modulus E of the strands",
     has_flag: true,
-    dimension: Dimension::Pressure,
+    dimension: Pressure,
     has_rules: true,
     get: |p| Some(p.braid.strands?.section?.1),
     set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v,
@@ -454,7 +454,7 @@ pub static STRAND_STRENGTH: Measure = Measure {
     label: "strength of a strand",
     about: "Force at which one strand breaks",
     comment: "force at which one strand breaks",
-    dimension: Dimension::Force,
+    dimension: Force,
     has_rules: true,
     get: |p| p.braid.strands?.strength_n,
     set: |p, v| strands(p).strength_n = Some(v),
@@ -469,7 +469,7 @@ pub static STRANDS_PER_CARRIER: Measure = Measure {
     label: "strands per carrier",
     about: "Strands that lie side by side on a carrier of the braiding machine",
     has_rules: true,
-    bounds: Bounds::Between(1.0, 100.0),
+    bounds: Between(1.0, 100.0),
     get: |p| p.braid.strands_per_carrier,
     set: |p, v| p.braid.strands_per_carrier = Some(v),
     ..Measure::NONE
@@ -484,7 +484,7 @@ pub static STRAND_LENGTH: Measure = Measure {
     about: "Length of one strand measured on the muscle",
     comment: "measured on the muscle, rounded ends included",
     has_flag: true,
-    dimension: Dimension::Length,
+    dimension: Length,
     models: &["belforte"],
     beside: Some((
         &TURNS,
@@ -523,8 +523,8 @@ pub static THICKNESS: Measure = Measure {
     label: "thickness of the braid",
     about: "Thickness t of the braid, both layers of strands",
     comment: "both layers: the midline of the strands is half of it above the tube",
-    dimension: Dimension::Length,
-    bounds: Bounds::NotNegative,
+    dimension: Length,
+    bounds: NotNegative,
     default: Some(0.0),
     is_shown: true,
     identify: Some(Identify {
@@ -546,7 +546,7 @@ pub static SLEEVE_DIAMETER: Measure = Measure {
     label: "inner diameter of the sleeve",
     about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
     comment: "inside, at the angle above: a sleeve wider than the tube",
-    dimension: Dimension::Length,
+    dimension: Length,
     is_shown: true,
     digested: true,
     identify: Some(Identify {
@@ -608,7 +608,7 @@ pub static FRICTION_COEFFICIENT: Measure = Measure {
     about: "Coefficient C of the friction C·P^β, P in MPa",
     comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
     unit: Some("N/MPa^β"),
-    bounds: Bounds::NotNegative,
+    bounds: NotNegative,
     beside: Some((
         &FRICTION_EXPONENT,
         "friction is C·P^β: coefficient C in N/MPa^β and exponent \
@@ -631,7 +631,7 @@ pub static FRICTION_EXPONENT: Measure = Measure {
     label: "friction exponent",
     about: "Exponent β of the friction C·P^β",
     comment: "β",
-    bounds: Bounds::NotNegative,
+    bounds: NotNegative,
     beside: Some((
         &FRICTION_COEFFICIENT,
         "friction is C·P^β: coefficient C in N/MPa^β and \
@@ -657,8 +657,8 @@ pub static FRICTION_LEVER: Measure = Measure {
     label: "friction lever",
     about: "Coefficient of friction times lever of the strands' crossings, μw",
     comment: "μw: coefficient of friction times lever of the strands' crossings",
-    dimension: Dimension::Length,
-    bounds: Bounds::NotNegative,
+    dimension: Length,
+    bounds: NotNegative,
     identify: Some(Identify {
         start: Some(1.0),
         ..Identify::UNKNOWN
@@ -676,7 +676,7 @@ pub static FRICTION_PRESLIDING: Measure = Measure {
     label: "presliding length",
     about: "Presliding length xs, over which the friction builds up after a reversal",
     comment: "length over which the friction builds up after a reversal",
-    dimension: Dimension::Length,
+    dimension: Length,
     default: Some(0.5),
     is_shown: true,
     identify: Some(Identify {

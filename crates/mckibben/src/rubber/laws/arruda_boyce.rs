@@ -170,15 +170,13 @@ impl Chain {
         // 1/sinh² β = 4m/(1 − m)²
         let slope = 1.0 / y - 4.0 * m / ((1.0 - m) * (1.0 - m));
         let log_sinh_over_beta = beta + ((1.0 - m) / (2.0 * beta)).ln();
-        let q_y = (beta * slope - l) / (2.0 * y * beta);
-        let energy = beta * l - log_sinh_over_beta;
         (
             Self {
                 beta,
                 q: l / beta,
-                q_y,
+                q_y: (beta * slope - l) / (2.0 * y * beta),
                 slope,
-                energy,
+                energy: beta * l - log_sinh_over_beta,
             },
             (1.0 - x) - lack,
         )

@@ -36,10 +36,9 @@ impl LawConstants for NeoHookean {
     }
 
     fn card(&self) -> Option<HyperelasticCard> {
-        let constants = vec![0.5 * self.mu_mpa];
         Some(HyperelasticCard {
             form: "NEO HOOKE".into(),
-            constants,
+            constants: vec![0.5 * self.mu_mpa],
             compressions: 1,
         })
     }

@@ -224,9 +224,8 @@ impl RubberEntry {
             None => self.usual_law.as_ref(),
         };
         let fitted = self.windows.iter().filter_map(move |w| {
-            let law = w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone();
             Some(LibraryFit {
-                law,
+                law: w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone(),
                 fitted_to_stretch: Some(w.fitted_to_stretch),
                 window: Some(w),
             })
