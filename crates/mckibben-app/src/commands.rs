@@ -92,7 +92,21 @@ impl CommandEntry {
 /// Refuses fields that a schema does not have, in the objects of fields within too.
 #[cfg(feature = "schema")]
 fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Problem> {
+    let name = schema["$ref"]
+        .as_str()
+        .and_then(|path| path.rsplit('/').next());
+    let schema = name.map_or(schema, |name| &root["$defs"][name]);
     let known = schema["properties"].as_object();
+    if let Some(list) = fields.as_array() {
+        // By its type a list would be read as the fields in their order.
+        if known.is_some() {
+            let message = "a list is given where an object of fields is expected";
+            return Err(Problem::new(ProblemKind::Usage, message, ""));
+        }
+        return list
+            .iter()
+            .try_for_each(|item| check_fields(item, &schema["items"], root));
+    }
     let (Some(fields), Some(known)) = (fields.as_object(), known) else {
         return Ok(());
     };
@@ -103,11 +117,10 @@ fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Prob
             let message = format!("there is no field \"{field}\" in this request");
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
         };
-        let name = schema["$ref"]
-            .as_str()
-            .and_then(|path| path.rsplit('/').next());
-        let schema = name.map_or(schema, |name| &root["$defs"][name]);
-        check_fields(value, schema, root)?;
+        check_fields(value, schema, root).map_err(|problem| match problem.field {
+            None => problem.in_field(field.clone()),
+            Some(_) => problem,
+        })?;
     }
     Ok(())
 }

@@ -152,6 +152,21 @@ fn null_is_what_was_left_out_and_long_texts_are_shortened() {
     );
 }
 
+/// A list in place of an object of fields is refused by its field, and not read by position.
+#[test]
+fn no_command_takes_a_list_for_an_object() {
+    for (command, request, field) in [
+        ("force", json!({"muscle": [30, 1.5]}), "muscle"),
+        ("force", json!({"model": ["fe"]}), "model"),
+        ("compare", json!({"data": [["a.csv", "x"]]}), "data"),
+        ("identify", json!({"data": [["a.csv", "x"]]}), "data"),
+    ] {
+        let (message, blamed) = said(command, &request);
+        assert!(message.contains("list"), "{command} {request}: {message}");
+        assert_eq!(blamed.as_deref(), Some(field), "{command} {request}");
+    }
+}
+
 /// What a schema may be: itself, or each of those that it refers to.
 fn kinds<'s>(schema: &'s Value, defs: &'s Value, out: &mut Vec<&'s Value>) {
     if let Some(name) = schema["$ref"]
