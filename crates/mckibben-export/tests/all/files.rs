@@ -90,7 +90,10 @@ pub fn numbers(text: &str) -> Vec<Vec<f64>> {
 pub fn runs(program: &str) -> bool {
     let version = Command::new(program).arg("--version").output();
     let runs = version.is_ok_and(|o| o.status.success());
-    assert!(runs || !cfg!(target_os = "linux"), "this test needs {program}");
+    assert!(
+        runs || !cfg!(target_os = "linux"),
+        "this test needs {program}"
+    );
     runs
 }
 
