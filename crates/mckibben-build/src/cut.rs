@@ -6,7 +6,7 @@ use mckibben::{
 };
 
 /// Lengths and diameters of tube and sleeve before they are mounted.
-#[derive(Debug, Clone, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Cut {
     /// Length of tube to cut in mm, before it is stretched.
     pub tube_mm: f64,
@@ -22,7 +22,7 @@ pub struct Cut {
 
 /// A sleeve keeps the length of its strands, and so is longer the narrower it is: L = S cosθ, sinθ
 /// = π D/ℓ.
-#[derive(Debug, Clone, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct SleeveCut {
     /// Length in mm of the mounted sleeve, on the tube, with what is clamped.
     pub mounted_mm: f64,
@@ -45,7 +45,7 @@ pub struct SleeveCut {
 }
 
 /// The length of a sleeve where it has a diameter.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SleeveLength {
     /// Diameter in mm.
     pub diameter_mm: f64,

@@ -14,7 +14,7 @@ const SAME_MM: f64 = 0.011;
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Default, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize, schemars::JsonSchema)]
 pub struct BuildPart {
     /// Number in the drawing.
     pub number: u32,

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 pub const FACETS: usize = 96;
 
 /// A closed surface of triangles, in mm; corners run counter-clockwise as seen from outside.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     pub corners: Vec<[f64; 3]>,
     /// Triangles, as numbers of corners.

@@ -8,7 +8,7 @@ use mckibben::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Ref
 use std::f64::consts::PI;
 
 /// Choices of the builder.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wishes {
     /// The connection of the hose.
     pub fitting: Option<Fitting>,
@@ -19,7 +19,7 @@ pub struct Wishes {
 }
 
 /// All numbers of a build.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     pub muscle: Muscle,
     /// Its results by a model.

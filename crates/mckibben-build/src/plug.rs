@@ -45,7 +45,7 @@ const BOLTS_MM: [(f64, f64); 9] = [
 pub const PRINTED_MPA: f64 = 10.0;
 
 /// The stem of both plugs.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stem {
     /// Diameter in mm: the bore and the interference.
     pub diameter_mm: f64,
@@ -156,7 +156,7 @@ impl Stem {
 }
 
 /// The plug with the air passage.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AirPlug {
     pub stem: Stem,
     /// The connection of the hose.
@@ -263,7 +263,7 @@ impl AirPlug {
 }
 
 /// The closed plug with an eye for a bolt.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EyePlug {
     pub stem: Stem,
     /// The bolt in mm: 6 is M6.
@@ -396,7 +396,7 @@ pub enum Fitting {
 }
 
 /// A word that names no fitting.
-#[derive(Debug, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error(
     "\"{0}\" is not a fitting; expected m5, g1/8 or g1/4 (a thread), or barb:4 (a barb for a hose \
      with a bore of 4 mm, from 1 to 25)"

@@ -7,7 +7,7 @@ use mckibben::{
 };
 
 /// Results of a model for the muscle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
     pub model: String,
     /// Working pressure in MPa.
@@ -64,7 +64,7 @@ const PROOF_TO_WORKING: f64 = 2.0;
 const PROOF_TO_BURST: f64 = 0.75;
 
 /// Pressures of the tests, and the energy of their air.
-#[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Safety {
     /// Working pressure, MPa.
     pub pressure_mpa: f64,

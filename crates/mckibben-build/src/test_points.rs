@@ -7,7 +7,7 @@ use crate::{
 use mckibben::muscle::Direction;
 
 /// A point of the test.
-#[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct TestPoint {
     /// Pressure in MPa.
     pub pressure_mpa: f64,

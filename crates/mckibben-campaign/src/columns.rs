@@ -55,7 +55,7 @@ pub struct PointRow {
 }
 
 /// The role of a column.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     Question,
     Answer,

@@ -21,7 +21,7 @@ const GUARANTEED: f64 = 0.95;
 const MOST_POINTS: usize = 50;
 
 /// A muscle of the library, as sold, that would do.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "BoughtAnswer")]
 pub struct Bought {
     /// Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
@@ -43,7 +43,7 @@ pub struct Bought {
 }
 
 /// A muscle as sold.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Product<'a> {
     pub name: String,
     /// What its seller calls it.

@@ -16,7 +16,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// What the muscles of a bundle do together.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "BundleAnswer")]
 pub struct Bundle {
     /// How many muscles.
@@ -41,7 +41,7 @@ pub struct Bundle {
 }
 
 /// An operating point of all muscles of a bundle together.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BundlePoint {
     /// What is required.
     #[serde(flatten)]

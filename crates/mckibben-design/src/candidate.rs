@@ -15,7 +15,7 @@ use serde::Serialize;
 use std::collections::HashSet;
 
 /// A candidate at one operating point.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
     /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted,
@@ -39,7 +39,7 @@ pub struct CandidatePoint {
 }
 
 /// A muscle that fits.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
     #[serde(skip)]
     pub muscle: Muscle,

@@ -27,7 +27,7 @@ pub struct TorqueWanted {
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// What a muscle must do: the operating points, where these follow from its length as well.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Demand {
     Points(Vec<OperatingPoint>),
     /// To lift a load from the length at rest.
@@ -40,7 +40,7 @@ pub enum Demand {
 }
 
 /// How far a load is lifted.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lift {
     /// Stroke in mm.
     Stroke(f64),
@@ -65,7 +65,7 @@ impl Lift {
 /// τ/r. It is contracted by ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint,
 /// so that the other one is at its length at rest there, without a pull, and slack at every smaller
 /// angle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct JointDemand {
     pub torques: Vec<TorqueWanted>,
     /// Largest angle φm in degrees to either side.

@@ -5,7 +5,7 @@ use mckibben::{model::ModelError, muscle::Muscle};
 use serde::Serialize;
 
 /// The bound that a muscle breaks.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Reason {
     /// A limit is missed.
     Limit(Check),
@@ -34,7 +34,7 @@ impl Reason {
 }
 
 /// A muscle that does not fit, and why.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rejected {
     /// Outer diameter D0, mm.
     pub outer_diameter_mm: f64,

@@ -13,7 +13,9 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What is ranked first.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[schemars(rename = "ObjectiveWord")]
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
@@ -33,7 +35,7 @@ pub enum Objective {
 }
 
 /// Which angle the braid has.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum BraidChoice {
     /// Angles at rest in degrees: a list or an interval.
     Angle(Values),
@@ -245,7 +247,7 @@ impl Spec {
 }
 
 /// Why a specification cannot be searched at all.
-#[derive(Debug, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpecError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

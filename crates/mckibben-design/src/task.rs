@@ -10,7 +10,7 @@ use mckibben::{
 };
 
 /// What a specification leaves open, so that another one may be tried where nothing fits.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Open {
     /// The number of muscles: where no single one does, as few as do share what is required.
     pub count: bool,
@@ -20,7 +20,7 @@ pub struct Open {
 }
 
 /// A specification, and what may be tried where nothing meets it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Task {
     /// What is required, of one muscle where the number is open.
     pub spec: Spec,

@@ -66,7 +66,7 @@ pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str
 }
 
 /// Why a table of tubes cannot be read, or a name is that of no tube.
-#[derive(Debug, Clone, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[error("{0}")]
 pub struct TubeError(String);
 

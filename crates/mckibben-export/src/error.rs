@@ -8,7 +8,7 @@ use thiserror::Error;
 pub type Result<T, E = ExportError> = std::result::Result<T, E>;
 
 /// Why a muscle cannot be exported.
-#[derive(Debug, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExportError {
     /// No target of this name.
     #[error("there is no target \"{0}\"; the targets are {names}", names = crate::Target::names())]

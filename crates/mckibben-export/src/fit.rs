@@ -39,7 +39,7 @@ impl BoxRequest {
 }
 
 /// Errors of the form against its model at points that it was not fitted to.
-#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FormErrors {
     /// Root mean square of the pull's error, share of the blocked force at the supply.
     pub force_rms: f64,

@@ -20,7 +20,7 @@ const STATES: [i32; 2] = [24, 8];
 pub const JOINT_NUMBERS: usize = 23;
 
 /// A joint whose muscles are fitted for export.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct ExportedJoint {
     /// Name of the joint in the files.
     pub name: String,

@@ -30,7 +30,7 @@ pub use targets::Target;
 const MARK: &str = "exported by mckibben";
 
 /// The files of a muscle for a target.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Artefact {
     /// The files: the one to begin with first.
     pub files: Vec<File>,

@@ -13,7 +13,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 /// The box over which a muscle is exported.
-#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ExportBox {
     /// Supply pressure, MPa; the box begins at 0.
     pub supply_pressure_mpa: f64,

@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// A place along the muscle, from the middle (z = 0) to the terminal.
-#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "ProfileRow")]
 pub struct ProfilePoint {
     /// Z at rest, mm.
@@ -23,7 +23,7 @@ pub struct ProfilePoint {
 }
 
 /// The strands at a place along the muscle.
-#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "StrandRow")]
 pub struct StrandState {
     /// Z at rest, mm.
@@ -41,7 +41,7 @@ pub struct StrandState {
 }
 
 /// A principal stretch and where it is.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct StretchAt {
     /// The stretch.
     pub value: f64,
@@ -159,7 +159,7 @@ pub struct Energies {
 }
 
 /// Everything an equilibrium tells.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Solution {
     /// What every model tells.

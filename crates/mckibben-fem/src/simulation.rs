@@ -25,7 +25,7 @@ const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 
 /// What is given of an equilibrium. Pressures are in MPa, pulls in N.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Given {
     /// Pressure and contraction.
     PressureAndContraction {
@@ -61,7 +61,7 @@ impl Given {
 }
 
 /// What the points of a test have.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Detail {
     /// Pressure, contraction, pull and volume.
     Point,

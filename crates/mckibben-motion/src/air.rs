@@ -49,7 +49,7 @@ impl Heat {
 }
 
 /// What is in and around a muscle.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Air {
     /// How it exchanges heat.
     pub heat: Heat,
@@ -87,7 +87,7 @@ pub struct Cavity {
 
 /// What flows into the muscle through a port in g/s, negative outwards, with the temperature of
 /// where it comes from.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Flow {
     /// Mass flow in g/s.
     pub mass_g_per_s: f64,

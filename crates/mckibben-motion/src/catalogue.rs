@@ -11,7 +11,7 @@ use serde::Deserialize;
 use std::sync::LazyLock;
 
 /// A valve that one can buy.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NamedValve {
     /// Its name.
     pub name: String,

@@ -9,7 +9,7 @@ use crate::{
 use mckibben::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Equilibrium {
     /// q in mm or rad.
     pub coordinate: f64,

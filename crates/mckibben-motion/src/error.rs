@@ -7,7 +7,7 @@ use thiserror::Error;
 pub type Result<T, E = MotionError> = std::result::Result<T, E>;
 
 /// Why a motion was refused, or ended early.
-#[derive(Debug, Clone, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
@@ -59,7 +59,7 @@ pub enum MotionError {
 }
 
 /// The largest net force off a stop, while a load lies on it from the start on.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnStop {
     /// The net force away from the stop (negative).
     pub net: f64,

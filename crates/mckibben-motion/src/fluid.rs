@@ -3,7 +3,7 @@
 use crate::{Air, Flow, LiquidFill, air::Cavity};
 
 /// What fills a muscle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Fluid {
     /// Air.
     Air(Air),

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// Central differences of the right-hand side: also across the kink of a valve that is closed
 /// there, whose two sides it averages. The air's mass is a state without effect on the others where
 /// the law is isothermal: an eigenvalue 0.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     a: DMatrix<f64>,
     b: DVector<f64>,

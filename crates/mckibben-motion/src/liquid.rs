@@ -33,7 +33,7 @@ const VAPOUR_MPA: f64 = 2.3e-3;
 /// The temperature is constant, and so is the pressure from the valve to the muscle's far end: the
 /// inertia of the liquid in the line is omitted, which makes a line of length L and section A swing
 /// with the muscle at a period of 2π √(ρ L V_P/A). Source: \[merritt1967\], ch. 3.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct LiquidFill {
     /// The liquid.
     pub liquid: Liquid,

@@ -8,7 +8,7 @@ use mckibben::{
 };
 
 /// Contraction of a muscle at a position, and its derivative by the coordinate.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lever {
     /// ε.
     pub contraction: f64,
@@ -92,7 +92,7 @@ pub trait Mechanism: Send + Sync {
 /// ```
 ///
 /// M is what moves with the load and what is added to it.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SingleMuscle {
     /// L0 in mm.
     pub length_mm: f64,

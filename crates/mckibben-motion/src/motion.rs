@@ -5,7 +5,7 @@ use mckibben::units::short_numbers;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A motion.
-#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Motion {
     /// What was recorded, lists of one length.
     pub series: MotionSeries,
@@ -115,7 +115,7 @@ pub struct MotionEnd {
 }
 
 /// How a load moves at the end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Moves {
     /// It stays within 2 % of its way (within 0.0001 of the muscle's length where that is more).
     Rests,
@@ -126,7 +126,7 @@ pub enum Moves {
 }
 
 /// The answer to one step of the command, up to the next.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StepFigures {
     /// When the command changed, in s.
     pub time_s: f64,
@@ -150,7 +150,7 @@ pub struct StepFigures {
 /// gas_work = stored + static_work + p_atm ΔV
 /// static_work + viscoelastic − friction = Δload + Δkinetic + damper + impacts
 /// ```
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energies {
     /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of
     /// the muscle, of a syringe the work of its piston.

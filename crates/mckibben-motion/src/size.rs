@@ -8,7 +8,7 @@ use crate::{
 use mckibben::progress::Progress;
 
 /// A valve that is large enough.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SizedValve {
     /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the
     /// same factor.

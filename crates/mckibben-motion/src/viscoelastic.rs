@@ -13,7 +13,7 @@ pub use mckibben::rubber::over_time::Branch;
 /// \[chou1996\]. After a step of F_w the pull is too large by Σ gᵢ of it and relaxes to the static
 /// pull, which the long-time limit is by definition. Linear viscoelasticity in the pull, not in the
 /// stress: fit for shares below some tenths. Empty: none.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Prony(pub Vec<Branch>);
 
 impl Prony {

@@ -8,7 +8,7 @@ use mckibben_units::{clean, joined};
 use std::fmt::Write as _;
 
 /// A report.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
     pub title: String,
     /// Its title block: names and texts of fields; an empty one is filled in by hand.
@@ -22,7 +22,7 @@ pub struct Document {
 }
 
 /// A part of a report.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Part {
     Heading(String),
     /// A paragraph.

@@ -18,7 +18,7 @@ use std::fmt::Write as _;
 const CAPITALS: f64 = 0.729;
 
 /// A sheet with a drawing on it.
-#[derive(Debug, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sheet {
     title: String,
     width_mm: f64,
@@ -30,7 +30,7 @@ pub struct Sheet {
 }
 
 /// A kind of line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pen {
     /// Visible edges: 0.5 mm.
     Outline,
@@ -55,7 +55,7 @@ impl Pen {
 }
 
 /// Which part of a text lies at its place.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     Start,
     Middle,

@@ -14,7 +14,7 @@ pub type Positive<Q> = Bounded<Q, false>;
 pub type NotNegative<Q> = Bounded<Q, true>;
 
 /// A quantity above zero, or of zero or above.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<Q, const MAY_BE_ZERO: bool>(Q);
 
 impl<Q: Quantity, const MAY_BE_ZERO: bool> From<Bounded<Q, MAY_BE_ZERO>> for f64 {

@@ -15,7 +15,7 @@ use std::{
 use thiserror::Error;
 
 /// The caller wanted the work to end.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("cancelled before the end")]
 pub struct Cancelled;
 

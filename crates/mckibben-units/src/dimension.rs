@@ -5,7 +5,9 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dimension {
     /// Lengths, in mm.

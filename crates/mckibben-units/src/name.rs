@@ -27,7 +27,7 @@ const RATIOS: [&str; 4] = ["contraction", "contractions", "strain", "uncertainty
 const STIFFNESS: &str = "stiffness";
 
 /// The unit of a field.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct NamedUnit {
     /// The unit's usual spelling; empty for a plain ratio.
     pub unit: &'static str,

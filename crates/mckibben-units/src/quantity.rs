@@ -4,7 +4,7 @@ use super::{convert::convert, dimension::Dimension};
 use thiserror::Error;
 
 /// Why a text is not the expected quantity.
-#[derive(Debug, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}{problem}")]
 pub struct QuantityError {
     /// The text in quotes, where there is one.

@@ -48,7 +48,7 @@ impl Values {
 }
 
 /// Why a text is not a range or list.
-#[derive(Debug, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum RangeError {
     /// One of its numbers cannot be read.
     #[error("{0}")]

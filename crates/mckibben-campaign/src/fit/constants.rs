@@ -46,7 +46,7 @@ pub fn table_1(pressure_mpa: f64, contraction: f64) -> Option<f64> {
 }
 
 /// C10 and k = k₄₀ (D0/40)ⁿ.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Constants {
     /// C10 in MPa.
     pub c10_mpa: f64,

@@ -27,7 +27,7 @@ pub const HELD_OUT: f64 = 35.0;
 pub const FULL_PRESSURE: f64 = 0.25;
 
 /// The pull of one muscle at a pressure and contraction.
-#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FitPoint {
     /// D0 in mm.
     pub outer_diameter_mm: f64,

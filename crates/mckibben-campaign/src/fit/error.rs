@@ -6,7 +6,7 @@ use thiserror::Error;
 pub type Result<T, E = FitError> = std::result::Result<T, E>;
 
 /// Why a table gives no formula.
-#[derive(Debug, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum FitError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

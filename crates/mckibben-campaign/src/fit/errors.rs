@@ -11,7 +11,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     #[serde(flatten)]
     pub summary: ErrorSummary,

@@ -38,7 +38,7 @@ const MET: f64 = 1e-26;
 const AS_GOOD: f64 = 1.05;
 
 /// Errors with so many terms.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     pub terms: usize,
     /// rms over the points fitted, as a share of the blocked force.
@@ -48,7 +48,7 @@ pub struct Step {
 }
 
 /// A formula and how its terms were chosen.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct GlobalFit {
     pub terms: GlobalTerms,
     /// Errors by number of terms.

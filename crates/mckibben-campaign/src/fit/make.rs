@@ -17,7 +17,7 @@ use mckibben::{
     muscle::Muscle,
 };
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// The paper's seven steps.
     Paper(Rules),
@@ -53,7 +53,7 @@ impl Method {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Request<'a> {
     pub points: &'a [FitPoint],
     /// The make of their muscles; length and angle are those of the points.
@@ -67,7 +67,7 @@ pub struct Request<'a> {
     pub from: Provenance,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FittedFormula {
     pub formula: Formula,
     /// The tables of the paper's method.

@@ -19,7 +19,9 @@ use serde::{Deserialize, Serialize};
 /// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε
 /// ≤ .05 alone: two of its five contractions, too few for a quadratic, and the paper does not say
 /// how it went on.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum ThinRule {
     /// They are left out: the fit over pressure has one less.
@@ -32,7 +34,9 @@ pub enum ThinRule {
 }
 
 /// Treatment of points where the muscle would have to push.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlackRule {
     /// Their negative force counts.
@@ -45,7 +49,7 @@ pub enum SlackRule {
 }
 
 /// How the method is applied.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rules {
     /// Thick walls of thin muscles at low pressure.
     pub thin: ThinRule,
@@ -54,7 +58,7 @@ pub struct Rules {
 }
 
 /// Steps 1–2: one isobaric curve (a row of the paper's Table 1).
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CurveFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -71,7 +75,7 @@ pub struct CurveFit {
 }
 
 /// Step 3: a, b, c over P for one (D0, s).
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct LineFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -84,7 +88,7 @@ pub struct LineFit {
 }
 
 /// Steps 4–5: slopes and intercepts over s for one D0.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WallFit {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -102,7 +106,7 @@ impl WallFit {
 }
 
 /// The results of all steps of the method.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PaperMethod {
     /// Steps 1–2.
     pub curves: Vec<CurveFit>,
@@ -292,7 +296,7 @@ fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3])> {
 }
 
 /// A fitted polynomial of degree N − 1, highest power first.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PolynomialFit<const N: usize> {
     /// Coefficients, of the highest power first.
     pub coefficients: [f64; N],

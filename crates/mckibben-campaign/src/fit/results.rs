@@ -17,7 +17,7 @@ use mckibben::{formula::Formula, muscle::Muscle, progress::Progress};
 use serde::Serialize;
 
 /// One comparison.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Finding {
     /// What is compared with what.
     pub comparison: String,
@@ -32,7 +32,7 @@ pub struct Finding {
 }
 
 /// All results.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct Results {
     /// The comparisons.
     pub findings: Vec<Finding>,

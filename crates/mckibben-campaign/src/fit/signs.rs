@@ -5,7 +5,7 @@
 use super::{data::same, paper_method::PaperMethod};
 
 /// One statement for one diameter, against the coefficients of steps 1–2.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Sign {
     /// D0 in mm.
     pub outer_diameter_mm: f64,

@@ -12,7 +12,7 @@ use mckibben::{
 pub type Show<'a> = &'a dyn Fn(Dimension, f64) -> String;
 
 /// One limit at one place: what the muscle has there, and what it may have.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
     /// What is limited.
     pub limit: Limit,

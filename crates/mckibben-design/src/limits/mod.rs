@@ -18,7 +18,7 @@ use mckibben::{
 use serde::Serialize;
 
 /// Bounds on what comes out.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
     pub bulged_diameter_mm: Option<f64>,

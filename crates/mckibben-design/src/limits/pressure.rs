@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Below {
     /// It keeps its distance from a failure at this pressure in MPa.
     Failure(FailureMode, f64),

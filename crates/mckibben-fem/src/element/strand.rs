@@ -42,7 +42,7 @@ pub struct StrandPoint {
 }
 
 /// λf at a point and its derivatives in the six unknowns (r, z of middle, left, right).
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Stretch {
     /// λf
     pub value: f64,

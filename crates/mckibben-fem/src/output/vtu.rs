@@ -21,7 +21,7 @@ pub const HEXAHEDRON: u8 = 12;
 pub const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
 /// A number that is none.
-#[derive(Debug, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{file} is not written: its {name} contains a value that is not a finite number")]
 pub struct VtuError {
     /// The file that would hold it.

@@ -79,7 +79,7 @@ pub struct Discretisation {
 }
 
 /// One material of a body.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Material {
     /// Its bricks.
     pub bricks: Range<usize>,

@@ -1,6 +1,6 @@
 //! Files that a crate makes: what each is, and what is in it. Where they go is decided elsewhere.
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
     pub name: String,
     /// What it is, in a few words.
@@ -29,7 +29,7 @@ impl File {
 }
 
 /// What is in a file.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
     Text(String),
     Bytes(Vec<u8>),

@@ -15,7 +15,7 @@ pub struct Field {
 }
 
 /// How the values of a column are packed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Packing {
     /// Few values come again and again: a dictionary of them.
     Repeated,

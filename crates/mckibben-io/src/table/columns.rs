@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 /// Columns by quantity: `"P1:kPa"` is the column with the heading P1, in kPa. The unit may be left
 /// out where the table says it; `#2` is the second column, whatever its heading; `"=3bar"` is 3 bar
 /// in all rows.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Columns(pub BTreeMap<String, String>);
 

@@ -10,7 +10,7 @@ pub type Series = Vec<(f64, f64)>;
 pub type Log = Vec<(OverTime, Series)>;
 
 /// What a table holds over time.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OverTime {
     /// Gauge pressures in MPa.
     Pressure,

@@ -5,7 +5,7 @@ use mckibben_units::{joined, tidy};
 use serde::{Deserialize, Serialize};
 
 /// What was understood of a table.
-#[derive(Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Understood {
     /// Rows that were read.
     pub rows: usize,
@@ -28,7 +28,7 @@ pub struct Understood {
 
 /// What was understood of a column.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct UnderstoodColumn {
     /// Its heading as written.
     pub column: String,

@@ -27,7 +27,7 @@ use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 
 /// What moves: its file, relative to the drive file.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Subject {
     /// A muscle file.
     Muscle(String),
@@ -36,7 +36,7 @@ pub enum Subject {
 }
 
 /// The files that a drive file names.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Names {
     /// What moves.
     pub subject: Subject,
@@ -45,7 +45,7 @@ pub struct Names {
 }
 
 /// What a drive file names beside its muscle or joint.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tables {
     /// The text of every table (`table:NAME`) by its name.
     pub texts: BTreeMap<String, String>,
@@ -54,7 +54,7 @@ pub struct Tables {
 }
 
 /// A drive file: everything but the muscle or joint itself.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DriveFile {
     /// What moves.
     pub subject: Subject,

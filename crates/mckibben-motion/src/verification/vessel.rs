@@ -27,7 +27,7 @@ const RATE_PER_S: f64 = 2.492_905;
 const CRITICAL: f64 = 0.3;
 
 /// A vessel of a fixed volume, which does not pull.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Vessel {
     info: ModelInfo,
     /// Volume in mm³.

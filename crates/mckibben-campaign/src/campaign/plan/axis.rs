@@ -154,7 +154,7 @@ pub(in crate::campaign) fn rounded(v: f64) -> f64 {
 }
 
 /// One muscle of a plan.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Inputs {
     /// Its parts; they need not make a muscle.
     pub parts: Parts,

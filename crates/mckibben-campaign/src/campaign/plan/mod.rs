@@ -40,7 +40,7 @@ const MOST_PARTS: u64 = 6000;
 const LOOKED_AT: u64 = 64;
 
 /// The points and the model of every muscle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Testing {
     /// Contractions, or shares of the largest that the ideal muscle has.
     pub contractions: Vec<f64>,

@@ -14,7 +14,7 @@ pub const MOST_STRATA: u64 = 1_000_000;
 pub const MOST_SOBOL: u64 = 1 << 16;
 
 /// A way of sampling.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
     /// Every level with every other.
     Factorial,

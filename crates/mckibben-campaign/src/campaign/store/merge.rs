@@ -15,7 +15,7 @@ use std::{
 };
 
 /// A merged campaign.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Merged {
     /// The file.
     pub output: PathBuf,

@@ -10,7 +10,7 @@ use std::{
 };
 
 /// A damaged file that was computed again.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Recomputed {
     /// The file.
     pub file: PathBuf,

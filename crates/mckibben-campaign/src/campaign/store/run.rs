@@ -24,7 +24,7 @@ use std::{
 };
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
@@ -43,7 +43,7 @@ pub struct Counts {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// The file or folder.
     pub output: PathBuf,
@@ -66,7 +66,7 @@ pub struct Outcome {
 }
 
 /// How a plan is run.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct RunOptions {
     /// Only this share of the plan.
     pub shard: Option<Shard>,

@@ -4,7 +4,7 @@ use std::{fmt, str::FromStr};
 
 /// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by
 /// `count`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
     count: u64,

@@ -12,7 +12,7 @@ use std::{
 };
 
 /// How a shard is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShardState {
     /// All its parts are there.
@@ -24,7 +24,7 @@ pub enum ShardState {
 }
 
 /// One shard.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShardStatus {
     /// The share, i/n.
     pub shard: String,
@@ -37,7 +37,7 @@ pub struct ShardStatus {
 }
 
 /// A campaign in a folder.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CampaignStatus {
     /// The folder.
     pub output: PathBuf,

@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::{collections::BTreeMap, path::Path};
 
 /// Rows that failed in the same way.
-#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -32,7 +32,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,

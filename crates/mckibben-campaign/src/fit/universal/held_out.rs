@@ -94,7 +94,7 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
 }
 
 /// A model and its errors.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct HeldOutRow {
     /// The model, in words.
     pub model: String,

@@ -55,7 +55,7 @@ const LOW_PRESSURE: (f64, f64) = (0.1, 0.3);
 const MARGIN: f64 = 0.12;
 const FOLDS: u64 = 5;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct UniversalRequest<'a> {
     pub samples: &'a [Sample],
     pub form: Form,

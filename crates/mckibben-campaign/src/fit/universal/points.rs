@@ -13,7 +13,7 @@ use mckibben::{
 };
 
 /// A point of a muscle where it pulls.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PullPoint {
     /// P in MPa.
     pub pressure_mpa: f64,
