@@ -79,7 +79,7 @@ impl CommandEntry {
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let schema = self.request_schema();
-        check_fields(request, schema, schema)
+        check_fields("a request", request, schema, schema)
     }
 
     /// The JSON Schema of its request, made once.
@@ -91,7 +91,7 @@ impl CommandEntry {
 
 /// Refuses fields that a schema does not have, in the objects of fields within too.
 #[cfg(feature = "schema")]
-fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Problem> {
+fn check_fields(what: &str, fields: &Value, schema: &Value, root: &Value) -> Result<(), Problem> {
     let name = schema["$ref"]
         .as_str()
         .and_then(|path| path.rsplit('/').next());
@@ -100,12 +100,13 @@ fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Prob
     if let Some(list) = fields.as_array() {
         // By its type a list would be read as the fields in their order.
         if known.is_some() {
-            let message = "a list is given where an object of fields is expected";
+            let message = format!("{what} is an object of fields, not a list");
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }
+        let what = &format!("each of {what}");
         return list
             .iter()
-            .try_for_each(|item| check_fields(item, &schema["items"], root));
+            .try_for_each(|item| check_fields(what, item, &schema["items"], root));
     }
     let (Some(fields), Some(known)) = (fields.as_object(), known) else {
         return Ok(());
@@ -117,7 +118,8 @@ fn check_fields(fields: &Value, schema: &Value, root: &Value) -> Result<(), Prob
             let message = format!("there is no field \"{field}\" in this request");
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
         };
-        check_fields(value, schema, root).map_err(|problem| match problem.field {
+        let checked = check_fields(&format!("`{field}`"), value, schema, root);
+        checked.map_err(|problem| match problem.field {
             None => problem.in_field(field.clone()),
             Some(_) => problem,
         })?;

@@ -6,8 +6,7 @@ use crate::{
     flags::{self, Args},
 };
 use mckibben::joined;
-pub use mckibben::muscle::measures::MeasureValues;
-pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction};
+pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction, measures::MeasureValues};
 use mckibben_fem::three_dimensional::{Match, Plug};
 use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};

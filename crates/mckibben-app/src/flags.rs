@@ -11,18 +11,25 @@ pub use parsers::*;
 
 #[cfg(feature = "clap")]
 mod parsers {
-    use crate::Measures;
-    use crate::{Model, NameOrFile, Problem, ProblemKind, TextFile};
-    use clap::builder::{PossibleValue, TypedValueParser};
-    use clap::error::{Error, ErrorKind};
-    use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-    use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, STRAND_MODULUS, WALL};
-    use mckibben::units::typed::{Length, Ratio, Volume};
-    use mckibben::units::{QuantityError, parse_quantity};
-    use mckibben::{muscle::Measure, rubber, sleeve};
+    use crate::{Measures, Model, NameOrFile, Problem, ProblemKind, TextFile};
+    use clap::{
+        Arg, ArgMatches, Args, Command, FromArgMatches,
+        builder::{PossibleValue, TypedValueParser},
+        error::{Error, ErrorKind},
+    };
+    use mckibben::{
+        muscle::{
+            Measure,
+            measures::{ANGLE, LENGTH, OUTER_DIAMETER, STRAND_MODULUS, WALL},
+        },
+        rubber, sleeve,
+        units::{
+            QuantityError, parse_quantity,
+            typed::{Length, Ratio, Volume},
+        },
+    };
     use mckibben_fem::three_dimensional::{Plug, PlugMaterial};
-    use mckibben_fit::rubber::Form;
-    use mckibben_fit::validation::library;
+    use mckibben_fit::{rubber::Form, validation::library};
     use schemars::JsonSchema;
     use serde::de::DeserializeOwned;
     use std::{ffi::OsStr, marker::PhantomData, path::Path};

@@ -5,15 +5,17 @@ mod page;
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
 use mckibben::{muscle::Muscle, progress::Progress, size};
-pub use mckibben_fit::validation::case::{Facts as MeasuredFacts, MeasuredFolder};
-pub use mckibben_fit::validation::report::{MeasuredBranch, MeasuredFit};
-pub use mckibben_fit::validation::rubber::RubberFit as MeasuredRubberFit;
 use mckibben_fit::validation::{
     built_in::measurements,
     case::{CaseError, Measurement, MuscleCase, RubberCase},
     report::{Group, report},
     residual::Fitter,
     rubber::{self, RubberGroup},
+};
+pub use mckibben_fit::validation::{
+    case::{Facts as MeasuredFacts, MeasuredFolder},
+    report::{MeasuredBranch, MeasuredFit},
+    rubber::RubberFit as MeasuredRubberFit,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;

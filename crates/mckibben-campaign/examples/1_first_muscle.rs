@@ -5,8 +5,10 @@
 
 use mckibben::prelude::*;
 use mckibben_design::{OperatingPoint, Spec, design};
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::output::{Shape, VtuSeries};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    output::{Shape, VtuSeries},
+};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

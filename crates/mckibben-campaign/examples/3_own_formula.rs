@@ -3,11 +3,11 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
-use mckibben::formula::Provenance;
-use mckibben::model::FormulaModel;
-use mckibben::prelude::*;
-use mckibben_campaign::campaign::{Plan, RunOptions, read, run};
-use mckibben_campaign::fit::{Method, Request, data, made_for, make};
+use mckibben::{formula::Provenance, model::FormulaModel, prelude::*};
+use mckibben_campaign::{
+    campaign::{Plan, RunOptions, read, run},
+    fit::{Method, Request, data, made_for, make},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 

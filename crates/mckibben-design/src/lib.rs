@@ -44,9 +44,11 @@ pub use bundle::{Bundle, BundlePoint};
 pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
-pub use limits::check::{Check, Show, fits};
-pub use limits::pressure::Below;
-pub use limits::{Limit, Limits, SAFETY};
+pub use limits::{
+    Limit, Limits, SAFETY,
+    check::{Check, Show, fits},
+    pressure::Below,
+};
 pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
 pub use models::{Build, Models, SearchedMuscles, near_the_box};
 pub use reason::{Reason, Rejected};

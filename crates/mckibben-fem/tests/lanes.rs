@@ -2,12 +2,16 @@
 
 #![allow(clippy::unwrap_used)]
 
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::{Muscle, Rubber};
-use mckibben::rubber::{Law, Yeoh};
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::element::lanes::Width;
-use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::{Muscle, Rubber},
+    rubber::{Law, Yeoh},
+};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    element::lanes::Width,
+    three_dimensional::{BrickSpec, ThreeDimensional},
+};
 
 /// The prototype, and a thin one of another law.
 fn muscles() -> [Muscle; 2] {

@@ -1,10 +1,12 @@
 //! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same
 //! equations independently.
 
-use mckibben::load::Load;
-use mckibben::model::Ideal;
-use mckibben::muscle::{Braid, Friction, Muscle, Terminals, Tube};
-use mckibben::progress::Silent;
+use mckibben::{
+    load::Load,
+    model::Ideal,
+    muscle::{Braid, Friction, Muscle, Terminals, Tube},
+    progress::Silent,
+};
 use mckibben_motion::*;
 use std::io::Write;
 

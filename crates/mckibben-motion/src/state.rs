@@ -224,15 +224,16 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::command::Command;
-    use crate::control::{Pid, PidOutput};
-    use crate::drive::Actuated;
-    use crate::mechanism::SingleMuscle;
-    use crate::orifice::Orifice;
-    use crate::valve::Valve;
-    use crate::viscoelastic::{Branch, Prony};
-    use mckibben::model::Ideal;
-    use mckibben::muscle::Muscle;
+    use crate::{
+        command::Command,
+        control::{Pid, PidOutput},
+        drive::Actuated,
+        mechanism::SingleMuscle,
+        orifice::Orifice,
+        valve::Valve,
+        viscoelastic::{Branch, Prony},
+    };
+    use mckibben::{model::Ideal, muscle::Muscle};
 
     #[test]
     fn every_number_of_a_state_has_one_place() {

@@ -150,9 +150,11 @@ impl Curve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Options;
-    use crate::model::{ForceModel, ThickWall, Workspace};
-    use crate::muscle::Muscle;
+    use crate::{
+        analysis::Options,
+        model::{ForceModel, ThickWall, Workspace},
+        muscle::Muscle,
+    };
 
     /// The drawn line of a slack muscle starts on zero between the two pressures around P′.
     #[test]

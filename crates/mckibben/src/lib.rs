@@ -70,10 +70,7 @@ pub mod verification;
 pub mod warning;
 
 pub use mckibben_units as units;
-pub use mckibben_units::cancel;
-pub use mckibben_units::clean;
-pub use mckibben_units::joined;
-pub use mckibben_units::nearest;
+pub use mckibben_units::{cancel, clean, joined, nearest};
 
 /// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas
 /// from campaigns; equation numbers in code and documents are its. Sources are cited by their key

@@ -44,8 +44,10 @@ impl Progress for CancelOnly<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cancel::{Cancel, check};
-    use crate::threads;
+    use crate::{
+        cancel::{Cancel, check},
+        threads,
+    };
 
     #[test]
     fn a_flag_that_was_entered_is_that_of_threads_and_silent_work_until_it_is_left() {

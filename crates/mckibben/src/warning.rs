@@ -259,8 +259,10 @@ pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ForceModel, Workspace};
-    use crate::muscle::{Braid, BraidStiffness, Strands};
+    use crate::{
+        model::{ForceModel, Workspace},
+        muscle::{Braid, BraidStiffness, Strands},
+    };
 
     #[test]
     fn of_each_kind_the_gravest_is_kept_and_sentences_once() {

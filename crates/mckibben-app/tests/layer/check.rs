@@ -1,8 +1,7 @@
 //! What `check` finds.
 
 use mckibben::muscle::measures::LENGTH;
-use mckibben_app::units::Units;
-use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check};
+use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check, units::Units};
 
 fn checked(request: CheckRequest) -> CheckAnswer {
     check(&request).unwrap()

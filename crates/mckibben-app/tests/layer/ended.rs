@@ -1,13 +1,9 @@
 //! Every command ends where its caller leaves.
 
-use mckibben::cancel::Cancel;
-use mckibben::progress::Silent;
-use mckibben::threads::Threads;
+use mckibben::{cancel::Cancel, progress::Silent, threads::Threads};
 use mckibben_app::{COMMANDS, ProblemKind, ask_value};
 use serde_json::{Value, json};
-use std::fmt::Write;
-use std::path::Path;
-use std::time::Duration;
+use std::{fmt::Write, path::Path, time::Duration};
 
 fn text_file(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -1,8 +1,10 @@
 //! Arrays of points.
 
-use mckibben::cancel::Cancel;
-use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben::progress::Silent;
+use mckibben::{
+    cancel::Cancel,
+    muscle::measures::{OUTER_DIAMETER, WALL},
+    progress::Silent,
+};
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields,
     PointQuantity, ProblemKind, QuestionFields, force, with_parameters,

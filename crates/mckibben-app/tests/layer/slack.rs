@@ -1,8 +1,10 @@
 //! Muscles that do not pull: slack ones, and those whose strands break; muscles without a text.
 
 use crate::reply;
-use mckibben::progress::Silent;
-use mckibben::random::{Random, rounds};
+use mckibben::{
+    progress::Silent,
+    random::{Random, rounds},
+};
 use mckibben_app::{ProblemKind, ask};
 use serde_json::{Value, json};
 

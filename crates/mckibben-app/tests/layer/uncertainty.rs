@@ -1,8 +1,7 @@
 //! The breakdown of a ± in words.
 
 use mckibben::uncertainty::{FrictionKnown, UncertaintyParts};
-use mckibben_app::units::Units;
-use mckibben_app::{bench, breakdown};
+use mckibben_app::{bench, breakdown, units::Units};
 
 /// √(159² + 50² + 1²) = 166.7, by hand.
 #[test]

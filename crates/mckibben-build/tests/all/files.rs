@@ -1,9 +1,10 @@
 //! Cut list, pressures, files.
 
-use mckibben::analysis::FailureMode;
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::parse_muscle;
-use mckibben::units::Dimension;
+use mckibben::{
+    analysis::FailureMode,
+    muscle::{Muscle, file::parse_muscle},
+    units::Dimension,
+};
 use mckibben_build::{Clamps, Content, Operating, Plan, Wishes, files};
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.

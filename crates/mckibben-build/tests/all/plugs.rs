@@ -2,8 +2,10 @@
 
 use crate::files::plan_of;
 use mckibben_build::{Content, EyePlug, Mesh, Plan, Wishes, files};
-use std::collections::HashMap;
-use std::f64::consts::{PI, TAU};
+use std::{
+    collections::HashMap,
+    f64::consts::{PI, TAU},
+};
 
 /// Corners of a circle.
 const N: f64 = 96.0;

@@ -1,13 +1,19 @@
 //! Formulas from tables of points: the paper's method, `global`, and what is refused.
 
-use mckibben::formula::{Body, Coefficients, Document, Made, Provenance};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
-use mckibben::status::Status;
-use mckibben_campaign::PointRow;
-use mckibben_campaign::fit::data::*;
-use mckibben_campaign::fit::errors::{compared, errors};
-use mckibben_campaign::fit::*;
+use mckibben::{
+    formula::{Body, Coefficients, Document, Made, Provenance},
+    muscle::Muscle,
+    progress::Silent,
+    status::Status,
+};
+use mckibben_campaign::{
+    PointRow,
+    fit::{
+        data::*,
+        errors::{compared, errors},
+        *,
+    },
+};
 
 /// Points of the paper's campaign with a force of our choice.
 fn synthetic(force: impl Fn(f64, f64, f64, f64) -> f64) -> Vec<FitPoint> {

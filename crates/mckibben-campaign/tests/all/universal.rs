@@ -1,8 +1,10 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
-use mckibben::formula::{Document, Form, Provenance};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::progress::Silent;
+use mckibben::{
+    formula::{Document, Form, Provenance},
+    model::{ForceModel, Workspace},
+    progress::Silent,
+};
 use mckibben_campaign::fit::universal::*;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of

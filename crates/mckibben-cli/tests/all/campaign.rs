@@ -4,9 +4,11 @@
 use crate::common::{Ran, command, folder, names, ran, run_in};
 use mckibben::random::Random;
 use serde_json::Value;
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::{
+    path::Path,
+    process::{Child, Command, Stdio},
+    time::{Duration, Instant},
+};
 use tempfile::TempDir;
 
 /// A campaign of some seconds.

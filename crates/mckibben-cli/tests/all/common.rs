@@ -1,10 +1,12 @@
 //! Runs the built command, as a user would from the root of the repository.
 
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::sync::mpsc;
-use std::time::Duration;
+use std::{
+    path::{Path, PathBuf},
+    process::{Child, Command, Output, Stdio},
+    sync::mpsc,
+    time::Duration,
+};
 
 /// What has not ended by then never ends.
 pub const HANGS: Duration = Duration::from_secs(600);

@@ -1,8 +1,10 @@
 //! Every command that is shown to users works as shown.
 
 use crate::common::{command, copy, json, mckibben, number, ran, root, words};
-use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::{
+    path::{Path, PathBuf},
+    sync::Mutex,
+};
 
 /// Runs a command as shown, `mckibben` and what follows.
 fn works(folder: &Path, place: &str, line: &str) {

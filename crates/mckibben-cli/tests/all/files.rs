@@ -3,10 +3,12 @@
 #![cfg(unix)]
 
 use crate::common::{Ran, copy, folder, json, names, ran, root, run_in};
-use std::fs::{self, File};
-use std::os::unix::fs::{PermissionsExt, symlink};
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::{
+    fs::{self, File},
+    os::unix::fs::{PermissionsExt, symlink},
+    path::Path,
+    process::{Command, Stdio},
+};
 
 /// Runs a line in a folder with four gigabytes of addresses, and no more.
 fn bounded(dir: &Path, line: &str) -> Ran {

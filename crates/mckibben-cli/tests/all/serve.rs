@@ -1,11 +1,13 @@
 //! `serve`: an address that answers, and an end where one is wanted.
 
 use crate::common::{HANGS, command, ended, mckibben, root};
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::{TcpListener, TcpStream};
-use std::path::Path;
-use std::process::{Child, Stdio};
-use std::time::{Duration, Instant};
+use std::{
+    io::{BufRead, BufReader, Read, Write},
+    net::{TcpListener, TcpStream},
+    path::Path,
+    process::{Child, Stdio},
+    time::{Duration, Instant},
+};
 
 /// A server that has said where it is: the child and its line.
 fn started(folder: &Path, args: &[&str]) -> (Child, String) {

@@ -1,13 +1,14 @@
 //! The design search against brute force and against its own promises.
 
-use mckibben::analysis::Options;
-use mckibben::analysis::{Evaluation, FailureMode};
-use mckibben::liquid::{Liquid, LiquidSupply};
-use mckibben::load::Load;
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Strands};
-use mckibben::progress::Silent;
-use mckibben::units::Values;
+use mckibben::{
+    analysis::{Evaluation, FailureMode, Options},
+    liquid::{Liquid, LiquidSupply},
+    load::Load,
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Direction, Muscle, Strands},
+    progress::Silent,
+    units::Values,
+};
 use mckibben_design::{
     Below, BraidChoice, Build, Check, Demand, JointDemand, Lift, Limit, Limits, Models, Objective,
     OperatingPoint, Relaxation, SAFETY, Spec, SpecError, TorqueWanted, VALIDATED_STRAND_STRAIN,

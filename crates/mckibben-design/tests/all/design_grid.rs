@@ -1,12 +1,14 @@
 //! The design search on random specifications: against a brute-force grid, and at a larger supply.
 
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
-use mckibben::muscle::{Braid, Muscle, Tube};
-use mckibben::progress::Silent;
-use mckibben::random::{Random, rounds};
-use mckibben::sleeve::library;
-use mckibben::units::Values;
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ForceModel, ModelError, ModelKind, Workspace},
+    muscle::{Braid, Muscle, Tube},
+    progress::Silent,
+    random::{Random, rounds},
+    sleeve::library,
+    units::Values,
+};
 use mckibben_design::{
     BraidChoice, Candidate, Limits, Models, Objective, OperatingPoint, Spec, design, design_with,
     fits, tubes,

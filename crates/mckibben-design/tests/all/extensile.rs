@@ -1,10 +1,12 @@
 //! Muscles that push, designed for a push at an extension.
 
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
-use mckibben::units::Values;
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::Muscle,
+    progress::Silent,
+    units::Values,
+};
 use mckibben_design::{
     BraidChoice, Build, Limit, Limits, Models, OperatingPoint, Relaxation, Spec, SpecError, design,
 };

@@ -4,11 +4,7 @@ use super::exported;
 use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Presliding, Terminals, Tube};
 use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
-use std::io::Read as _;
-use std::path::Path;
-use std::process::Command;
-use std::sync::LazyLock;
+use std::{fmt::Write as _, io::Read as _, path::Path, process::Command, sync::LazyLock};
 
 static PROTOTYPE: LazyLock<ExportedMuscle> =
     LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());

@@ -1,17 +1,16 @@
 //! The form: its potential, its inverse, its continuation, its error.
 
 use super::{exported, fe};
-use mckibben::analysis::Evaluation;
-use mckibben::model::Workspace;
-use mckibben::muscle::{
-    Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube,
+use mckibben::{
+    analysis::Evaluation,
+    model::Workspace,
+    muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
+    random::{Random, rounds},
+    rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh},
+    threads,
 };
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
-use mckibben::threads;
 use mckibben_export::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, SLACK};
-use std::f64::consts::TAU;
-use std::sync::LazyLock;
+use std::{f64::consts::TAU, sync::LazyLock};
 
 static PROTOTYPE: LazyLock<Form> =
     LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap().form);

@@ -1,11 +1,15 @@
 //! A joint: against `joint` of the program.
 
-use super::fe;
-use super::files::{compiled_and_run, numbers, python, runs};
-use mckibben::joint::{Joint, JointModel, Turning, parse_joint};
-use mckibben::model::ForceModel;
-use mckibben::muscle::{Muscle, file::parse_muscle};
-use mckibben::random::{Random, rounds};
+use super::{
+    fe,
+    files::{compiled_and_run, numbers, python, runs},
+};
+use mckibben::{
+    joint::{Joint, JointModel, Turning, parse_joint},
+    model::ForceModel,
+    muscle::{Muscle, file::parse_muscle},
+    random::{Random, rounds},
+};
 use mckibben_export::{ExportError, ExportedJoint, Target};
 
 /// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope;

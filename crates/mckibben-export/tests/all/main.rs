@@ -12,11 +12,9 @@ mod form;
 mod joint;
 mod refused;
 
-use mckibben::model::ForceModel;
-use mckibben::muscle::Muscle;
+use mckibben::{model::ForceModel, muscle::Muscle};
 use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};
-use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::elements::section;
+use mckibben_fem::{axisymmetric::MeshSpec, elements::section};
 
 /// A muscle by finite elements.
 pub fn fe(muscle: &Muscle) -> Box<dyn ForceModel> {

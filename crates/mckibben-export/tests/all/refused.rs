@@ -1,7 +1,9 @@
 //! Models that cannot be exported: each is refused with its numbers and what to do.
 
-use mckibben::model::{ForceModel, Ideal, ModelError, ModelInfo, Response, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{ForceModel, Ideal, ModelError, ModelInfo, Response, Workspace},
+    muscle::Muscle,
+};
 use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};
 
 /// The ideal muscle with its answers changed.

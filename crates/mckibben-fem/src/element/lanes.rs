@@ -190,8 +190,10 @@ pub use wide::{Eight, Four};
 #[cfg(target_arch = "x86_64")]
 mod wide {
     use super::Real;
-    use std::arch::x86_64::{__m256d, __m512d};
-    use std::ops::{Add, Mul, Sub};
+    use std::{
+        arch::x86_64::{__m256d, __m512d},
+        ops::{Add, Mul, Sub},
+    };
 
     macro_rules! operator {
         ($name:ident, $operator:ident, $function:ident, $instructions:ident) => {

@@ -106,8 +106,7 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::super::law::with_law;
-    use super::*;
+    use super::{super::law::with_law, *};
     use mckibben::rubber::Law;
 
     pub fn tangent(law: &dyn AnyPlaneLaw, f: Gradient, p: f64) -> Stress {

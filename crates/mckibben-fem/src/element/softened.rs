@@ -69,9 +69,13 @@ fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::with_law;
-    use super::super::plane::tests::{check_derivatives, tangent};
-    use super::*;
+    use super::{
+        super::{
+            law::with_law,
+            plane::tests::{check_derivatives, tangent},
+        },
+        *,
+    };
     use mckibben::rubber::Law;
 
     const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {

@@ -212,11 +212,15 @@ impl Numeric {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sparse::{Analysis, SparseCholesky};
-    use super::{Pattern, Stopped};
+    use super::{
+        super::sparse::{Analysis, SparseCholesky},
+        Pattern, Stopped,
+    };
     use crate::element::lanes::tests::each_width;
-    use mckibben::cancel::{Cancel, Cancelled};
-    use mckibben::random::Random;
+    use mckibben::{
+        cancel::{Cancel, Cancelled},
+        random::Random,
+    };
     use nalgebra::{DMatrix, DVector};
     use std::sync::Arc;
 

@@ -1,12 +1,13 @@
 //! Answers by finite elements as everybody gets them: inverses come back, and a slack muscle is an
 //! answer.
 
-use mckibben::analysis::Evaluation;
-use mckibben::answer::Options;
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::parse_muscle;
-use mckibben::random::rounds;
+use mckibben::{
+    analysis::Evaluation,
+    answer::Options,
+    model::{ForceModel, Workspace},
+    muscle::{Muscle, file::parse_muscle},
+    random::rounds,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// P and ε for which a muscle that was thrown pulls, with its model.

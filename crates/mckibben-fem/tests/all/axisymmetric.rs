@@ -1,15 +1,18 @@
 //! The axisymmetric muscle as a user meets it.
 
 use super::sweep::case;
-use mckibben::cancel::{Cancel, Cancelled};
-use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
-use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
-use mckibben::muscle::file::parse_muscle;
-use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
-use mckibben::random::rounds;
-use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
+use mckibben::{
+    cancel::{Cancel, Cancelled},
+    joint::{Joint, JointModel, JointMuscle, Link, Path, Turning},
+    model::{ForceModel, ModelError, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Bulk, Muscle, file::parse_muscle},
+    random::rounds,
+};
+use mckibben_fem::{
+    FemError,
+    axisymmetric::{Axisymmetric, MeshSpec},
+    simulation::{Detail, Given, Simulation, free_contraction},
+};
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {
     Given::PressureAndPull {

@@ -1,13 +1,16 @@
 //! An answer depends on its question alone: not on the points before it, their order or their grid.
 
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::read_muscle;
-use mckibben::random::rounds;
-use mckibben::status::Status;
-use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::simulation::{Detail, Given, Simulation};
+use mckibben::{
+    model::Workspace,
+    muscle::{Muscle, file::read_muscle},
+    random::rounds,
+    status::Status,
+};
+use mckibben_fem::{
+    FemError,
+    axisymmetric::Axisymmetric,
+    simulation::{Detail, Given, Simulation},
+};
 use std::f64::consts::PI;
 
 /// Random muscles of the grid study.

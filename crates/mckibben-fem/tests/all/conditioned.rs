@@ -1,15 +1,20 @@
 //! Muscles whose rubber was stretched before, as a user meets them.
 
 use super::prestretch::slopes_are_those_of_differences;
-use mckibben::model::{ForceModel, ModelKind, Response, ThickWall, Workspace};
-use mckibben::muscle::file::read_muscle;
-use mckibben::muscle::{Bulk, Conditioned, Muscle, Rubber, Tube};
-use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony, Softened};
-use mckibben::rubber::{Law, NeoHookean, Ogden, RubberLaw, Yeoh};
-use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Memory, Mesh, Problem};
-use mckibben_fem::simulation::free_contraction;
-use mckibben_fem::solver::continuation::Continuation;
+use mckibben::{
+    model::{ForceModel, ModelKind, Response, ThickWall, Workspace},
+    muscle::{Bulk, Conditioned, Muscle, Rubber, Tube, file::read_muscle},
+    rubber::{
+        Law, NeoHookean, Ogden, RubberLaw, Yeoh,
+        over_time::{Held, OgdenRoxburgh, Prony, Softened},
+    },
+};
+use mckibben_fem::{
+    FemError,
+    axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Memory, Mesh, Problem},
+    simulation::free_contraction,
+    solver::continuation::Continuation,
+};
 use std::sync::Arc;
 
 const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {

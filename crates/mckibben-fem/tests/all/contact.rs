@@ -1,8 +1,10 @@
 //! Contact of the strands with the tube, and the friction of their crossings.
 
-use mckibben::model::{ForceModel, ThickWall, Workspace, pivoting_n_per_mm};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::{
+    model::{ForceModel, ThickWall, Workspace, pivoting_n_per_mm},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, NeoHookean},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::f64::consts::PI;
 

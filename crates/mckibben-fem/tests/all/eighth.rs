@@ -1,11 +1,11 @@
 //! Files of the three-dimensional model: one eighth of a muscle, and the whole one from it.
 
-use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
-use mckibben_fem::FemError;
-use mckibben_fem::output::vtu::Grid;
-use mckibben_fem::output::{Extent, Shape, deck};
-use mckibben_fem::three_dimensional::{BrickSpec, Field, Plug, PlugMaterial, ThreeDimensional};
+use mckibben::{model::Workspace, muscle::Muscle};
+use mckibben_fem::{
+    FemError,
+    output::{Extent, Shape, deck, vtu::Grid},
+    three_dimensional::{BrickSpec, Field, Plug, PlugMaterial, ThreeDimensional},
+};
 
 fn solved() -> (ThreeDimensional, Field) {
     let model =

@@ -1,13 +1,14 @@
 //! Muscles that extend: strands at more than 54.7° to the axis.
 
 use super::prestretch::slopes_are_those_of_differences;
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Law, NeoHookean, RubberLaw};
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::three_dimensional::ThreeDimensional;
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::{Random, rounds},
+    rubber::{Law, NeoHookean, RubberLaw},
+};
+use mckibben_fem::{axisymmetric::Axisymmetric, three_dimensional::ThreeDimensional};
 use std::f64::consts::PI;
 
 fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {

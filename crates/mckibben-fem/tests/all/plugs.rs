@@ -1,14 +1,13 @@
 //! Tubes that are drawn on plugs of another diameter than their bore.
 
-use super::prestretch::slopes_are_those_of_differences;
-use super::universal_small::random;
-use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::measures::PLUG_DIAMETER;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Law, NeoHookean};
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::three_dimensional::ThreeDimensional;
+use super::{prestretch::slopes_are_those_of_differences, universal_small::random};
+use mckibben::{
+    model::{ForceModel, ModelKind, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::PLUG_DIAMETER},
+    random::{Random, rounds},
+    rubber::{Law, NeoHookean},
+};
+use mckibben_fem::{axisymmetric::Axisymmetric, three_dimensional::ThreeDimensional};
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let braid = Braid {

@@ -1,12 +1,15 @@
 //! Tubes that are mounted with a stretch, in the finite elements.
 
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::measures::PRESTRETCH;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, NeoHookean, Ogden, Yeoh};
-use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Mesh, Problem};
-use mckibben_fem::solver::continuation::Continuation;
-use mckibben_fem::three_dimensional::{Brick, ThreeDimensional};
+use mckibben::{
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::PRESTRETCH},
+    rubber::{Law, NeoHookean, Ogden, Yeoh},
+};
+use mckibben_fem::{
+    axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Mesh, Problem},
+    solver::continuation::Continuation,
+    three_dimensional::{Brick, ThreeDimensional},
+};
 use std::f64::consts::PI;
 
 fn muscle(law: Law, prestretch: f64) -> Muscle {

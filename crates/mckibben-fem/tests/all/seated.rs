@@ -1,9 +1,13 @@
 //! Ends that seat and slip: the muscle between them, its slopes and its energies.
 
-use mckibben::model::{Response, Workspace};
-use mckibben::muscle::{Muscle, Terminals};
-use mckibben_fem::elements::Elements;
-use mckibben_fem::simulation::{Detail, Given, Simulation, free_contraction};
+use mckibben::{
+    model::{Response, Workspace},
+    muscle::{Muscle, Terminals},
+};
+use mckibben_fem::{
+    elements::Elements,
+    simulation::{Detail, Given, Simulation, free_contraction},
+};
 
 fn pull(pressure_mpa: f64, force_n: f64) -> Given {
     Given::PressureAndPull {

@@ -1,10 +1,14 @@
 //! One model shared by two threads, each with its workspace, answers as one thread does, bit by
 //! bit.
 
-use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals};
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
+use mckibben::{
+    model::{ForceModel, ModelKind, Workspace},
+    muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals},
+};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{BrickSpec, ThreeDimensional},
+};
 use std::sync::Arc;
 
 /// A muscle that states what any of the models needs.

@@ -3,10 +3,12 @@
 //!
 //! `MCKIBBEN_TIMES=20` asks 1000 of them.
 
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::{
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::{Random, rounds},
+    rubber::{Law, NeoHookean},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::f64::consts::PI;
 

@@ -1,7 +1,9 @@
 //! Random muscles with a question each, from a seed.
 
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::Random;
+use mckibben::{
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::Random,
+};
 use mckibben_fem::axisymmetric::sweep::law;
 
 /// A muscle, a pressure in MPa and a contraction, number `index` of a seed: log-uniform D0 5–80 mm,

@@ -1,9 +1,10 @@
 //! Rubber at another temperature than that of its constants, in the finite elements.
 
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::measures::TEMPERATURE;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, Yeoh};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::TEMPERATURE},
+    rubber::{Law, Yeoh},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// (80 + 273.15)/(23 + 273.15), by hand.

@@ -1,10 +1,14 @@
 //! The muscle in bricks as a user meets it.
 
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben_fem::FemError;
-use mckibben_fem::simulation::{Detail, Given, Simulation};
-use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
+use mckibben::{
+    model::{ForceModel, Workspace},
+    muscle::Muscle,
+};
+use mckibben_fem::{
+    FemError,
+    simulation::{Detail, Given, Simulation},
+    three_dimensional::{BrickSpec, ThreeDimensional},
+};
 
 fn coarse() -> ThreeDimensional {
     ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x4").unwrap()).unwrap()

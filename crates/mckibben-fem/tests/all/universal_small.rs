@@ -1,9 +1,11 @@
 //! The ± of `universal-small` against finite elements, on random muscles of its box.
 
-use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::{
+    model::{ForceModel, ModelKind, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
+    random::{Random, rounds},
+    rubber::{Law, NeoHookean},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// D0 10–60 mm, L0/D0 5–20, s/D0 .02–.17, θ0 18–37°, P/μ .05–5, strand strain up to 6 %.

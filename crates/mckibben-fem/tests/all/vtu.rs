@@ -1,13 +1,19 @@
 //! Files for ParaView, read back.
 
 use base64::Engine as _;
-use mckibben::model::{ForceModel as _, Response, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::output::{Shape, VtuError, VtuFile, VtuSeries};
-use mckibben_fem::simulation::{Given, Simulation as _};
-use std::f64::consts::{PI, TAU};
-use std::io::Read as _;
+use mckibben::{
+    model::{ForceModel as _, Response, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Strands},
+};
+use mckibben_fem::{
+    axisymmetric::{Axisymmetric, MeshSpec},
+    output::{Shape, VtuError, VtuFile, VtuSeries},
+    simulation::{Given, Simulation as _},
+};
+use std::{
+    f64::consts::{PI, TAU},
+    io::Read as _,
+};
 
 const AROUND: f64 = 48.0;
 

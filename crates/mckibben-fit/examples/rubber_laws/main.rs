@@ -6,9 +6,7 @@ mod windows;
 
 use mckibben::rubber::library::{TABLE_OF_FITS, entries};
 use mckibben_fit::rubber::read_tension;
-use std::error::Error;
-use std::fs::File;
-use std::path::Path;
+use std::{error::Error, fs::File, path::Path};
 use table_of_fits::curve_of_fits;
 use windows::windows_of;
 

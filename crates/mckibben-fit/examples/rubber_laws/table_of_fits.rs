@@ -9,8 +9,10 @@
 //! most 1.2 % up to 50 %, 2.2 % up to 100 %, 1.0 % up to 150 % and 4.3 % up to 200 % (RTV615, which
 //! breaks at 193 %: 1.2, 4.6, 2.6 and 14 %).
 
-use mckibben::rubber::library::{LibraryError, TABLE_OF_FITS, plain};
-use mckibben::rubber::{MooneyRivlin, RubberLaw};
+use mckibben::rubber::{
+    MooneyRivlin, RubberLaw,
+    library::{LibraryError, TABLE_OF_FITS, plain},
+};
 use mckibben_fit::rubber::{Mode, TensionPoint};
 use std::io::Read;
 

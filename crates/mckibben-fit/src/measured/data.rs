@@ -240,8 +240,7 @@ pub fn interpolate(sorted: &[(f64, f64)], x: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::read_measured;
-    use super::*;
+    use super::{super::read_measured, *};
 
     #[test]
     fn the_mean_of_two_parallel_branches_lies_between_them() {

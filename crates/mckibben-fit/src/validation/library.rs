@@ -106,11 +106,9 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
 
 #[cfg(test)]
 mod tests {
-    use super::super::elements;
-    use super::*;
+    use super::{super::elements, *};
     use crate::identify::{Identification, Identified, Request, Target, identify};
-    use mckibben::muscle::file::parse_muscle;
-    use mckibben::rubber::RubberLaw;
+    use mckibben::{muscle::file::parse_muscle, rubber::RubberLaw};
 
     /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {

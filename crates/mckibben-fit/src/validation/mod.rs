@@ -31,15 +31,14 @@ use crate::{
 use coverage::{Coverage, share_row, validated};
 #[cfg(test)]
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::model::{Ideal, ThickWall, Workspace};
-use mckibben::muscle::measures::END_FACTOR;
-use mckibben::muscle::{Muscle, file::parse_muscle};
-use mckibben::progress::{CancelOnly, Progress};
-use mckibben::verification::{Measure, VerificationRow};
 use mckibben::{
     analysis::{Evaluation, Options},
     cancel::Cancelled,
     extremes::peak,
+    model::{Ideal, ThickWall, Workspace},
+    muscle::{Muscle, file::parse_muscle, measures::END_FACTOR},
+    progress::{CancelOnly, Progress},
+    verification::{Measure, VerificationRow},
 };
 use residual::{Fitter, ForceErrors};
 

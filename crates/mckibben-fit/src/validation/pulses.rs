@@ -210,9 +210,11 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::model::{ForceModel, ThickWall};
-    use mckibben::muscle::{Braid, BraidStiffness, Terminals, Tube};
-    use mckibben::rubber::{Law, NeoHookean};
+    use mckibben::{
+        model::{ForceModel, ThickWall},
+        muscle::{Braid, BraidStiffness, Terminals, Tube},
+        rubber::{Law, NeoHookean},
+    };
 
     /// An independent calculation on the same table (`thick-wall` by another program): 1 % at rest,
     /// a dead volume of 44 to 56 mL, and at ε 0.044 a bias of +7.7, +2.7, +0.3 and −2.0 % for

@@ -223,8 +223,10 @@ fn muscle_file_of_fit(files: &MeasuredFolder, number: usize) -> Result<String, C
 
 #[cfg(test)]
 mod tests {
-    use super::super::built_in::{built_in, measurements, muscles};
-    use super::*;
+    use super::{
+        super::built_in::{built_in, measurements, muscles},
+        *,
+    };
 
     fn files() -> MeasuredFolder {
         built_in()

@@ -306,11 +306,14 @@ impl Training<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::built_in::muscles;
-    use super::super::elements;
-    use super::*;
-    use mckibben::cancel::Cancelled;
-    use mckibben::progress::{Progress, Silent};
+    use super::{
+        super::{built_in::muscles, elements},
+        *,
+    };
+    use mckibben::{
+        cancel::Cancelled,
+        progress::{Progress, Silent},
+    };
 
     /// Constants from 1 to 3 bar predict 4 and 5 bar; a law that stiffens at large stretch does so
     /// better on the hand-made muscle, whose rubber is not stated. A regression: nobody else has

@@ -73,8 +73,10 @@ pub struct RubberGroup {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{built_in::measurements, case::Measurement};
-    use super::*;
+    use super::{
+        super::{built_in::measurements, case::Measurement},
+        *,
+    };
     use mckibben::progress::Silent;
 
     /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the

@@ -1,14 +1,14 @@
 //! Identification with finite elements: their derivatives, and known constants that come back.
 
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace};
-use mckibben::muscle::{
-    Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube,
+use mckibben::{
+    model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace},
+    muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, MooneyRivlin},
 };
-use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fit::compare::MeasuredPoint;
-use mckibben_fit::identify::{
-    Build, DataPoint, Identification, Parameter, Quantity, Request, Section, identify,
+use mckibben_fit::{
+    compare::MeasuredPoint,
+    identify::{Build, DataPoint, Identification, Parameter, Quantity, Request, Section, identify},
 };
 
 /// The elements without their derivatives, so that differences are taken.

@@ -1,12 +1,18 @@
 //! Rubbers with a curve: the law is that of `rubber` for the stretches of the muscle.
 
-use mckibben::muscle::file::{parse_muscle, to_toml};
-use mckibben::muscle::{Braid, Bulk, Muscle, Rubber, Tube};
-use mckibben::rubber::library::{
-    COVERING, RubberEntry, Standing, TABLE_OF_FITS, Window, WindowLaw, entries, entry, find,
-    find_for, find_up_to, of_equal_standing, warnings,
+use mckibben::{
+    muscle::{
+        Braid, Bulk, Muscle, Rubber, Tube,
+        file::{parse_muscle, to_toml},
+    },
+    rubber::{
+        ExtendedTube, Form, Law,
+        library::{
+            COVERING, RubberEntry, Standing, TABLE_OF_FITS, Window, WindowLaw, entries, entry,
+            find, find_for, find_up_to, of_equal_standing, warnings,
+        },
+    },
 };
-use mckibben::rubber::{ExtendedTube, Form, Law};
 use mckibben_fit::rubber::{DECIDED_AICC, FitSettings, TensionFit, fit_tension, read_tension};
 
 #[path = "../../examples/rubber_laws/table_of_fits.rs"]

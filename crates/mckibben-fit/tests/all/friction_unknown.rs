@@ -1,13 +1,17 @@
 //! What points leave of the ±: friction that they did not measure, and the scatter of their fit.
 
-use mckibben::model::{ForceModel, ModelError, ThickWall, Workspace};
-use mckibben::muscle::file::parse_muscle;
-use mckibben::muscle::{Direction, Muscle, Tube};
-use mckibben::{analysis::Evaluation, uncertainty::UncertaintyParts};
+use mckibben::{
+    analysis::Evaluation,
+    model::{ForceModel, ModelError, ThickWall, Workspace},
+    muscle::{Direction, Muscle, Tube, file::parse_muscle},
+    uncertainty::UncertaintyParts,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fit::identify::{Parameter, Request, identify};
-use mckibben_fit::measured::{DataPoint, read_data};
-use mckibben_fit::validation::library::library;
+use mckibben_fit::{
+    identify::{Parameter, Request, identify},
+    measured::{DataPoint, read_data},
+    validation::library::library,
+};
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(Axisymmetric::new(muscle)?))

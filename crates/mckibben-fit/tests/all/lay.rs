@@ -1,12 +1,15 @@
 //! Muscles with thick braids, wide sleeves and crimp, as a user meets them.
 
-use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, NeoHookean};
-use mckibben_fem::FemError;
-use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fit::compare::MeasuredPoint;
-use mckibben_fit::identify::{DataPoint, Parameter, Request, identify};
+use mckibben::{
+    model::{ForceModel, ModelKind, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, NeoHookean},
+};
+use mckibben_fem::{FemError, axisymmetric::Axisymmetric};
+use mckibben_fit::{
+    compare::MeasuredPoint,
+    identify::{DataPoint, Parameter, Request, identify},
+};
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));

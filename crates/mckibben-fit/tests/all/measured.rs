@@ -1,18 +1,23 @@
 //! The measured muscles and rubbers that the crate carries are those of the repository.
 
-use mckibben::analysis::Evaluation;
-use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::progress::Silent;
-use mckibben::uncertainty::STIFFNESS_WAY;
-use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::elements::Elements;
-use mckibben_fit::identify::{Request, identify};
-use mckibben_fit::validation::built_in::{built_in, muscles};
-use mckibben_fit::validation::case::{CaseFit, MuscleCase};
-use mckibben_fit::validation::coverage::first_fit_residuals;
-use mckibben_fit::validation::held_out;
-use mckibben_fit::validation::residual::{Fitter, ForceErrors, Residual};
+use mckibben::{
+    analysis::Evaluation,
+    model::{ForceModel, ModelError, Workspace},
+    muscle::{Direction, Muscle},
+    progress::Silent,
+    uncertainty::STIFFNESS_WAY,
+};
+use mckibben_fem::{axisymmetric::MeshSpec, elements::Elements};
+use mckibben_fit::{
+    identify::{Request, identify},
+    validation::{
+        built_in::{built_in, muscles},
+        case::{CaseFit, MuscleCase},
+        coverage::first_fit_residuals,
+        held_out,
+        residual::{Fitter, ForceErrors, Residual},
+    },
+};
 use std::path::Path;
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {

@@ -1,9 +1,11 @@
 //! The share of a pull's ± for a rubber that is known from one axis.
 
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, Muscle, Rubber, Tube};
-use mckibben::rubber::Law;
-use mckibben::uncertainty::ONE_AXIS;
+use mckibben::{
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Braid, Muscle, Rubber, Tube},
+    rubber::Law,
+    uncertainty::ONE_AXIS,
+};
 use mckibben_fit::rubber::{FitSettings, Mode, fit_tension, read_tension};
 
 /// Six rubbers measured in several modes: the law recommended from their uniaxial test, against the

@@ -1,7 +1,9 @@
 //! Any bytes end in points or in an error; the same points in any form are the same points.
 
-use mckibben_fit::measured::{PointOptions, read_points};
-use mckibben_fit::rubber::read_tests;
+use mckibben_fit::{
+    measured::{PointOptions, read_points},
+    rubber::read_tests,
+};
 use mckibben_io::table::{Columns, read_text};
 use proptest::prelude::*;
 

@@ -313,8 +313,7 @@ impl Choice {
 
 #[cfg(test)]
 mod tests {
-    use super::super::kinds::POINTS;
-    use super::*;
+    use super::{super::kinds::POINTS, *};
 
     fn parse(text: &str) -> Vec<(String, String)> {
         Columns::parse(text).unwrap().0.into_iter().collect()

@@ -308,8 +308,10 @@ impl Vocabulary {
 
 #[cfg(test)]
 mod tests {
-    use super::super::kinds::{POINTS, TESTS};
-    use super::*;
+    use super::{
+        super::kinds::{POINTS, TESTS},
+        *,
+    };
 
     fn said(vocabulary: &Vocabulary, heading: &str) -> Option<(Meaning, Option<&'static str>)> {
         let heading = vocabulary.understand(heading)?;

@@ -195,11 +195,13 @@ impl Words {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{
-        heading::plain,
-        kinds::{HISTORIES, OVER_TIME, POINTS, TESTS},
+    use super::{
+        super::{
+            heading::plain,
+            kinds::{HISTORIES, OVER_TIME, POINTS, TESTS},
+        },
+        *,
     };
-    use super::*;
 
     #[test]
     fn words_are_plain_and_mean_one_thing() {

@@ -98,8 +98,10 @@ fn read_sheet(book: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<Sheet, Tab
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Columns, Meaning, TESTS, Table, read_text};
-    use super::*;
+    use super::{
+        super::{Columns, Meaning, TESTS, Table, read_text},
+        *,
+    };
 
     /// The workbook of a testing machine: a sheet of words, then one with a title, headings, units,
     /// and numbers from the second column on.

@@ -340,10 +340,7 @@ fn held_contraction(keys: &OfLoad, source: &Source<'_>) -> Result<Option<f64>, F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::air::Heat;
-    use crate::command::Command;
-    use crate::liquid::Syringe;
-    use crate::orifice::Orifice;
+    use crate::{air::Heat, command::Command, liquid::Syringe, orifice::Orifice};
 
     const MUSCLE: &str = "muscle = 'm.toml'\n";
     const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";

@@ -2,9 +2,11 @@
 //! between the points of the series.
 
 use crate::support::{close, damped, note_muscle, ran, regulator, steps, valve};
-use mckibben::model::{ModelKind, Workspace};
-use mckibben::muscle::{Braid, Muscle, Terminals};
-use mckibben::progress::Silent;
+use mckibben::{
+    model::{ModelKind, Workspace},
+    muscle::{Braid, Muscle, Terminals},
+    progress::Silent,
+};
 use mckibben_motion::*;
 
 fn seated() -> Muscle {

@@ -1,8 +1,10 @@
 //! Small oscillations and frequency responses.
 
 use crate::support::{close, elbow, note_muscle, ran, regulator};
-use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::{
+    model::{ForceModel, ModelKind, Workspace},
+    muscle::Muscle,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_motion::*;
 use std::f64::consts::{PI, TAU};

@@ -3,10 +3,12 @@
 //! found, rounded up.
 
 use crate::support::{damped, ran};
-use mckibben::analysis::{Evaluation, Options};
-use mckibben::model::{ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
-use mckibben::rubber::{Law, NeoHookean};
+use mckibben::{
+    analysis::{Evaluation, Options},
+    model::{ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, NeoHookean},
+};
 use mckibben_motion::*;
 
 const STEPS: &str = include_str!("../../../../data/tondu2012_motion/step_response.csv");

@@ -1,13 +1,12 @@
 //! Muscles that move: balances, friction, stops, slack, convergence.
 
 use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
-use mckibben::analysis::Options;
-use mckibben::liquid::Liquid;
-use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Friction, Muscle};
 use mckibben::{
-    analysis::Evaluation,
+    analysis::{Evaluation, Options},
+    liquid::Liquid,
     load::{Filling, Load},
+    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
+    muscle::{Friction, Muscle},
 };
 use mckibben_motion::*;
 

@@ -1,12 +1,8 @@
 //! What is refused, and how it is said.
 
 use crate::support::{note_muscle, regulator, steps, valve};
-use mckibben::cancel::Cancel;
-use mckibben::load::Load;
-use mckibben::model::ModelKind;
-use mckibben::progress::Silent;
-use mckibben_motion::verification::Vessel;
-use mckibben_motion::*;
+use mckibben::{cancel::Cancel, load::Load, model::ModelKind, progress::Silent};
+use mckibben_motion::{verification::Vessel, *};
 
 #[test]
 fn commands_with_times_that_go_back_or_no_numbers_are_refused() {

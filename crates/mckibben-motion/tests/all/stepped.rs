@@ -1,9 +1,11 @@
 //! A drive in a control loop.
 
 use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
-use mckibben::model::{ForceModel, ModelKind};
-use mckibben::muscle::Friction;
-use mckibben::progress::Silent;
+use mckibben::{
+    model::{ForceModel, ModelKind},
+    muscle::Friction,
+    progress::Silent,
+};
 use mckibben_motion::*;
 
 const STEP_S: f64 = 0.05;

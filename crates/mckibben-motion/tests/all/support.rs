@@ -1,9 +1,11 @@
 //! What several tests need.
 
-use mckibben::joint::{Joint, JointMuscle, Link, Path};
-use mckibben::load::Load;
-use mckibben::model::ForceModel;
-use mckibben::muscle::Muscle;
+use mckibben::{
+    joint::{Joint, JointMuscle, Link, Path},
+    load::Load,
+    model::ForceModel,
+    muscle::Muscle,
+};
 use mckibben_motion::*;
 
 /// Runs, or says why not.
@@ -26,8 +28,10 @@ pub fn last(list: &[f64]) -> f64 {
 
 /// The muscle of the design note: D0 20, s 1.5, L0 220, 24°, C10 0.1 MPa, k 900 N/mm.
 pub fn note_muscle() -> Muscle {
-    use mckibben::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
-    use mckibben::rubber::{Law, MooneyRivlin};
+    use mckibben::{
+        muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube},
+        rubber::{Law, MooneyRivlin},
+    };
     let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {
         c10_mpa: 0.1,
         c01_mpa: 0.0,

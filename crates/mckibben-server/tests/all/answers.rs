@@ -1,8 +1,7 @@
 //! The page, answers of the application layer, and who gets them.
 
 use crate::{Client, posted};
-use axum::body::Body;
-use axum::http::Request;
+use axum::{body::Body, http::Request};
 use mckibben::progress::Silent;
 use mckibben_app::{ask, ask_packed};
 

@@ -6,10 +6,15 @@ mod answers;
 mod limits;
 mod mutated;
 
-use axum::Router;
-use axum::body::{Body, Bytes, to_bytes};
-use axum::http::header::{CONTENT_TYPE, HOST};
-use axum::http::{HeaderMap, Request, StatusCode, request};
+use axum::{
+    Router,
+    body::{Body, Bytes, to_bytes},
+    http::{
+        HeaderMap, Request, StatusCode,
+        header::{CONTENT_TYPE, HOST},
+        request,
+    },
+};
 use mckibben_server::{Config, router};
 use serde_json::Value;
 use tower::ServiceExt;

@@ -5,8 +5,7 @@ use crate::Client;
 use mckibben::random::Random;
 use mckibben_server::Config;
 use serde_json::{Value, json};
-use std::path::Path;
-use std::time::Duration;
+use std::{path::Path, time::Duration};
 
 const TOKENS: [&str; 16] = [
     "1e308",

@@ -210,8 +210,7 @@ pub fn source_of(model: &dyn ForceModel, direction: Direction) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Ideal;
-    use crate::muscle::Friction;
+    use crate::{model::Ideal, muscle::Friction};
 
     #[test]
     fn the_branches_lie_on_both_sides_of_the_mean() {
@@ -237,9 +236,11 @@ mod tests {
     /// Rigid strands, no rubber to speak of: pc = P, G = (4π/3) P r cotθ; slopes by differences.
     #[test]
     fn friction_from_contact_has_the_half_width_of_an_infinitely_long_muscle() {
-        use crate::model::ThickWall;
-        use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
-        use crate::rubber::{Law, NeoHookean};
+        use crate::{
+            model::ThickWall,
+            muscle::{Braid, BraidStiffness, Rubber, Tube},
+            rubber::{Law, NeoHookean},
+        };
         let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
         let m = Muscle::prototype();
         let m = m

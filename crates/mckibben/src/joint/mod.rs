@@ -31,8 +31,10 @@ pub use path::{Path, Shortening};
 pub use rest::Rest;
 pub use shut::ShutStiffness;
 
-use crate::load::GRAVITY_M_PER_S2;
-use crate::muscle::{Direction, Muscle};
+use crate::{
+    load::GRAVITY_M_PER_S2,
+    muscle::{Direction, Muscle},
+};
 
 /// A muscle at a joint.
 #[derive(Debug, Clone, PartialEq)]

@@ -56,10 +56,11 @@ pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &B
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Evaluation;
-    use crate::analysis::Options;
-    use crate::model::{ForceModel, Ideal, Workspace};
-    use crate::muscle::Muscle;
+    use crate::{
+        analysis::{Evaluation, Options},
+        model::{ForceModel, Ideal, Workspace},
+        muscle::Muscle,
+    };
 
     /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P =
     /// F/A(ε) along the way.

@@ -187,9 +187,11 @@ impl Evaluation<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::load::Lever;
-    use crate::model::{ForceModel, Ideal, Workspace};
-    use crate::muscle::Muscle;
+    use crate::{
+        load::Lever,
+        model::{ForceModel, Ideal, Workspace},
+        muscle::Muscle,
+    };
 
     fn ideal() -> Ideal {
         Ideal::new(&Muscle::prototype())
@@ -270,8 +272,10 @@ mod tests {
     /// ∂G/∂ε. Against differences of both lines.
     #[test]
     fn the_stiffness_is_the_slope_of_load_less_pull_on_every_branch() {
-        use crate::model::ThickWall;
-        use crate::muscle::{Direction, Friction};
+        use crate::{
+            model::ThickWall,
+            muscle::{Direction, Friction},
+        };
         let friction = Friction {
             coefficient: 10.0,
             exponent: 0.7,

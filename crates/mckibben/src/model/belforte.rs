@@ -74,8 +74,10 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Ideal, Workspace};
-    use crate::muscle::{Braid, MeasuredStrand};
+    use crate::{
+        model::{Ideal, Workspace},
+        muscle::{Braid, MeasuredStrand},
+    };
 
     fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {
         let measured = Some(MeasuredStrand {

@@ -80,8 +80,10 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Ideal, Workspace};
-    use crate::muscle::Terminals;
+    use crate::{
+        model::{Ideal, Workspace},
+        muscle::Terminals,
+    };
 
     fn model(cone_factor: Option<f64>) -> Result<Box<dyn ForceModel>> {
         let terminals = Terminals {

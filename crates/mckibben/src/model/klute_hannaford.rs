@@ -132,9 +132,11 @@ impl ForceModel for KluteHannaford {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::ThickWall;
-    use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
-    use crate::rubber::{Law, MooneyRivlin, Yeoh};
+    use crate::{
+        model::ThickWall,
+        muscle::{Braid, BraidStiffness, Rubber, Tube},
+        rubber::{Law, MooneyRivlin, Yeoh},
+    };
 
     fn muscle(wall_mm: f64) -> Muscle {
         let rubber = Rubber::new(Law::MooneyRivlin(MooneyRivlin {

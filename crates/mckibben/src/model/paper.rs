@@ -89,8 +89,10 @@ impl FormulaModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::Section;
-    use crate::model::{ForceModel, Workspace};
+    use crate::{
+        formula::Section,
+        model::{ForceModel, Workspace},
+    };
 
     #[test]
     fn the_numbers_are_those_of_the_table_shipped() {

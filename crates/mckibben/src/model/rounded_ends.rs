@@ -85,8 +85,10 @@ fn middle(b: &Pantograph, turn: f64, contraction: f64) -> Result<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{ModelKind, Workspace};
-    use crate::muscle::Tube;
+    use crate::{
+        model::{ModelKind, Workspace},
+        muscle::Tube,
+    };
 
     fn long(length_mm: f64) -> Muscle {
         Muscle::prototype()

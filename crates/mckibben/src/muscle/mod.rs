@@ -23,8 +23,10 @@ mod stated;
 mod terminals;
 mod tube;
 
-pub use crate::rubber::{Bulk, Conditioned, Rubber};
-pub use crate::sleeve::NEUTRAL_ANGLE_DEG;
+pub use crate::{
+    rubber::{Bulk, Conditioned, Rubber},
+    sleeve::NEUTRAL_ANGLE_DEG,
+};
 pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;

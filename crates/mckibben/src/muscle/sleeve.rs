@@ -89,8 +89,10 @@ impl Muscle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::muscle::{Terminals, Tube};
-    use crate::rubber::library as rubbers;
+    use crate::{
+        muscle::{Terminals, Tube},
+        rubber::library as rubbers,
+    };
 
     /// By hand: 232 strands of 0.0490874 mm² and 285/cos 14.0362° = 293.77 mm, 1380 kg/m³: 4.617 g;
     /// tube π/4 (9.525² − 6.35²) mm² of 285 mm, 960 kg/m³: 10.831 g.

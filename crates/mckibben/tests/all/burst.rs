@@ -1,14 +1,14 @@
 //! The burst pressure: a closed form, the identity that defines it, and that the blocked muscle is
 //! the worst case.
 
-use mckibben::analysis::{
-    Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst,
+use mckibben::{
+    analysis::{Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst},
+    model::{ForceModel, ModelKind, ThickWall, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube},
+    random::{Random, rounds},
+    rubber::{Law, NeoHookean},
+    sleeve::library,
 };
-use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube};
-use mckibben::random::{Random, rounds};
-use mckibben::rubber::{Law, NeoHookean};
-use mckibben::sleeve::library;
 use std::f64::consts::PI;
 
 fn muscle(d: f64, s: f64, l: f64, angle_deg: f64, mu_mpa: f64, braid: Braid) -> Muscle {

@@ -1,8 +1,10 @@
 //! Whatever is typed, no parser panics, none takes long, and what is accepted is finite.
 
-use mckibben::muscle::file::parse_muscle;
-use mckibben::rubber::library;
-use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use mckibben::{
+    muscle::file::parse_muscle,
+    rubber::library,
+    units::{Dimension, Values, parse_quantity, parse_values},
+};
 use proptest::prelude::*;
 
 /// Anything, or pieces of quantities in any order.

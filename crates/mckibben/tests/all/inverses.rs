@@ -1,13 +1,15 @@
 //! Inverses against the function that they invert, looked at on a fine grid.
 
-use mckibben::analysis::{AnalysisError, Evaluation, Options};
-use mckibben::cancel::Cancel;
-use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
-use mckibben::muscle::measures::END_FACTOR;
-use mckibben::muscle::{
-    Braid, BraidStiffness, Direction, EndFactor, Friction, MeasuredStrand, Muscle, Terminals, Tube,
+use mckibben::{
+    analysis::{AnalysisError, Evaluation, Options},
+    cancel::Cancel,
+    model::{ForceModel, ModelError, ModelKind, Workspace},
+    muscle::{
+        Braid, BraidStiffness, Direction, EndFactor, Friction, MeasuredStrand, Muscle, Terminals,
+        Tube, measures::END_FACTOR,
+    },
+    random::Random,
 };
-use mckibben::random::Random;
 
 /// Soft strands let the pull rise and fall again with the pressure. A pull just below its largest
 /// has a pressure, and it is the one where the pull still rises.

@@ -1,16 +1,19 @@
 //! One battery over all models, the identities that tie them together, and published figures.
 
-use mckibben::curve::Test;
-use mckibben::formula::Coefficients;
-use mckibben::model::{
-    ForceModel, FormulaModel, Ideal, ModelError, ModelKind, Response, ThickWall, Workspace,
+use mckibben::{
+    analysis::Evaluation,
+    answer::Options,
+    curve::Test,
+    formula::Coefficients,
+    model::{
+        ForceModel, FormulaModel, Ideal, ModelError, ModelKind, Response, ThickWall, Workspace,
+    },
+    muscle::{
+        Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber,
+        Terminals, Tube,
+    },
+    rubber::{Law, MooneyRivlin, NeoHookean},
 };
-use mckibben::muscle::{
-    Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals,
-    Tube,
-};
-use mckibben::rubber::{Law, MooneyRivlin, NeoHookean};
-use mckibben::{analysis::Evaluation, answer::Options};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

@@ -1,10 +1,10 @@
 //! Rubber at another temperature than that of its constants.
 
-use mckibben::model::{ModelKind, Workspace};
-use mckibben::muscle::measures::TEMPERATURE;
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
-use mckibben::rubber::over_time::OgdenRoxburgh;
-use mckibben::rubber::{Law, MooneyRivlin, Yeoh};
+use mckibben::{
+    model::{ModelKind, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube, measures::TEMPERATURE},
+    rubber::{Law, MooneyRivlin, Yeoh, over_time::OgdenRoxburgh},
+};
 
 /// (80 + 273.15)/(23 + 273.15), by hand.
 const FACTOR: f64 = 353.15 / 296.15;

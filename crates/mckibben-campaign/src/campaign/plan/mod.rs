@@ -25,11 +25,8 @@ pub use keys::PlanKeys;
 pub use sampling::Sampling;
 
 use crate::hash;
-use mckibben::muscle::Muscle;
-use mckibben::rubber::Law;
-use mckibben::size::TooLarge;
-use mckibben_fem::FemError;
-use mckibben_fem::elements::Elements;
+use mckibben::{muscle::Muscle, rubber::Law, size::TooLarge};
+use mckibben_fem::{FemError, elements::Elements};
 use sampling::Design;
 
 /// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at

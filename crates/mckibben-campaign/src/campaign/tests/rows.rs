@@ -126,9 +126,11 @@ fn contractions_can_be_shares_of_the_largest() {
 /// groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
-    use crate::campaign::store::file::{Opened, write};
-    use crate::campaign::store::layout::Layout;
-    use crate::campaign::store::table::Table;
+    use crate::campaign::store::{
+        file::{Opened, write},
+        layout::Layout,
+        table::Table,
+    };
     let plan = Plan::parse(
         "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length \
          = \"100..200\"\n\

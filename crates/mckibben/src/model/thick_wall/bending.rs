@@ -43,9 +43,11 @@ impl ThickWall {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::ThickWall;
-    use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube};
-    use crate::rubber::{Law, NeoHookean};
+    use crate::{
+        model::ThickWall,
+        muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube},
+        rubber::{Law, NeoHookean},
+    };
     use std::f64::consts::PI;
 
     fn model(wall_mm: f64) -> ThickWall {

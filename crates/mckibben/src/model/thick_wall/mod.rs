@@ -27,8 +27,10 @@ mod tests;
 pub(super) use equilibrium::State;
 
 use super::{Accuracy, ModelEntry, ModelInfo, ModelRange, Reference, Result, Wall, notes};
-use crate::muscle::{Crimp, EndFactor, Muscle};
-use crate::rubber::Law;
+use crate::{
+    muscle::{Crimp, EndFactor, Muscle},
+    rubber::Law,
+};
 use std::sync::Arc;
 
 pub const ENTRY: ModelEntry = ModelEntry {

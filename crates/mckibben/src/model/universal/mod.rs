@@ -31,13 +31,14 @@ use super::{
     Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result,
     ThickWall, Workspace, notes,
 };
-use crate::formula::{Form, UniversalFormula};
-use crate::muscle::Muscle;
-use crate::rubber::RubberLaw;
+use crate::{
+    formula::{Form, UniversalFormula},
+    muscle::Muscle,
+    rubber::RubberLaw,
+};
 use end::EndZone;
 use form::Bound;
-use std::f64::consts::PI;
-use std::sync::Arc;
+use std::{f64::consts::PI, sync::Arc};
 
 const SOURCE: &str = "infinitely long muscle with computed ends";
 
