@@ -69,6 +69,7 @@ pub struct BraidDetails {
 }
 
 /// A sleeve on a tube.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BraidPoint {
     /// Outer diameter D0 of the tube, mm.
@@ -76,7 +77,6 @@ pub struct BraidPoint {
     /// Angle θ0 on it, degrees.
     pub angle_deg: f64,
     /// Stiffness k of one strand family, N/mm, where the strands are known.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness_n_per_mm: Option<f64>,
     /// Remaining contraction: to 54.7°, or to where the strands jam before.
     pub largest_contraction: f64,

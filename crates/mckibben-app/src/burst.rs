@@ -117,20 +117,19 @@ pub fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = War
 }
 
 /// The pressures that a muscle bears.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct PressureLimits {
     /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that
     /// of the weakest; none where no number for it is stated.
+    #[serialize_always]
     pub burst_pressure_mpa: Option<f64>,
     /// How it fails there.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_by: Option<FailureMode>,
     /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at
     /// which the tube does, and at most that for which the fittings are rated.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed_pressure_mpa: Option<f64>,
     /// The failure that it keeps its distance from; none where the fittings are rated for it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed_by: Option<FailureMode>,
 }
 

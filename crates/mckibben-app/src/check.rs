@@ -256,6 +256,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
 }
 
 /// A finding.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MuscleFinding {
     /// Its kind.
@@ -264,7 +265,6 @@ pub struct MuscleFinding {
     pub text: String,
     /// 95 % half-width of the blocked force that a measurement leaves at least, N: the ± without
     /// the part that it replaces.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub left_n: Option<f64>,
 }
 

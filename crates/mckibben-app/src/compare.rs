@@ -95,6 +95,7 @@ impl FitConstant {
 }
 
 /// Models and their errors.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CompareAnswer {
     /// `measured`, or the reference model.
@@ -113,7 +114,6 @@ pub struct CompareAnswer {
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
     /// Which branch of measured hysteresis was requested.
     #[serde(skip)]
@@ -124,18 +124,16 @@ pub struct CompareAnswer {
 }
 
 /// A model and its errors, model − reference.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct ComparedModel {
     #[serde(flatten)]
     pub errors: Comparison,
     /// Fitted factor on all moduli of the rubber law.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub fitted_modulus_factor: Option<f64>,
     /// Fitted end factor.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub fitted_end_factor: Option<f64>,
     /// Fitted stiffness of a strand family, N/mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub fitted_stiffness_n_per_mm: Option<f64>,
 }
 

@@ -464,6 +464,7 @@ pub struct StudyRequest {
 
 /// The study: curves of five walls and of the ideal formula, and the paper's findings with a
 /// verdict on each.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyAnswer {
     /// The model's name.
@@ -480,11 +481,11 @@ pub struct StudyAnswer {
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
 
 /// A point of the study.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyRow {
     /// The point.
@@ -497,7 +498,6 @@ pub struct StudyRow {
     /// Which curve.
     pub curve: String,
     /// Its wall, mm; the ideal formula has none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<f64>,
 }
 

@@ -335,13 +335,13 @@ pub struct CheckFormulaRequest {
 }
 
 /// A formula with its data.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]
     pub formula: Document,
     /// The equation with its numbers as LaTeX (amsmath), if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
 }
 

@@ -125,6 +125,7 @@ pub enum Branches {
 const MOST_POINTS: usize = 100_000;
 
 /// Result of the identification.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifyAnswer {
     /// The model.
@@ -150,7 +151,6 @@ pub struct IdentifyAnswer {
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
     /// The figure, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
 

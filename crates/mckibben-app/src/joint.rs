@@ -25,7 +25,7 @@ use mckibben::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, fmt, path::Path};
+use std::{collections::BTreeMap, path::Path};
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -537,11 +537,7 @@ pub enum RestWord {
     Loose,
 }
 
-impl fmt::Display for RestWord {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben::units::display_as_serde_word!(RestWord);
 
 /// A joint's answer.
 #[serde_with_macros::skip_serializing_none]

@@ -64,6 +64,7 @@ impl LoadFields {
 }
 
 /// The equilibria at pressures, and the stroke from the first to the last.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct LoadAnswer {
     /// The load as it was written.
@@ -71,7 +72,7 @@ pub struct LoadAnswer {
     /// At each pressure its equilibria, by rising contraction; none where the load is not lifted.
     pub at: Vec<LoadedAt>,
     /// From the lowest pressure to the highest, where the load is lifted at the highest.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub cycle: Option<Cycle>,
     /// The load itself.
     #[serde(skip)]

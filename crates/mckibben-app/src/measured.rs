@@ -34,6 +34,7 @@ pub struct MeasuredRequest {
 }
 
 /// The validation reports of measured muscles and rubbers.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct MeasuredAnswer {
     /// The model.
@@ -47,7 +48,6 @@ pub struct MeasuredAnswer {
     /// Errors at their stresses, fit by fit.
     pub stresses: Vec<MeasuredStress>,
     /// The figure, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
 

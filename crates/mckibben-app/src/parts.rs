@@ -94,6 +94,7 @@ pub struct PartShowAnswer {
 }
 
 /// What is known of a model.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ModelDetails {
     /// Its name.
@@ -105,7 +106,6 @@ pub struct ModelDetails {
     /// Basis of the parts of its ±.
     pub uncertainty_basis: String,
     /// Extra data of the muscle that this model needs.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub needs: Option<String>,
 }
 

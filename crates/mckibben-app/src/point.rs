@@ -85,6 +85,7 @@ pub struct ContractionRequest {
 }
 
 /// One point: its values, the muscle and the model.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PointAnswer {
     /// The point.
@@ -94,7 +95,7 @@ pub struct PointAnswer {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub loaded: Option<LoadAnswer>,
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]

@@ -124,11 +124,7 @@ impl ProblemKind {
     }
 }
 
-impl fmt::Display for ProblemKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben::units::display_as_serde_word!(ProblemKind);
 
 /// The answer nearest to the one that does not exist.
 #[serde_with_macros::skip_serializing_none]

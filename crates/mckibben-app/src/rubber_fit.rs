@@ -86,6 +86,7 @@ pub struct RubberFitRequest {
 }
 
 /// The laws of the tests.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct RubberFitAnswer {
     /// What was understood of them.
@@ -101,6 +102,7 @@ pub struct RubberFitAnswer {
     /// The objective of the fit.
     pub measure: Measure,
     /// The law to take, where one is stable in a muscle.
+    #[serialize_always]
     pub recommended: Option<String>,
     /// Constants of that law.
     pub parameters: Vec<Parameter>,
@@ -112,19 +114,15 @@ pub struct RubberFitAnswer {
     pub warnings: Vec<String>,
     /// Muscle file with that law. With a softening it is the law of the first loading, with a
     /// relaxation alone the one at once, each with its constants.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub muscle_file: Option<String>,
     /// Hoop stretch of the muscle up to which the laws were examined.
     #[serde(skip)]
     pub hoop_stretch: f64,
     /// Relaxation, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub relaxation: Option<PronyFit>,
     /// Softening, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub softening: Option<SofteningFit>,
     /// The figure, if requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
 }
 

@@ -42,6 +42,7 @@ pub struct ShapeRequest {
 }
 
 /// The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct ShapeAnswer {
     /// The point, as `force` has it but without P′, which takes ten times as long.
@@ -54,7 +55,6 @@ pub struct ShapeAnswer {
     /// Length between the terminals in this shape, mm.
     pub length_mm: f64,
     /// Strands of both families, where their number is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub strands: Option<u32>,
     /// Stations along the half muscle.
     pub stations: usize,

@@ -6,7 +6,6 @@ use crate::{
     system::{Point, Switch, System},
 };
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// What happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,11 +31,7 @@ pub enum EventKind {
     Venting,
 }
 
-impl fmt::Display for EventKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben::units::display_as_serde_word!(EventKind);
 
 /// What happened when.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

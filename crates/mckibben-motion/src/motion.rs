@@ -5,47 +5,46 @@ use mckibben::units::short_numbers;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A motion.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Motion {
     /// What was recorded, lists of one length.
     pub series: MotionSeries,
     /// 10–90 % of the first step that moved it, s.
+    #[serialize_always]
     pub rise_time_s: Option<f64>,
     /// Time until it stays within 2 % of its stroke, s.
+    #[serialize_always]
     pub settling_time_s: Option<f64>,
     /// Overshoot beyond its end, as a share of its stroke.
+    #[serialize_always]
     pub overshoot: Option<f64>,
     /// Time until the pressure is within 2 % of its first rise, s.
+    #[serialize_always]
     pub fill_time_s: Option<f64>,
     /// Likewise of its first fall, s.
+    #[serialize_always]
     pub vent_time_s: Option<f64>,
     /// Every step of the command that moved it.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub steps: Vec<StepFigures>,
     /// Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the
     /// series alone.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_mm_per_s: Option<f64>,
     /// The same of a joint, °/s.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_deg_per_s: Option<f64>,
     /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes
     /// there, or both ends are fixed.
     #[serde(rename = "at_rest", serialize_with = "rests")]
     #[schemars(with = "Option<bool>")]
+    #[serialize_always]
     pub end: Option<MotionEnd>,
     /// Where a muscle's load rests in the end under the commanded pressure, without friction.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub equilibrium_contraction: Option<f64>,
     /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub equilibrium_angle_deg: Option<f64>,
     /// Reason why the run stopped early; the series covers the computed part.
-    #[serde(
-        rename = "ended_early",
-        skip_serializing_if = "Option::is_none",
-        serialize_with = "reason"
-    )]
+    #[serde(rename = "ended_early", serialize_with = "reason")]
     #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
@@ -53,21 +52,17 @@ pub struct Motion {
     /// Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
     pub air_normal_litres: f64,
     /// Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
     /// The same over the last whole period of a periodic command.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub air_normal_litres_per_cycle: Option<f64>,
     /// Energies, J.
     #[schemars(with = "serde_json::Value")]
     pub energies: Energies,
     /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump
     /// on the liquid.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
     /// Of commanded pressures: frequency up to which small changes of the highest commands are
     /// followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub bandwidth_hz: Option<f64>,
     /// What happened: ends of stroke, slack, valve switching, reversals.
     #[schemars(with = "Vec<serde_json::Value>")]

@@ -19,3 +19,15 @@ pub fn named<'w, T: Deserialize<'w>>(word: &'w str) -> Option<T> {
 pub fn joined(texts: impl IntoIterator<Item = impl Borrow<str>>, between: &str) -> String {
     texts.into_iter().collect::<Vec<_>>().join(between)
 }
+
+/// Types are written as the word that serde has for them, such as a variant of an enum.
+#[macro_export]
+macro_rules! display_as_serde_word {
+    ($type:ty) => {
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                serde::Serialize::serialize(self, f)
+            }
+        }
+    };
+}

@@ -8,7 +8,7 @@ use serde::{
         value::{Error, StrDeserializer},
     },
 };
-use std::{fmt, str::FromStr};
+use std::str::FromStr;
 
 /// How a point ended. The words, in JSON, CSV and the tables of campaigns, are a contract.
 #[derive(
@@ -41,11 +41,7 @@ impl Status {
     }
 }
 
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben_units::display_as_serde_word!(Status);
 
 impl FromStr for Status {
     type Err = Error;

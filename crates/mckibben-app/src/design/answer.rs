@@ -184,6 +184,7 @@ pub struct CandidateJoint {
 }
 
 /// A muscle that does not fit.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
     /// The muscle.
@@ -192,7 +193,6 @@ pub struct RejectedAnswer {
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
     /// That limit; none where the model has no answer.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<Limit>,
 }
 

@@ -9,10 +9,10 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A motion.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct MotionRun {
     /// The value of the sweep's key, where there is a sweep.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<String>,
     /// The motion.
     #[serde(flatten)]

@@ -19,7 +19,7 @@ const ON_STOP: f64 = 1e-6;
 
 impl Moved {
     /// The warnings of all runs and of the muscles, the gravest first.
-    pub(super) fn gravest_warnings(
+    pub fn gravest_warnings(
         &self,
         runs: &[MotionRun],
         drives: &[(Option<String>, DriveFile)],
@@ -90,7 +90,7 @@ impl Moved {
     }
 
     /// The ± of the end of a motion.
-    pub(super) fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile) {
+    pub fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile) {
         let controlled = matches!(file.target, Target::Position { .. });
         if run.motion.end.is_none() || controlled {
             return;

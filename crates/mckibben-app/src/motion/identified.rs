@@ -96,7 +96,7 @@ struct Fit<'a> {
 
 impl Moved {
     /// The constants of the drive in `text` from a log of its motion.
-    pub(super) fn identify(
+    pub fn identify(
         &self,
         request: &MotionRequest,
         text: &str,

@@ -53,6 +53,7 @@ pub enum SimulatedRow {
 }
 
 /// An equilibrium.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct SimulatedPoint {
     /// The values that every model gives; the pull of a slack muscle is 0.
@@ -61,7 +62,6 @@ pub struct SimulatedPoint {
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
     /// Where it is slack: the free contraction at this pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// `ok`.
     pub status: Status,

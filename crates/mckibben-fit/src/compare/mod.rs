@@ -7,31 +7,32 @@ use mckibben::{analysis::Evaluation, cancel, model::ModelError};
 use serde::Serialize;
 
 /// Errors of a model, model − reference.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Default, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
     /// Its name.
     pub model: String,
     /// Root mean square, N; none where the model could not be compared.
+    #[serialize_always]
     pub rms_n: Option<f64>,
     /// The largest, N.
+    #[serialize_always]
     pub max_n: Option<f64>,
     /// The mean, N: above zero if the model predicts too much pull.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_n: Option<f64>,
     /// Measured volumes of the cavity that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub volume_points: usize,
     /// Root mean square of its volumes less the measured ones, mm³.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_volume_mm3: Option<f64>,
     /// The mean, mm³: above zero if the model holds too much air.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_volume_mm3: Option<f64>,
     /// Points that it answered.
     pub points: usize,
     /// Points that it did not answer.
     pub unanswered: usize,
     /// Why not, or why the model could not be compared.
+    #[serialize_always]
     pub cause: Option<String>,
 }
 

@@ -165,6 +165,7 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
 }
 
 /// One measured point of a muscle.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
@@ -175,7 +176,7 @@ pub struct MeasuredPoint {
     pub force_n: f64,
     /// The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does
     /// not measure the friction.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub branch: Option<Direction>,
 }
 

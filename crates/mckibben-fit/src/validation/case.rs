@@ -218,6 +218,7 @@ pub enum CaseError {
 }
 
 /// What is known of something that was measured.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 #[schemars(rename = "MeasuredFacts")]
 pub struct Facts {
@@ -234,6 +235,5 @@ pub struct Facts {
     /// What is not.
     pub unknown: String,
     /// The product, where one can buy it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub product: Option<String>,
 }

@@ -17,20 +17,15 @@ use serde::{Deserialize, Serialize};
 ///
 /// V is the cavity of the muscle: hoses and fittings are not counted, and make the air softer. A
 /// slack muscle adds nothing.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShutStiffness {
     /// −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the
     /// model has no volume.
-    #[serde(
-        rename = "stiffness_shut_isothermal_nm_per_rad",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "stiffness_shut_isothermal_nm_per_rad")]
     pub isothermal_nm_per_rad: Option<f64>,
     /// The same without heat exchange, N m/rad.
-    #[serde(
-        rename = "stiffness_shut_adiabatic_nm_per_rad",
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "stiffness_shut_adiabatic_nm_per_rad")]
     pub adiabatic_nm_per_rad: Option<f64>,
 }
 

@@ -15,7 +15,6 @@ use crate::{
     refused::Refused,
 };
 use serde::Serialize;
-use std::fmt;
 use thiserror::Error;
 use way::{Leg, Slopes, Way};
 
@@ -31,13 +30,10 @@ pub enum FillState {
     Held,
 }
 
-impl fmt::Display for FillState {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben_units::display_as_serde_word!(FillState);
 
 /// A muscle with a volume pushed in.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Fill {
     /// The muscle there. Its ± are those of the pull at this pressure and contraction, and of the
@@ -69,7 +65,7 @@ pub struct Fill {
     /// Work on the load, J.
     pub load_work_j: f64,
     /// What the muscle's friction took, J, on a branch of the hysteresis.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub friction_work_j: Option<f64>,
 }
 

@@ -58,10 +58,10 @@ impl Serialize for Reference {
 }
 
 /// A model's own error as a 95 % half-width, and how it is known.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Accuracy {
     /// Half-width as a share of the muscle's blocked force; `None` where nobody has measured it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub share_of_blocked: Option<f64>,
     /// Which blocked force.
     pub blocked_at: BlockedAt,

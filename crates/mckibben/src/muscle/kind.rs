@@ -2,7 +2,6 @@
 
 use super::{Muscle, MuscleError, NEUTRAL_ANGLE_DEG};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// Largest braid angle θ0 at rest in degrees. The ideal muscle extends by 1/(√3 cosθ0) − 1 there,
 /// 1.23 times its length.
@@ -19,11 +18,7 @@ pub enum MuscleKind {
     Extensile,
 }
 
-impl fmt::Display for MuscleKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben_units::display_as_serde_word!(MuscleKind);
 
 impl Muscle {
     /// Which way it moves under pressure.

@@ -149,7 +149,7 @@ impl Axis {
 }
 
 /// Ten digits: logarithms of different machines differ in the sixteenth.
-pub(in crate::campaign) fn rounded(v: f64) -> f64 {
+pub fn rounded(v: f64) -> f64 {
     format!("{v:.9e}").parse().unwrap_or(v)
 }
 

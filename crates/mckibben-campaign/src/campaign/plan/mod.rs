@@ -19,7 +19,7 @@ mod vary;
 #[cfg(test)]
 mod tests;
 
-pub(super) use axis::rounded;
+pub use axis::rounded;
 pub use axis::{Axis, Inputs};
 pub use keys::PlanKeys;
 pub use sampling::Sampling;

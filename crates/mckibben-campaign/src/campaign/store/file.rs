@@ -35,7 +35,7 @@ pub struct Opened {
 }
 
 impl Opened {
-    pub(crate) fn file(path: &Path) -> Result<Self> {
+    pub fn file(path: &Path) -> Result<Self> {
         let file = open(path).map_err(CampaignError::read(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
             return Err(CampaignError::read(path)(ReadError::TooLarge {
@@ -66,13 +66,13 @@ impl Opened {
     }
 
     /// The same, if all its groups are read without an error.
-    pub(crate) fn checked(self) -> Result<Self> {
+    pub fn checked(self) -> Result<Self> {
         (0..self.reader.groups()).try_for_each(|index| self.group(index).map(drop))?;
         Ok(self)
     }
 
     /// The same, if it is this share of a campaign.
-    pub(crate) fn expect(self, part: Option<u64>, of: &Provenance) -> Result<Self> {
+    pub fn expect(self, part: Option<u64>, of: &Provenance) -> Result<Self> {
         of.check_same(&self.provenance, &self.path)?;
         let why = match part {
             None => "it contains only a part of the campaign",
@@ -86,11 +86,11 @@ impl Opened {
     }
 
     /// Its tables, one for each group of rows.
-    pub(crate) fn tables(self) -> impl Iterator<Item = Result<Table>> {
+    pub fn tables(self) -> impl Iterator<Item = Result<Table>> {
         (0..self.reader.groups()).map(move |index| self.group(index))
     }
 
-    pub(crate) fn rows(self) -> impl Iterator<Item = Result<PointRow>> {
+    pub fn rows(self) -> impl Iterator<Item = Result<PointRow>> {
         let path: Arc<Path> = self.path.as_path().into();
         chained(self.tables(), move |table| {
             let path = path.clone();
@@ -112,7 +112,7 @@ impl Opened {
 }
 
 /// The parts of each, one after another; an error stays one.
-pub(super) fn chained<A, B, Parts: Iterator<Item = Result<B>>>(
+pub fn chained<A, B, Parts: Iterator<Item = Result<B>>>(
     wholes: impl Iterator<Item = Result<A>>,
     parts: impl Fn(A) -> Parts,
 ) -> impl Iterator<Item = Result<B>> {

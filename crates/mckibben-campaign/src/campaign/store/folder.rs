@@ -16,7 +16,7 @@ use std::{
 
 const LOCK: &str = ".lock";
 /// The file that names the plan.
-pub(super) const MANIFEST: &str = ".campaign.json";
+pub const MANIFEST: &str = ".campaign.json";
 
 /// The file name of a part.
 pub fn part_name(number: u64) -> String {
@@ -74,7 +74,7 @@ pub struct Folder {
 
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
-    pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
+    pub fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
         std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
         let mut folder = Self {
             path: path.into(),
@@ -132,7 +132,7 @@ impl Folder {
     }
 
     /// Whether a process holds the lock of a shard, or that of the whole plan.
-    pub(crate) fn is_locked(path: &Path, shard: Shard) -> bool {
+    pub fn is_locked(path: &Path, shard: Shard) -> bool {
         let held = |name: &str| {
             let file = File::open(path.join(name));
             file.is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
@@ -141,7 +141,7 @@ impl Folder {
     }
 
     /// Of how many shards that is which began last.
-    pub(crate) fn shards(path: &Path) -> Result<u64> {
+    pub fn shards(path: &Path) -> Result<u64> {
         let begun = |name: String| {
             let shard = name
                 .strip_prefix(LOCK)?
@@ -173,7 +173,7 @@ impl Folder {
     }
 
     /// The parts that are there.
-    pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>> {
+    pub fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>> {
         Ok(names(path)?
             .into_iter()
             .filter_map(|n| Some((part_number(&n)?, path.join(n))))
@@ -181,7 +181,7 @@ impl Folder {
     }
 
     /// Writes a part so that it survives whatever follows.
-    pub(crate) fn write(&self, number: u64, bytes: Vec<u8>) -> Result<()> {
+    pub fn write(&self, number: u64, bytes: Vec<u8>) -> Result<()> {
         put_all(&self.path, [(part_name(number), bytes)], true)
             .map_err(|(path, error)| CampaignError::Write(path, error))?;
         sync(&self.path);
@@ -189,7 +189,7 @@ impl Folder {
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.
-    pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<()> {
+    pub fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<()> {
         for part in parts {
             self.discard(&self.path.join(part_name(part)))?;
         }
@@ -210,7 +210,7 @@ impl Folder {
     }
 
     /// Removes a file, where it is there.
-    pub(crate) fn discard(&self, file: &Path) -> Result<()> {
+    pub fn discard(&self, file: &Path) -> Result<()> {
         match std::fs::remove_file(file) {
             Err(error) if error.kind() != ErrorKind::NotFound => {
                 Err(CampaignError::write(file)(error))

@@ -1,19 +1,19 @@
 //! The store: tables in Parquet files, one file or a folder of parts with a manifest. Plans are run
 //! into it, shards of it are merged, and it is read.
 
-pub(super) mod file;
-pub(super) mod folder;
-pub(super) mod layout;
+pub mod file;
+pub mod folder;
+pub mod layout;
 mod manifest;
 mod merge;
-pub(super) mod provenance;
+pub mod provenance;
 mod read;
 mod resume;
 mod run;
 mod shard;
 mod status;
 mod summary;
-pub(super) mod table;
+pub mod table;
 
 pub use merge::{Merged, merge};
 pub use provenance::Provenance;

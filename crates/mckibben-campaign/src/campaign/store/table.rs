@@ -60,7 +60,7 @@ pub struct Table {
 }
 
 impl Table {
-    pub(crate) fn new(fields: Arc<[Field]>) -> Self {
+    pub fn new(fields: Arc<[Field]>) -> Self {
         Self {
             columns: fields.iter().map(Field::kind).collect(),
             fields,
@@ -68,7 +68,7 @@ impl Table {
         }
     }
 
-    pub(crate) fn push(&mut self, mut row: PointRow) {
+    pub fn push(&mut self, mut row: PointRow) {
         for (column, field) in self.columns.iter_mut().zip(self.fields.iter()) {
             push(column, field, &mut row);
         }
@@ -76,7 +76,7 @@ impl Table {
     }
 
     /// Adds rows `from..to` of another table of the same layout.
-    pub(crate) fn extend(&mut self, other: &Table, from: usize, to: usize) {
+    pub fn extend(&mut self, other: &Table, from: usize, to: usize) {
         for (column, more) in self.columns.iter_mut().zip(&other.columns) {
             column.extend(more, from, to);
         }
@@ -84,7 +84,7 @@ impl Table {
     }
 
     /// Row `i`, or the error in it.
-    pub(crate) fn row(&self, i: usize) -> Result<PointRow, String> {
+    pub fn row(&self, i: usize) -> Result<PointRow, String> {
         let mut row = PointRow::default();
         for (column, field) in self.columns.iter().zip(self.fields.iter()) {
             fill(column, i, field, &mut row)

@@ -1,6 +1,6 @@
 //! Formulas as JSON: the types that a file is read into and written from. Keys carry their unit.
 
-pub(super) mod check;
+pub mod check;
 mod head;
 mod section;
 mod universal;

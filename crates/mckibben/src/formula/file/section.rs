@@ -11,6 +11,7 @@ use crate::formula::{
 use serde::{Deserialize, Serialize};
 
 /// The file of a formula for muscles of one make.
+#[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct SectionFile<T> {
@@ -20,7 +21,6 @@ pub struct SectionFile<T> {
     kind: Kind,
     #[serde(skip_deserializing)]
     equation: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     scales: Option<Scales>,
     terms: Vec<T>,
     made_for: Made,

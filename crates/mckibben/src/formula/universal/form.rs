@@ -3,7 +3,6 @@
 
 use crate::formula::Term;
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// What a correction is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -28,11 +27,7 @@ impl Form {
     }
 }
 
-impl fmt::Display for Form {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
-    }
-}
+mckibben_units::display_as_serde_word!(Form);
 
 /// One term of a form, in its five variables.
 pub type UniversalTerm = Term<5>;
