@@ -17,7 +17,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is
 ///
 /// Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm,
 /// MPa, N, degrees, or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.
-#[derive(Debug, Parser)]
+#[derive(Parser)]
 #[command(
     name = "mckibben",
     version,
@@ -68,7 +68,7 @@ pub struct Cli {
 }
 
 /// Every command, in the order of the help.
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 #[command(defer = true)]
 pub enum Command {
     /// Find muscles that meet a specification, ranked (the main command)
@@ -163,7 +163,6 @@ pub fn command() -> clap::Command {
 }
 
 /// The flags of a command, with their usual names and their short help.
-#[derive(Debug)]
 pub struct Flags<T>(pub Box<T>);
 
 impl<T: Args> Args for Flags<T> {

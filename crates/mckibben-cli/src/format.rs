@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 
 /// Form of the output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Default, ValueEnum)]
 pub enum Format {
     /// Aligned text with units
     #[default]

@@ -10,7 +10,7 @@ use mckibben_report::{Figure, FigureError};
 use std::path::{Path, PathBuf};
 
 /// A figure of the answer.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct Plot {
     /// Write a figure: FILE.svg, .pdf, .png or .html

@@ -5,7 +5,6 @@ use mckibben::muscle::Measure;
 use std::sync::OnceLock;
 
 /// A flag of the command that runs.
-#[derive(Debug, Clone)]
 pub struct Flag {
     /// The field of the request that it fills.
     pub field: String,

@@ -28,7 +28,6 @@ const TICK: Duration = Duration::from_millis(50);
 const STACK: usize = 8 << 20;
 
 /// What the server allows; the default suits one person on one computer.
-#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Config {
     /// What a request may take.
     pub time: Duration,

@@ -13,7 +13,7 @@ use mckibben_app::{BuildRequest, REPORT, build, print::Page};
 use std::path::PathBuf;
 
 /// The folder for a workshop.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "build examples/prototype.toml -o build",
     "build --rubber latex --braid flexo-overexpanded-0.25in -D 0.375in -s 0.0625in -L 200mm -p 2bar --fitting barb:4 -o build",

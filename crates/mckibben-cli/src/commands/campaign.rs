@@ -31,7 +31,7 @@ fn no_csv(format: Format) -> Result<(), Problem> {
 }
 
 /// A campaign, or what is asked of one.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,
@@ -52,7 +52,7 @@ pub struct Campaign {
 }
 
 /// What is asked of a campaign.
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 enum About {
     /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
     #[command(after_long_help = examples(&[

@@ -8,7 +8,7 @@ use mckibben_app::{
 use std::path::Path;
 
 /// What is known of a muscle, or of a formula.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "check examples/prototype.toml -p 2bar",
     "check -D 40 -s 2 --rubber dragon-skin-30",

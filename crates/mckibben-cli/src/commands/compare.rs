@@ -4,7 +4,7 @@ use crate::{Bar, Format, Output, Plot, Problem, cli::examples};
 use mckibben_app::CompareRequest;
 
 /// Models, and measured points.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "compare --models ideal,paper,thick-wall -p 1,2bar",
     "compare --models ideal,thick-wall --muscle examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor"

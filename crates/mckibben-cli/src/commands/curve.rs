@@ -9,7 +9,7 @@ use crate::{
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
 /// A family of curves, or the study of the paper.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(
     args_conflicts_with_subcommands = true,
     after_long_help = examples(&[

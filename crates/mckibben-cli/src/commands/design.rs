@@ -8,7 +8,7 @@ use mckibben_app::DesignRequest;
 use std::path::{Path, PathBuf};
 
 /// The main job.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "design --force 700N --contraction 15% --max-pressure 2.5bar",
     "design --at 700N@15%,1200N@5% --max-pressure 2.5bar --max-bulged-diameter 80mm --plot muscle.svg",

@@ -12,7 +12,7 @@ use mckibben_app::{
 use std::path::{Path, PathBuf};
 
 /// A folder for a controller or a simulator.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "export --list",
     "export examples/prototype.toml --as c -o muscle_model",

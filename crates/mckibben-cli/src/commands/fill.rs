@@ -4,7 +4,7 @@ use crate::{Format, Output, Problem, cli::examples};
 use mckibben_app::FillRequest;
 
 /// A volume of liquid pushed into a muscle.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg",
     "fill examples/festo-dmsp-20.toml --volume 30mL -e 10% --liquid oil --gas 1% --dead-volume 15mL"

@@ -15,7 +15,7 @@ use std::{
 };
 
 /// A formula from a table of points.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "fit data/campaign/paper.csv --method paper --hold-out 35 -o formula.json --tables tables --plots plots",
     "fit data/campaign/paper.csv --method global --hold-out 35 -o global.json",

@@ -12,7 +12,7 @@ use mckibben_app::ProblemKind;
 use std::path::PathBuf;
 
 /// Prints the help of a command.
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(next_help_heading = "Options", after_long_help = examples(&[
     "help force",
     "help parts show"
@@ -38,7 +38,7 @@ impl Help {
 }
 
 /// Prints one manual page, or writes all.
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(
     next_help_heading = "Options",
     after_long_help = "Examples:
@@ -79,7 +79,7 @@ impl ManPages {
 }
 
 /// Prints the completions of a shell.
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(next_help_heading = "Options", after_long_help = examples(&[
     "completions bash"
 ]))]

@@ -10,7 +10,7 @@ use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
 use std::path::{Path, PathBuf};
 
 /// Constants of a muscle, or of a drive.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "identify examples/bench.toml --data examples/bench.csv",
     "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --model thick-wall --free mu,terminals.end_factor,friction.c,friction.beta --plot fit.svg -o found.toml",

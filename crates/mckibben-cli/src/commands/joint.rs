@@ -5,7 +5,7 @@ use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
 use std::path::PathBuf;
 
 /// A joint.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg",
     "joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar",

@@ -5,7 +5,7 @@ use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
 use std::path::PathBuf;
 
 /// Motion of a drive.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "motion examples/drive.toml --plot step.svg",
     "motion examples/drive.toml --model universal -o step.csv",

@@ -5,7 +5,7 @@ use clap::Subcommand;
 use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
 
 /// What has a name.
-#[derive(Debug, Subcommand)]
+#[derive(Subcommand)]
 pub enum Parts {
     /// All of them, or those of one kind
     #[command(after_long_help = examples(&[

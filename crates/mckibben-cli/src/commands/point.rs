@@ -5,7 +5,7 @@ use clap::Args;
 use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
 /// F(P, ε).
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(after_long_help = examples(&[
     "force -D 50 -s 1 -p 0.25 -e 0.1 --model paper"
 ]))]
@@ -17,7 +17,7 @@ pub struct Force {
 }
 
 /// P(F, ε).
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(after_long_help = examples(&[
     "pressure -D 40 -s 2 -F 300N -e 10% --units bar"
 ]))]
@@ -29,7 +29,7 @@ pub struct Pressure {
 }
 
 /// ε(F, P).
-#[derive(Debug, Args)]
+#[derive(Args)]
 #[command(after_long_help = examples(&[
     "contraction -D 40 -s 2 -F 600N -p 2.5bar"
 ]))]

@@ -8,7 +8,7 @@ use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_
 use std::path::{Path, PathBuf};
 
 /// Laws from tension tests.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "rubber data/treloar/tension.csv --law yeoh --relative",
     "rubber data/silicones/dragon_skin_30.csv --up-to 200% --plot rubber.svg -o silicone.toml",

@@ -5,7 +5,7 @@ use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 use std::path::PathBuf;
 
 /// The JSON Schema of a command, or of a file.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(next_help_heading = "Options", after_long_help = examples(&[
     "schema force",
     "schema --file muscle -o muscle.schema.json"

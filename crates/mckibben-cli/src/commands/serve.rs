@@ -9,7 +9,7 @@ use std::{
 };
 
 /// Serves until a signal ends it.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(
     next_help_heading = "Options",
     after_long_help = "Example:

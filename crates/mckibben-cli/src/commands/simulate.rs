@@ -11,7 +11,7 @@ use mckibben_app::{SimulateRequest, print::Page};
 use std::path::PathBuf;
 
 /// One finite-element test.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/",
     "simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar --plot shape.svg",

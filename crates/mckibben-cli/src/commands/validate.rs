@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const WITH_SOURCES: usize = 160;
 
 /// Verification and validation.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "validate",
     "validate --measured --only dmsp-20-300",

@@ -67,7 +67,7 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
 }
 
 /// Units that are shown.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct ShownUnits {
     /// Units that are shown: bar, or psi,lbf,in
@@ -81,7 +81,7 @@ pub struct ShownUnits {
 }
 
 /// Where the result goes, and in which units it is shown.
-#[derive(Debug, clap::Args)]
+#[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct Output {
     #[command(flatten)]

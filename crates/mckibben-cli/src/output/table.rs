@@ -105,7 +105,6 @@ fn is_scalar(root: &Value, node: &Value) -> bool {
     some
 }
 
-#[derive(Debug)]
 pub struct Table {
     /// Keys of the rows in JSON.
     pub columns: Vec<String>,
