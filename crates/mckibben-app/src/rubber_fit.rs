@@ -127,7 +127,7 @@ pub struct RubberFitAnswer {
 }
 
 /// A constant with the law that it belongs to: a row of a table.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Serialize, JsonSchema)]
 struct ConstantRow {
     law: String,
     constrained: bool,

@@ -31,7 +31,7 @@ const TIGHTENED: f64 = 1.0 / 3.0;
 /// Friction of a sleeve on a tube under a tie (an estimate).
 const FRICTION: f64 = 0.3;
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Tie {
     /// Width in mm.
     pub width_mm: f64,

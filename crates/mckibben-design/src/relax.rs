@@ -20,7 +20,7 @@ use mckibben::{
 use std::collections::HashSet;
 
 /// A kind of change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
     Pull,
     Contraction,

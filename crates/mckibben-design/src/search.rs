@@ -89,7 +89,7 @@ pub struct Search<'a> {
 }
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
-#[derive(Debug, Clone, Default)]
+#[derive(Clone, Default)]
 pub struct SearchResult {
     pub fits: Vec<(Score, Pick)>,
     pub misses: Vec<(f64, Pick)>,

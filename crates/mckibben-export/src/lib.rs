@@ -39,7 +39,7 @@ pub struct Artefact {
 }
 
 /// Root mean square and largest error of the form of a host, shares of the blocked force.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct HostError {
     pub rms: f64,
     pub worst: f64,

@@ -71,7 +71,6 @@ impl Default for Air {
 }
 
 /// The state of what fills a muscle, and how its volume changes, dead volume included.
-#[derive(Debug, Clone, Copy)]
 pub struct Cavity {
     pub absolute_mpa: f64,
     pub temperature_k: f64,

@@ -104,7 +104,7 @@ impl Pid {
 }
 
 /// The answer of the controller.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Control {
     /// u.
     pub output: f64,

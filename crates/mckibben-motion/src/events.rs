@@ -47,7 +47,7 @@ pub struct Event {
 }
 
 /// The side of a kink that holds as long as its function is not below zero.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Guard {
     Stop(f64),
     Release,

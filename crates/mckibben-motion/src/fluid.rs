@@ -33,7 +33,7 @@ impl Fluid {
 }
 
 /// What flows at a time.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Default)]
 pub struct FluidRates {
     pub supply: Flow,
     pub exhaust: Flow,

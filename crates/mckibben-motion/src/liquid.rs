@@ -160,7 +160,7 @@ impl Restriction {
 ///
 /// They meet at a Reynolds number of 1190; between there and 2300 a flow without disturbance may be
 /// larger. Source: \[white2011\], ch. 6.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Default)]
 struct Losses {
     square: f64,
     linear: f64,

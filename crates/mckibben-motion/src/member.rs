@@ -9,7 +9,7 @@ use mckibben::{
 use std::cell::{Cell, OnceCell, RefCell};
 
 /// A quantity of a muscle with its derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct Quantity {
     pub value: f64,
     /// ∂/∂P in 1/MPa
@@ -26,7 +26,7 @@ impl Quantity {
 }
 
 /// What a muscle answers at a gauge pressure and contraction.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Answer {
     pub force_n: Quantity,
     pub volume_mm3: Quantity,
@@ -71,7 +71,7 @@ impl Answer {
 pub type Moment = [(Quantity, f64); 4];
 
 /// What replaces the model between two answers.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub enum Substitute {
     /// At one moment within a step.
     Moment(Answer),

@@ -4,7 +4,6 @@ use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, syste
 use mckibben::{analysis::bisect, extremes::peak};
 
 /// A point that was integrated.
-#[derive(Debug, Clone, Copy)]
 pub struct Passed {
     pub time_s: f64,
     pub coordinate: f64,

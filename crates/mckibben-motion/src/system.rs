@@ -12,7 +12,7 @@ use mckibben::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 pub enum Switch {
     Fill,
@@ -21,14 +21,14 @@ pub enum Switch {
 }
 
 /// Which side of each kink holds.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Modes {
     /// On the lower (−1) or upper (1) stop.
     pub stop: Option<f64>,
     pub muscles: Vec<Mode>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct Mode {
     pub slack: bool,
     /// The sign of the shortening speed, where there is friction.
@@ -39,7 +39,7 @@ pub struct Mode {
 }
 
 /// One muscle at one time.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
@@ -281,7 +281,7 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
 }
 
 /// The parts of a muscle's pull; none of a slack one.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Default)]
 struct Pulls {
     model_n: f64,
     /// Of the viscoelastic wall.

@@ -23,7 +23,6 @@ const DIRECTIONS: [f64; 14] = [
 /// Distances tried between ring and text.
 const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
 
-#[derive(Debug)]
 pub struct Label {
     /// Left end of the text at half its height.
     pub at: Spot,

@@ -22,7 +22,6 @@ pub struct Entry {
     pub colour: usize,
 }
 
-#[derive(Debug)]
 pub struct Legend {
     pub frame: Rect,
     /// Entries with the left end of their sample and the middle of their row.

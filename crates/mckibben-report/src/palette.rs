@@ -80,7 +80,7 @@ fn ramp(part: f64) -> [u8; 3] {
 }
 
 /// The shape of a marker.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Shape {
     Circle,
     Square,

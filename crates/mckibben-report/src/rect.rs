@@ -15,7 +15,7 @@ pub fn between(from: Spot, to: Spot, part: f64) -> Spot {
 }
 
 /// A rectangle of the drawing.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Rect {
     pub x: f64,
     pub y: f64,

@@ -59,7 +59,7 @@ pub struct Answer {
 }
 
 /// A muscle that hangs slack between its ends: what it is at its free contraction.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct SlackState {
     free_contraction: f64,
     /// Without derivatives: those of a muscle that is held there do not apply.

@@ -7,7 +7,6 @@ use mckibben::{
 };
 use mckibben_design::{Build, Models, SearchedMuscles, near_the_box};
 
-#[derive(Debug)]
 pub struct ModelPolicy {
     /// Where none was named: what searches the muscles that it is good for.
     quick: Option<(Model, SearchedMuscles)>,

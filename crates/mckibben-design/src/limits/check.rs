@@ -73,7 +73,6 @@ pub type Score = [f64; 2];
 pub const NO_SCORE: Score = [f64::INFINITY; 2];
 
 /// A muscle held against a specification.
-#[derive(Debug)]
 pub struct Probe {
     /// The limits, of every muscle of a specification in one order.
     pub checks: Vec<Check>,

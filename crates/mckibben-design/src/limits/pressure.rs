@@ -96,7 +96,7 @@ fn contractions(trial: &Trial<'_>) -> Vec<f64> {
 }
 
 /// A limit of the pressure that may be moved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PressureLimit {
     Supply,
     Safety,

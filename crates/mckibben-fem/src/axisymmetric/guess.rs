@@ -26,7 +26,7 @@ const STEPS: usize = 4;
 const NET: usize = 24;
 
 /// How the outer line runs from the middle to the terminal.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Outline {
     /// In a layer of the same length whatever the bulge.
     Layer,

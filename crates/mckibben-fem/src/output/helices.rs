@@ -21,7 +21,6 @@ pub fn drawn(section: &Section) -> u32 {
 
 /// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a
 /// strand from the middle.
-#[derive(Clone, Copy)]
 pub struct Along {
     pub slab: usize,
     pub eta: f64,

@@ -20,7 +20,7 @@ const TILES: usize = 10;
 const COPIED: (usize, usize) = (4, 48);
 
 /// A matrix by columns from its first number on.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Matrix<'a> {
     pub values: &'a [f64],
     /// From column to column.
@@ -41,7 +41,7 @@ impl Matrix<'_> {
 pub type Pivots<'a> = Option<Matrix<'a>>;
 
 /// A product A D Bᵀ: its factors, the rows and columns of C, the depth of A and B.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Product<'a> {
     pub a: Matrix<'a>,
     pub b: Matrix<'a>,
@@ -92,7 +92,7 @@ impl Kernel {
 }
 
 /// A small triangle t below its diagonal, with what each column is multiplied by.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Triangle {
     pub count: usize,
     pub below: [[f64; STRIP]; STRIP],

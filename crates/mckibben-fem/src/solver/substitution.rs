@@ -7,7 +7,6 @@ use crate::element::lanes::{Real, on_lanes};
 /// Columns at a time.
 const COLUMNS: usize = 4;
 
-#[derive(Debug)]
 pub struct Factor<'a> {
     pub form: Form,
     pub symbolic: &'a Symbolic,

@@ -13,7 +13,6 @@
 use nalgebra::{DMatrix, DVector};
 
 /// g·x ≥ h.
-#[derive(Debug)]
 pub struct Inequality {
     pub g: Vec<f64>,
     pub h: f64,

@@ -20,7 +20,6 @@ pub enum Measure {
 }
 
 /// Points that are fitted, and their weights.
-#[derive(Debug, Clone)]
 pub struct Problem {
     pub points: Vec<TensionPoint>,
     /// Divisors of the residuals: 1 MPa, or the reference of a relative error.

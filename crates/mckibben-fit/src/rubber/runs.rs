@@ -9,7 +9,7 @@ const TURN: f64 = 0.05;
 const FAILED: f64 = 0.8;
 
 /// Points as one test after another gave them.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Sorted {
     /// Those that can be fitted.
     pub kept: Vec<TensionPoint>,

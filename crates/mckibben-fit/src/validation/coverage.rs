@@ -50,7 +50,6 @@ pub(super) fn validated(
 }
 
 /// How near the share of covered points must be to [`COVERAGE`].
-#[derive(Clone, Copy, PartialEq)]
 pub(super) enum Coverage {
     /// At least that.
     Calibrated,

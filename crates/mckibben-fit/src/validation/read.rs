@@ -48,7 +48,7 @@ struct FitText {
     _muscle: IgnoredAny,
 }
 
-#[derive(Clone, Copy, PartialEq, Default, Deserialize)]
+#[derive(PartialEq, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Branches {
     #[default]

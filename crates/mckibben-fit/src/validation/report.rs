@@ -218,7 +218,6 @@ impl Group {
 }
 
 /// Points that are fitted in one go.
-#[derive(Clone, Copy)]
 struct Training<'a> {
     case: &'a MuscleCase,
     fit: &'a CaseFit,

@@ -12,7 +12,7 @@ pub enum Decimal {
 }
 
 /// Why a field is no number.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub enum NoNumber {
     Text,
     /// `1.234` could be a thousand or one and a bit.

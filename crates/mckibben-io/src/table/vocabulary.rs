@@ -110,7 +110,7 @@ impl Meaning {
 }
 
 /// The words of a quantity, and what they mean.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(default)]
 pub struct Words {
     /// Its name in `columns` and in answers.

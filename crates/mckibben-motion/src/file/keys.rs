@@ -70,7 +70,7 @@ pub struct OfSupply {
 }
 
 /// How a valve or a pump opens.
-#[derive(Clone, Copy, Deserialize, JsonSchema)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Opens {
     Proportional,

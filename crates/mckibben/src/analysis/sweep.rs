@@ -29,7 +29,7 @@ const REMAINDER: f64 = 1e-6;
 /// A place and the value there; no value where the function has none.
 type Sample = (f64, Option<f64>);
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Zero {
     /// Where.
     pub at: f64,

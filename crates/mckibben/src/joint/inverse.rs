@@ -21,7 +21,6 @@ pub struct JointTarget {
 }
 
 /// One muscle at an angle.
-#[derive(Debug, Clone, Copy)]
 struct Here {
     contraction: f64,
     arm_mm: f64,

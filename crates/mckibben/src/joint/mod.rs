@@ -109,7 +109,7 @@ impl Link {
 
 /// Friction of a muscle's rope on its pulley: a pull F arrives as F exp(∓μα) while the muscle
 /// shortens or lengthens (capstan), α the angle of wrap.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct PulleyFriction {
     /// μ
     coefficient: f64,

@@ -16,7 +16,7 @@ const BAR_PER_MPA: f64 = 10.0;
 
 const SOURCE: &str = "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle";
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Fit {
     pub entry: ModelEntry,
     make: &'static str,

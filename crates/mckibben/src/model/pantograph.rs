@@ -9,7 +9,7 @@ use super::{ModelError, Result};
 use crate::muscle::Muscle;
 
 /// The muscle's measures that the pantograph needs.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Pantograph {
     /// Outer radius at rest
     pub r0: f64,
@@ -22,7 +22,7 @@ pub struct Pantograph {
 }
 
 /// One state of it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Shape {
     pub l: f64,
     /// cosθ now
@@ -35,7 +35,6 @@ pub struct Shape {
 }
 
 /// The bore of an incompressible wall under the pantograph.
-#[derive(Debug, Clone, Copy)]
 pub struct Bore {
     pub r: f64,
     /// d/dλ

@@ -35,7 +35,6 @@ impl Add for WallEnergy {
 }
 
 /// W and its derivatives in λ and x = ro² at one state.
-#[derive(Debug, Clone, Copy)]
 pub struct SquareEnergy {
     pub w: f64,
     pub l: f64,

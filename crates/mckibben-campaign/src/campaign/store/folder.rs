@@ -65,7 +65,6 @@ fn names(folder: &Path) -> Result<Vec<String>> {
 }
 
 /// A folder of parts.
-#[derive(Debug)]
 pub struct Folder {
     pub(crate) path: PathBuf,
     /// Held while the store is written.

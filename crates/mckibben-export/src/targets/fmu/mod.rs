@@ -30,14 +30,14 @@ pub const TARGET: Target = Target {
 };
 
 /// A version of FMI.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(PartialEq)]
 enum Version {
     Second,
     Third,
 }
 
 /// The input of a unit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Pressure,
     /// The command of a valve.

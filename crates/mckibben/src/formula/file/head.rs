@@ -6,13 +6,13 @@ use serde::{
     de::{DeserializeOwned, IgnoredAny},
 };
 
-#[derive(Debug, Clone, Copy, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 pub enum Format {
     #[serde(rename = "mckibben formula 1")]
     One,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     Paper,
@@ -21,7 +21,7 @@ pub enum Kind {
 }
 
 /// What every file has.
-#[derive(Debug, Deserialize)]
+#[derive(Deserialize)]
 #[serde(expecting = "an object")]
 struct Head {
     format: Format,

@@ -12,7 +12,7 @@ use serde::Serialize;
 use universal::{UniversalFile, universal};
 
 /// A formula's file.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum File {
     Paper(SectionFile<PaperTerm>),

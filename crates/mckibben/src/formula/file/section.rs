@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 /// The file of a formula for muscles of one make.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct SectionFile<T> {
     format: Format,
@@ -29,7 +29,7 @@ pub struct SectionFile<T> {
     provenance: Provenance,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct PaperTerm {
     name: String,
@@ -38,7 +38,7 @@ pub struct PaperTerm {
     value: f64,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct GlobalTerm {
     #[serde(skip_deserializing)]
@@ -51,7 +51,7 @@ pub struct GlobalTerm {
 
 /// Powers of x, p, e, d; those of zero are omitted.
 #[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")])]
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct Powers {
     wall_ratio: u8,

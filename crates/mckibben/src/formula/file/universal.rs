@@ -11,7 +11,7 @@ use crate::formula::{
 use serde::{Deserialize, Serialize};
 
 /// The file of a universal formula.
-#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct UniversalFile {
     format: Format,
@@ -27,7 +27,7 @@ pub struct UniversalFile {
     provenance: Provenance,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(expecting = "an object")]
 struct EndTerm {
     #[serde(skip_deserializing)]
@@ -40,7 +40,7 @@ struct EndTerm {
 
 /// Powers of the variables of both forms; those of zero are omitted.
 #[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")])]
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct EndPowers {
     wall: u8,

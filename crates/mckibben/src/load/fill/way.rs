@@ -14,7 +14,7 @@ const STEPS: usize = 16;
 const POINTS: usize = 12;
 
 /// A part of the way.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Leg {
     /// At a contraction; the pressure rises.
     At(f64),

@@ -34,7 +34,6 @@ const LARGEST_STEP: f64 = 0.1;
 /// −2δ/Ro over the bulge 1 − Ro/b, for first guesses.
 const START: f64 = 0.8;
 
-#[derive(Debug, Clone, Copy)]
 pub struct Root {
     pub force: f64,
     /// λ and r

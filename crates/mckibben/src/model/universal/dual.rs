@@ -4,7 +4,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value with ∂/∂λ, or with (∂/∂λ, ∂/∂P).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Dual<const N: usize = 2> {
     pub v: f64,
     pub by: [f64; N],

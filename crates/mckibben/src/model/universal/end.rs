@@ -47,7 +47,7 @@ const SMALL_STEP: f64 = 1e-10;
 const ITERATIONS: usize = 40;
 
 /// What the end zone gives, per end.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct End<const N: usize = 2> {
     /// δ in mm
     pub deficit: Dual<N>,
@@ -74,7 +74,7 @@ pub struct EndZone {
 }
 
 /// The middle, as an end sees it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Uniform<const N: usize> {
     /// λ
     pub stretch: Dual<N>,
@@ -87,7 +87,7 @@ pub struct Uniform<const N: usize> {
 }
 
 /// λs and T at a radius.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Section<const N: usize = 2> {
     pub radius: Dual<N>,
     pub stretch: Dual<N>,

@@ -24,7 +24,7 @@ const LEAST_SLOPE: f64 = 0.2;
 const PRESSURE_STEP: f64 = 1e-4;
 
 /// Where the muscle ceases to pull at a pressure.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Zero {
     pub middle: Middle,
     pub contraction: f64,

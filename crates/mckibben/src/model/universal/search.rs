@@ -14,7 +14,7 @@ const LARGEST_STEP: f64 = 0.15;
 const NARROW: f64 = 1e-13;
 
 /// The middle at a pressure and stretch.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Middle {
     pub l: f64,
     pub state: State,

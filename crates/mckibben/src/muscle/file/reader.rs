@@ -88,7 +88,6 @@ impl Error for Wrong {
     }
 }
 
-#[derive(Clone, Copy)]
 enum Node<'s> {
     Table(&'s dyn TableLike),
     Tables(&'s ArrayOfTables),

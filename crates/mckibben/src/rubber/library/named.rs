@@ -144,7 +144,6 @@ pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
 }
 
 /// A fit of a rubber.
-#[derive(Debug, Clone, PartialEq)]
 pub struct LibraryFit<'a> {
     pub law: Law,
     /// Largest stretch of the data.
