@@ -42,7 +42,7 @@ PARTS = {
     "golds": (
         "tables and formulas that the program makes itself",
         [
-            r"crates/mckibben(-io|-units|-fit|-fem|-campaign)?/(src|data|examples)/.*",
+            r"crates/mckibben(-core|-io|-units|-fit|-fem|-campaign)?/(src|data|examples)/.*",
             r"plans/.*",
             r"data/(campaign|silicones|treloar)/.*",
         ],
@@ -131,7 +131,7 @@ PARTS = {
     "random": (
         "ten times as many random muscles, specifications and inputs",
         [
-            r"crates/mckibben(-fem|-design|-export|-io|-units)?/(src|tests)/.*",
+            r"crates/mckibben(-core|-fem|-design|-export|-io|-units)?/(src|tests)/.*",
         ],
         None,
         [
@@ -177,8 +177,8 @@ PARTS = {
         "schemas of files in a TOML language server",
         [
             r"crates/mckibben-app/src/file_schema\.rs",
-            r"crates/mckibben/src/muscle/(file|measures)/.*",
-            r"crates/mckibben/src/joint/file\.rs",
+            r"crates/mckibben-core/src/muscle/(file|measures)/.*",
+            r"crates/mckibben-core/src/joint/file\.rs",
             r"crates/mckibben-motion/src/file/.*",
             r"crates/mckibben-campaign/src/campaign/plan/.*",
             r"checks/editors.*",
@@ -234,7 +234,7 @@ PARTS = {
         [
             r"crates/mckibben-fem/src/(element|solver)/.*",
             r"crates/mckibben-fem/tests/lanes.*",
-            r"crates/mckibben/src/.*lanes.*",
+            r"crates/mckibben-core/src/.*lanes.*",
         ],
         r"target_feature|lanes",
         ["bash checks/processors.sh"],

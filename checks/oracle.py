@@ -100,7 +100,7 @@ def named(name, d0, s, angle):
         rest
     ) / cos(end)
     stretch = mpf("1.05") * sqrt(widest) / inner
-    with open("crates/mckibben/data/rubber-laws.json") as file:
+    with open("crates/mckibben-core/data/rubber-laws.json") as file:
         windows = json.load(file)[name]
     below, above = next(
         pair
@@ -174,7 +174,7 @@ for d0, s, angle, k, p, e, rubber, law in cases:
     check("  pressure that gives this pull", back["pressure_mpa"], mpf(p), 1e-9)
 
 print("paper: formula (11) from Table 2")
-with open("crates/mckibben/data/table2.csv") as table:
+with open("crates/mckibben-core/data/table2.csv") as table:
     rows = {
         (r["family"], int(r["row"])): [mpf(r[c]) for c in ("d2", "d1", "d0")]
         for r in csv.DictReader(table)

@@ -6,8 +6,8 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben_core::model::{ForceModel, Workspace};
+use mckibben_core::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
 use mckibben_fem::simulation::{Detail, Given, Simulation};
 use mckibben_fem::solver::continuation::Continuation;

@@ -1,10 +1,10 @@
 //! The map of an elbow over 100 × 100 pressures: goal 0.1 s by `universal`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path};
-use mckibben::model::ModelKind;
-use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
+use mckibben_core::joint::{Joint, JointModel, JointMuscle, Link, Path};
+use mckibben_core::model::ModelKind;
+use mckibben_core::muscle::Muscle;
+use mckibben_core::progress::Silent;
 
 fn map(c: &mut Criterion) {
     let muscle = Muscle::prototype();

@@ -2,9 +2,9 @@
 //! in a control loop (20 µs, 300 µs).
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben::model::{ForceModel, ModelKind};
-use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
+use mckibben_core::model::{ForceModel, ModelKind};
+use mckibben_core::muscle::Muscle;
+use mckibben_core::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_motion::*;
 

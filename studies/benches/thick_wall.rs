@@ -1,9 +1,9 @@
 //! The thick-wall model: one muscle built, one pull, one inverse; and a design over a fine grid.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
-use mckibben::muscle::{Direction, Muscle};
-use mckibben::units::Values;
+use mckibben_core::model::{ForceModel, ModelKind, ThickWall, Workspace};
+use mckibben_core::muscle::{Direction, Muscle};
+use mckibben_core::units::Values;
 use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
 use std::hint::black_box;
 

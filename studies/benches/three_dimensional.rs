@@ -5,9 +5,9 @@
 #![allow(clippy::unwrap_used)]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben::model::{ForceModel, Workspace};
-use mckibben::muscle::Muscle;
-use mckibben::muscle::file::read_muscle;
+use mckibben_core::model::{ForceModel, Workspace};
+use mckibben_core::muscle::Muscle;
+use mckibben_core::muscle::file::read_muscle;
 use mckibben_fem::simulation::Divided;
 use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;

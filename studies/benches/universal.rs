@@ -2,8 +2,8 @@
 //! and contractions.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use mckibben::model::{ModelKind, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben_core::model::{ModelKind, Workspace};
+use mckibben_core::muscle::Muscle;
 use std::hint::black_box;
 
 fn points(c: &mut Criterion) {

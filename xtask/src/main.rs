@@ -184,13 +184,17 @@ fn golds(check: bool) -> Done {
                 .args(["--method", form, "-o"])
                 .arg(&path),
         )?;
-        keep(&path, &Path::new("crates/mckibben/data").join(file), check)?;
+        keep(
+            &path,
+            &Path::new("crates/mckibben-core/data").join(file),
+            check,
+        )?;
     }
     let path = made.join("rubber-laws.json");
     save(&mut example("rubber_laws")?, &path)?;
     keep(
         &path,
-        Path::new("crates/mckibben/data/rubber-laws.json"),
+        Path::new("crates/mckibben-core/data/rubber-laws.json"),
         check,
     )?;
     let path = made.join("paper.csv");

@@ -1,7 +1,7 @@
 //! Sleeves of the library, and the braid that each becomes on a tube.
 
 use crate::{Problem, TextFile, parts::sleeve_entries};
-use mckibben::{
+use mckibben_core::{
     muscle::NEUTRAL_ANGLE_DEG,
     sleeve::{Sleeve, SleeveEntry, library},
 };

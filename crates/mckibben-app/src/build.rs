@@ -13,7 +13,10 @@ use crate::{
     usual_mpa,
 };
 use base64::{Engine as _, engine::general_purpose::STANDARD};
-use mckibben::{
+use mckibben_build::{
+    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
+};
+use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::Options,
     cancel,
@@ -21,9 +24,6 @@ use mckibben::{
     model::Workspace,
     progress::Progress,
     units::typed::{Length, Pressure},
-};
-use mckibben_build::{
-    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
 };
 use mckibben_report::Document;
 use schemars::JsonSchema;
@@ -298,7 +298,7 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
 /// What `fe` finds of the muscle.
 fn operating(
     request: &BuildRequest,
-    muscle: &mckibben::muscle::Muscle,
+    muscle: &mckibben_core::muscle::Muscle,
     given_mpa: Option<f64>,
 ) -> Result<(Operating, Burst)> {
     let choice = Model::choose(&ModelFields::default())?;

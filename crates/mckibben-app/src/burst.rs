@@ -2,14 +2,14 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
-use mckibben::{
+use mckibben_build::highest_mpa;
+use mckibben_core::{
     analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst},
     cancel,
     model::{ForceModel, ModelError},
     muscle::Muscle,
     warning::{Warning, WarningKind},
 };
-use mckibben_build::highest_mpa;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::Mutex;

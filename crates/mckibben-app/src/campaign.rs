@@ -7,10 +7,10 @@ use crate::{
     Problem, ProblemKind, Result, TextFile,
     flags::{self, Args},
 };
-use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{
     self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary,
 };
+use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};

@@ -11,7 +11,7 @@ use crate::{
     muscle_fields::{stated, stated_schema},
     number, percent, said_of, usual_mpa,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Burst, FailurePressure},
     extremes::peak,
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},

@@ -1,16 +1,16 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
 use crate::*;
-use mckibben::{
+#[cfg(feature = "files")]
+use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
+#[cfg(feature = "whole")]
+use mckibben_campaign::fit::results::Results;
+use mckibben_core::{
     cancel::Cancel,
     nearest::{meant, nearest},
     progress::Progress,
     units::NamedUnit,
 };
-#[cfg(feature = "files")]
-use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
-#[cfg(feature = "whole")]
-use mckibben_campaign::fit::results::Results;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -209,10 +209,10 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 ///     "force",
 ///     r#"{"muscle": {"outer_diameter_mm": 50, "wall_mm": 1}, "model": {"name": "paper"},
 ///         "pressure_mpa": 0.25, "contraction": 0.1}"#,
-///     &mckibben::progress::Silent,
+///     &mckibben_core::progress::Silent,
 /// )?;
 /// assert!(answer.starts_with(r#"{"model":"paper""#));
-/// let problem = mckibben_app::ask("force", r#"{"presure_mpa": 0.2}"#, &mckibben::progress::Silent).unwrap_err();
+/// let problem = mckibben_app::ask("force", r#"{"presure_mpa": 0.2}"#, &mckibben_core::progress::Silent).unwrap_err();
 /// assert_eq!(problem.hint, "did you mean `pressure_mpa`?");
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```

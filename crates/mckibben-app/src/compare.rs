@@ -8,7 +8,7 @@ use crate::{
     flags::{self, Args},
     list, measured_points, number, steps, warnings,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     extremes::peak,

@@ -2,7 +2,7 @@
 //! length of the muscle.
 
 use crate::{Problem, ProblemKind, Result, finite};
-use mckibben::units::{
+use mckibben_core::units::{
     Dimension, RangeError,
     typed::{Length, List, Ratio},
 };

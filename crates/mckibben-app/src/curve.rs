@@ -10,7 +10,7 @@ use crate::{
     point::Question,
     pull, put_first, said_of, warnings,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
     cancel,

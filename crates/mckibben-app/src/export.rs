@@ -9,7 +9,7 @@ use crate::{
     units::{NEWTON_METRES, PERCENT, Scale, Units},
     usual_mpa,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, Workspace},
     units::typed::{Length, Pressure},

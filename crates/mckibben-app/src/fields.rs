@@ -5,8 +5,8 @@ use crate::{
     Problem,
     flags::{self, Args},
 };
-use mckibben::joined;
-pub use mckibben::muscle::{BraidStiffness as Stiffness, Direction, measures::MeasureValues};
+use mckibben_core::joined;
+pub use mckibben_core::muscle::{BraidStiffness as Stiffness, Direction, measures::MeasureValues};
 use mckibben_fem::three_dimensional::{Match, Plug};
 use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};

@@ -4,13 +4,13 @@
 //! They follow from the structs that files are read into.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::{
+use mckibben_campaign::campaign::PlanKeys;
+use mckibben_core::{
     joined,
     joint::JointKeys,
     muscle::file::{MuscleFile, schema_of},
     nearest::nearest,
 };
-use mckibben_campaign::campaign::PlanKeys;
 use mckibben_motion::DriveKeys;
 use serde_json::Value;
 

@@ -4,7 +4,7 @@ use crate::{
     ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,
     MuscleFields, PAPER, Problem, ProblemKind, Result, TextFile,
 };
-use mckibben::{load::Load, muscle::file, units::typed::Length};
+use mckibben_core::{load::Load, muscle::file, units::typed::Length};
 use mckibben_fit::validation::library;
 use mckibben_io::{
     files::{ReadError, read},
@@ -34,7 +34,7 @@ impl TextFile {
     /// The file of a formula.
     pub fn formula(path: &Path) -> Result<Self> {
         let text =
-            mckibben::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
+            mckibben_core::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
         Ok(Self {
             name: path.display().to_string(),
             text,

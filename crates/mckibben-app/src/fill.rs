@@ -8,7 +8,7 @@ use crate::{
     print::{Csv, Page, Rows, Show, sentences},
     units::{JOULES, MEGAPASCALS, PERCENT},
 };
-use mckibben::{
+use mckibben_core::{
     liquid::{Liquid, LiquidSupply},
     load::{Fill, FillError, Filling},
     refused::Refused,

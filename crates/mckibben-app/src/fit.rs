@@ -7,12 +7,6 @@ use crate::{
     finite,
     flags::{self, Args},
 };
-use mckibben::{
-    formula::{Document, Form, Made, Provenance, UniversalFormula},
-    model::ModelKind,
-    progress::Progress,
-    units::typed::{Length, List},
-};
 use mckibben_campaign::{
     PointRow,
     fit::{
@@ -23,6 +17,12 @@ use mckibben_campaign::{
         tables::{Table, tables},
         universal::{self, UniversalRequest},
     },
+};
+use mckibben_core::{
+    formula::{Document, Form, Made, Provenance, UniversalFormula},
+    model::ModelKind,
+    progress::Progress,
+    units::typed::{Length, List},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;

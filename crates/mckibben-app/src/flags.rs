@@ -17,7 +17,7 @@ mod parsers {
         builder::{PossibleValue, TypedValueParser},
         error::{Error, ErrorKind},
     };
-    use mckibben::{
+    use mckibben_core::{
         muscle::{
             Measure,
             measures::{ANGLE, LENGTH, OUTER_DIAMETER, STRAND_MODULUS, WALL},
@@ -64,7 +64,7 @@ mod parsers {
             let word = clap::builder::PossibleValuesParser::new(words);
             // An enum may read words that it does not list.
             let text = value.to_str().unwrap_or_default();
-            match mckibben::units::named(text) {
+            match mckibben_core::units::named(text) {
                 Some(read) => Ok(read),
                 None => Err(word
                     .parse_ref(command, arg, value)
@@ -274,10 +274,10 @@ mod parsers {
 
     /// A stiffness of one strand family: a quantity or a word.
     pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
-        if let Some(word) = mckibben::units::named(text.trim()) {
+        if let Some(word) = mckibben_core::units::named(text.trim()) {
             return Ok(word);
         }
-        let read: Result<mckibben::units::typed::Stiffness, _> = text.parse();
+        let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
         let wrong = |e| {
             let message = format!("{e}, or `inextensible`, or `paper`");
             Problem::new(ProblemKind::Quantity, message, "")

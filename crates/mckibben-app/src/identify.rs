@@ -9,7 +9,7 @@ use crate::{
     number,
     warnings::largest_stretch,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     clean::line,
     joined,

@@ -9,7 +9,7 @@ use crate::{
     flags::{self, Args},
     number, put_first, said_of, warnings,
 };
-use mckibben::{
+use mckibben_core::{
     cancel,
     joint::{
         Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning,
@@ -379,7 +379,7 @@ impl Solver<'_> {
             .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
         let first = point.muscles.first();
         let second = point.muscles.get(1);
-        let response = |m: &mckibben::joint::MuscleState| m.answer.response;
+        let response = |m: &mckibben_core::joint::MuscleState| m.answer.response;
         Ok(JointRow {
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
@@ -537,7 +537,7 @@ pub enum RestWord {
     Loose,
 }
 
-mckibben::units::display_as_serde_word!(RestWord);
+mckibben_core::units::display_as_serde_word!(RestWord);
 
 /// A joint's answer.
 #[serde_with_macros::skip_serializing_none]

@@ -109,7 +109,7 @@ pub use identify::*;
 pub use joint::*;
 pub use library::*;
 pub use load::{LoadAnswer, LoadFields, LoadedAt};
-pub use mckibben::model::ModelEntry;
+pub use mckibben_core::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};
 pub use measured::*;

@@ -2,7 +2,7 @@
 //! terms.
 
 use crate::{Model, MuscleSummary, Problem, TextFile};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::Workspace,
     muscle::{Direction, Muscle, file::to_toml},

@@ -3,7 +3,7 @@
 mod page;
 
 use crate::{Problem, ProblemKind, Result, TextFile, flags::Args};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     cancel,
     load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},

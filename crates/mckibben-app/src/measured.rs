@@ -4,7 +4,7 @@
 mod page;
 
 use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
-use mckibben::{muscle::Muscle, progress::Progress, size};
+use mckibben_core::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::{
     built_in::measurements,
     case::{CaseError, Measurement, MuscleCase, RubberCase},

@@ -3,7 +3,7 @@
 use crate::{
     Direction, MeshFields, ModelFields, NameOrFile, Problem, ProblemKind, Result, TextFile,
 };
-use mckibben::{
+use mckibben_core::{
     answer::Options,
     formula::{Document, Formula, UniversalFormula},
     model::{

@@ -1,7 +1,7 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::{MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words};
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
         file::{FileError, parse_muscle, with_keys},

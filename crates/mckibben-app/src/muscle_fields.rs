@@ -1,12 +1,12 @@
 //! A muscle in requests: a file, names, and a field for each measure of
-//! [`mckibben::muscle::measures`].
+//! [`mckibben_core::muscle::measures`].
 
 use crate::{
     Problem, ProblemKind,
     fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or},
     flags::{self, Args},
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Measure, Muscle,
         measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields},

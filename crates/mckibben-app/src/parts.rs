@@ -9,7 +9,7 @@ use crate::{
     flags::{self, Args},
     library_details, library_muscles, rubber_details, rubbers, sleeve_details, sleeves,
 };
-use mckibben::{
+use mckibben_core::{
     model::{ModelEntry, ModelError},
     muscle::Muscle,
     nearest::{meant, nearest},

@@ -2,8 +2,8 @@
 //! ends without files.
 
 use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
-use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{self, Plan};
+use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::{fmt::Write as _, path::Path};

@@ -8,7 +8,7 @@ use crate::{
     UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded, put_first,
     said_of,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Burst, Evaluation, source_of},
     answer::{Answer, Options},
     extremes::peak,

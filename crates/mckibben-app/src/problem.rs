@@ -1,6 +1,7 @@
 //! Why a request has no answer: one type for every front end.
 
-use mckibben::{
+use mckibben_campaign::{campaign::CampaignError, fit::FitError};
+use mckibben_core::{
     analysis::AnalysisError,
     cancel::{Cancel, Cancelled},
     formula::FormulaError,
@@ -13,7 +14,6 @@ use mckibben::{
     study::StudyError,
     units::short_numbers,
 };
-use mckibben_campaign::{campaign::CampaignError, fit::FitError};
 use mckibben_design::SpecError;
 use mckibben_export::ExportError;
 use mckibben_fem::FemError;
@@ -124,7 +124,7 @@ impl ProblemKind {
     }
 }
 
-mckibben::units::display_as_serde_word!(ProblemKind);
+mckibben_core::units::display_as_serde_word!(ProblemKind);
 
 /// The answer nearest to the one that does not exist.
 #[serde_with_macros::skip_serializing_none]

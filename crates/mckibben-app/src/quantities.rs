@@ -2,7 +2,7 @@
 //! every number that describes a muscle.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Measure,
         measures::{MEASURES, STIFFNESS},
@@ -67,7 +67,7 @@ pub enum Reading {
 /// Parts of an interval without a step.
 const DIVISIONS: usize = 20;
 
-/// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben::units::MAX_POINTS).
+/// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben_core::units::MAX_POINTS).
 pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
     let mut points = 0.0;
     let wrong = |kind, message: String| Reading::Wrong {

@@ -5,14 +5,14 @@ use crate::{
     NameOrFile, PointAnswer, Result, ShapeRequest, Units, check, compare, curve, flags::Args,
     force, number, percent, print::Rows, ratio, shape, words::fixed,
 };
-use mckibben::{
+use mckibben_build::{Plan, TestPoint, drawing_svg};
+use mckibben_core::{
     analysis::{Burst, FailurePressure, SAFETY},
     curve::Test,
     muscle::{Direction, file::to_toml},
     progress::Progress,
     warning::is_of_burst,
 };
-use mckibben_build::{Plan, TestPoint, drawing_svg};
 use mckibben_report::{Document, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

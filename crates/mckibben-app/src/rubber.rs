@@ -1,7 +1,7 @@
 //! Rubbers of the library.
 
 use crate::{Problem, rubber};
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     Law, RubberLaw,
     library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw},
 };

@@ -8,8 +8,8 @@ use crate::{
     muscle_of, readable,
 };
 #[cfg(feature = "clap")]
-use mckibben::units::typed::Ratio;
-use mckibben::{
+use mckibben_core::units::typed::Ratio;
+use mckibben_core::{
     muscle::{Muscle, Rubber, file::to_toml},
     progress::Progress,
     rubber::over_time::OgdenRoxburgh,
@@ -367,7 +367,7 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
             )
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
-        let mode = mckibben::units::named(mode.trim()).ok_or_else(|| {
+        let mode = mckibben_core::units::named(mode.trim()).ok_or_else(|| {
             let modes = Mode::ALL.map(|mode| format!("`{}`", mode.name()));
             bad(&format!(
                 "names no mode; expected one of {}",

@@ -1,7 +1,7 @@
 //! The schemas of commands.
 
 use crate::{COMMANDS, Problem, find};
-use mckibben::units::NamedUnit;
+use mckibben_core::units::NamedUnit;
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;

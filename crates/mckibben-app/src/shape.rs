@@ -5,7 +5,7 @@ use crate::{
     MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull,
     ratio,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
     model::Workspace,

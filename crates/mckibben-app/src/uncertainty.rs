@@ -1,7 +1,7 @@
 //! The ± in words: one text for the terminal, the report and the page.
 
 use crate::{Scale, Units, words::part};
-use mckibben::{analysis::Evaluation, answer::Answer, uncertainty::UncertaintyParts};
+use mckibben_core::{analysis::Evaluation, answer::Answer, uncertainty::UncertaintyParts};
 use schemars::JsonSchema;
 use serde::Serialize;
 

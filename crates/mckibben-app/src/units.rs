@@ -1,7 +1,7 @@
 //! Units in which people are shown what is in mm, MPa and N inside.
 
 use crate::words::{aligned, half_width, number};
-use mckibben::{
+use mckibben_core::{
     joined,
     units::{Dimension, Unit},
 };

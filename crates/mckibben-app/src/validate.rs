@@ -3,8 +3,8 @@
 mod page;
 
 use crate::{Model, Result, flags::Args};
-use mckibben::{joint, muscle::Muscle, progress::Progress, verification::VerificationRow};
 use mckibben_campaign::fit::held_out;
+use mckibben_core::{joint, muscle::Muscle, progress::Progress, verification::VerificationRow};
 use mckibben_fem::verification;
 use mckibben_fit::validation;
 use schemars::JsonSchema;

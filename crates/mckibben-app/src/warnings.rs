@@ -1,6 +1,6 @@
 //! Warnings of a whole answer: each once, not once for each point.
 
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Answer,
     model::Response,

@@ -1,6 +1,6 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
-use mckibben::{
+use mckibben_core::{
     joined,
     muscle::{BraidStiffness, Muscle},
     rubber::Law,

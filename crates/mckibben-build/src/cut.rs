@@ -1,6 +1,6 @@
 //! Lengths of tube and sleeve to cut.
 
-use mckibben::{
+use mckibben_core::{
     muscle::Muscle,
     sleeve::{Helix, library},
 };

@@ -7,7 +7,7 @@ use crate::{
     text::{mm, percent, significant, trimmed},
     view::{View, diameter},
 };
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -83,7 +83,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         text(
             "muscle.toml",
             "the muscle itself",
-            mckibben::muscle::file::to_toml(&plan.muscle),
+            mckibben_core::muscle::file::to_toml(&plan.muscle),
         ),
     ];
     let readme = steps::markdown(plan, &out);

@@ -4,7 +4,7 @@ use crate::{
     Clamps, Cut, Fitting, Plan, SleeveCut,
     text::{mm, trimmed},
 };
-use mckibben::{muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves};
+use mckibben_core::{muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves};
 use mckibben_design::tubes::{self, TubePart};
 
 /// Density of printed plugs in g/mm³: solid PETG, 1.27 g/cm³ (PLA has 1.24).

@@ -4,7 +4,7 @@ use crate::{
     AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
     clamps::Tie, material, plug, test_points,
 };
-use mckibben::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused};
+use mckibben_core::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused};
 use std::f64::consts::PI;
 
 /// Choices of the builder.

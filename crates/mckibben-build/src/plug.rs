@@ -5,7 +5,7 @@ use crate::{
     Mesh,
     mesh::{FACETS, Ring},
 };
-use mckibben::muscle::Terminals;
+use mckibben_core::muscle::Terminals;
 use std::{
     f64::consts::{PI, TAU},
     fmt,

@@ -1,7 +1,7 @@
 //! Pressures of the tests and the energy of the air.
 
 use crate::text::significant;
-use mckibben::{
+use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, FailureMode},
     units::{Unit, rounded},
 };
@@ -123,7 +123,7 @@ pub fn energy_j(gauge_mpa: f64, volume_mm3: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::analysis::SAFETY;
+    use mckibben_core::analysis::SAFETY;
 
     /// By hand: 0.5 L at 6 bar gauge, 0.701325 MPa · 500 000 mm³ = 350.66 J, ln(6.92154) =
     /// 1.934638, together 678.4 J.

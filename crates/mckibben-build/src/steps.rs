@@ -5,7 +5,7 @@ use crate::{
     safety::relief_mpa,
     text::{mm, percent, significant, trimmed},
 };
-use mckibben::{clean, joined};
+use mckibben_core::{clean, joined};
 use mckibben_io::{files::File, template::render};
 
 type Values = Vec<(&'static str, String)>;

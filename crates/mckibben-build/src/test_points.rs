@@ -4,7 +4,7 @@ use crate::{
     Operating, Plan,
     text::{mm, trimmed},
 };
-use mckibben::muscle::Direction;
+use mckibben_core::muscle::Direction;
 
 /// A point of the test.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]

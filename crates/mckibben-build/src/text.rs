@@ -1,6 +1,6 @@
 //! Numbers as they are printed.
 
-pub use mckibben::units::trimmed;
+pub use mckibben_core::units::trimmed;
 
 /// A length in mm to a hundredth.
 pub fn mm(value: f64) -> String {

@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 1_first_muscle`
 
-use mckibben::prelude::*;
+use mckibben_core::prelude::*;
 use mckibben_design::{OperatingPoint, Spec, design};
 use mckibben_fem::{
     axisymmetric::Axisymmetric,

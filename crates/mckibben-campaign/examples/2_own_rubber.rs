@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 2_own_rubber`
 
-use mckibben::{muscle::Rubber, prelude::*};
+use mckibben_core::{muscle::Rubber, prelude::*};
 use mckibben_fit::rubber::{FitSettings, fit_tension, read_tension};
 use std::error::Error;
 

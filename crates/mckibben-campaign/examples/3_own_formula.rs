@@ -3,11 +3,11 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
-use mckibben::{formula::Provenance, model::FormulaModel, prelude::*};
 use mckibben_campaign::{
     campaign::{Plan, RunOptions, read, run},
     fit::{Method, Request, data, made_for, make},
 };
+use mckibben_core::{formula::Provenance, model::FormulaModel, prelude::*};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 
@@ -48,7 +48,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
         &plan,
         &table,
         &RunOptions::default(),
-        &mckibben::progress::Silent,
+        &mckibben_core::progress::Silent,
     )?;
     let rows = read(&table)?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());

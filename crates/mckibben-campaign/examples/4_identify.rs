@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 4_identify`
 
-use mckibben::{muscle::file::parse_muscle, prelude::*};
+use mckibben_core::{muscle::file::parse_muscle, prelude::*};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::identify::{Request, Target, identify_default, read_data};
 use std::error::Error;

@@ -1,8 +1,8 @@
 //! The paper's campaign and its held-out diameter as CSV: `data/campaign/paper.csv` is what this
 //! prints.
 
-use mckibben::muscle::Muscle;
 use mckibben_campaign::fit::data::{DIAMETERS, Grid, HELD_OUT};
+use mckibben_core::muscle::Muscle;
 
 fn main() {
     println!("outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n");

@@ -2,7 +2,7 @@
 //! `campaign show` follow from [`COLUMNS`]. What each means is in [`PointRow`] and, for users, in
 //! `docs/commands.md`.
 
-use mckibben::status::Status;
+use mckibben_core::status::Status;
 
 /// A row of a campaign's table: a muscle, a point, and its answer. Failures are rows too. Their
 /// names in tables, and units, are in [`crate::columns`].

@@ -1,6 +1,6 @@
 //! Text that a terminal shows as it is: names and arguments may hold characters that steer it.
 
-use mckibben::clean::is_unseen;
+use mckibben_core::clean::is_unseen;
 use std::borrow::Cow;
 
 fn escaped(text: &str, steers: impl Fn(char) -> bool) -> Cow<'_, str> {

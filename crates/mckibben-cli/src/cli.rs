@@ -8,7 +8,7 @@ use crate::{
     },
 };
 use clap::{Arg, ArgAction, ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
-use mckibben::{joined, units::NamedUnit};
+use mckibben_core::{joined, units::NamedUnit};
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the \
     computation did not converge; 130 ended by a signal.";

@@ -18,8 +18,8 @@ mod typed;
 
 use clap::FromArgMatches;
 use format::Format;
-use mckibben::threads;
 use mckibben_app::{Problem, guarded, panics_are_problems};
+use mckibben_core::threads;
 use output::{
     Output, check_ending, emit, ending, overwrite, print_page, save, save_all, save_inside,
     text::path_on_one_line, warn,

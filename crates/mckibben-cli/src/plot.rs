@@ -4,8 +4,8 @@ use crate::{
     Problem,
     output::{ending, save as save_file},
 };
-use mckibben::units::typed::Length;
 use mckibben_app::{ProblemKind, Units};
+use mckibben_core::units::typed::Length;
 use mckibben_report::{Figure, FigureError};
 use std::path::{Path, PathBuf};
 

@@ -8,12 +8,12 @@ use crate::{
     typed::{flag_of, in_flags},
 };
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use mckibben::{
+use mckibben_app::{Ending, Problem, ProblemKind};
+use mckibben_core::{
     joined,
     muscle::measures::MEASURES,
     units::{QuantityError, RangeError},
 };
-use mckibben_app::{Ending, Problem, ProblemKind};
 use std::{error::Error, io};
 
 /// What a flag's value is refused for.

@@ -2,8 +2,8 @@
 
 use crate::Problem;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::{ProblemKind, words::number};
+use mckibben_core::{cancel::Cancel, progress::Progress};
 use signal_hook::{consts, flag};
 use std::{
     fmt::Write,

@@ -1,6 +1,6 @@
 //! A note on a pressure that was typed without its unit.
 
-use mckibben::units::{Dimension, short_numbers};
+use mckibben_core::units::{Dimension, short_numbers};
 use std::sync::OnceLock;
 
 /// The note on the unit of a pressure that was typed.

@@ -1,8 +1,8 @@
 //! A missing quote around a number and its unit.
 
 use crate::Problem;
-use mckibben::units::{Dimension, parse_values};
 use mckibben_app::ProblemKind;
+use mckibben_core::units::{Dimension, parse_values};
 use std::path::Path;
 
 /// A quantity whose unit is a separate argument, because a quote is missing: `-p 2 bar`. Only where

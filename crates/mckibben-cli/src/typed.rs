@@ -1,7 +1,7 @@
 //! The command that was typed: the names of its flags, and the texts behind them.
 
 use clap::{ArgMatches, Command, parser::ValueSource};
-use mckibben::muscle::Measure;
+use mckibben_core::muscle::Measure;
 use std::sync::OnceLock;
 
 /// A flag of the command that runs.

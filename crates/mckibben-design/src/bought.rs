@@ -8,7 +8,7 @@
 //! that of the bench. Burst, strands and rubber are its seller's matter: they are not checked.
 
 use crate::{Build, Limits, OperatingPoint, Spec, fits};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::Workspace,
     muscle::{Muscle, Tube},

@@ -8,7 +8,7 @@
 //! that is known.
 
 use crate::{Build, Candidate, CandidatePoint, OperatingPoint, Spec};
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options, bisect},
     extremes::peak,
     model::{ForceModel, ThickWall, Workspace},
@@ -205,7 +205,7 @@ pub fn touches_at(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::muscle::{Braid, BraidStiffness, Muscle};
+    use mckibben_core::muscle::{Braid, BraidStiffness, Muscle};
     use std::f64::consts::PI;
 
     /// Closed forms: Kravitz 1967 (Math. Mag. 40, 65–70), as Graham et al. 1998 and others print

@@ -5,7 +5,7 @@ use crate::{
     limits::check::{Probe, Score},
     trial::Trial,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Burst, Evaluation, burst},
     extremes::peak,
     model::{ModelError, Response},

@@ -1,7 +1,7 @@
 //! What a muscle must do.
 
 use crate::SpecError;
-use mckibben::load::Load;
+use mckibben_core::load::Load;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 

@@ -8,7 +8,7 @@ use crate::{
     run::searched,
     search::{COARSE_STEPS, Pick, Search, nice_steps},
 };
-use mckibben::{
+use mckibben_core::{
     cancel::Cancelled,
     muscle::Muscle,
     progress::{CancelOnly, Progress},

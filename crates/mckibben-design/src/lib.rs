@@ -7,7 +7,7 @@
 //! The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa:
 //!
 //! ```
-//! use mckibben::prelude::*;
+//! use mckibben_core::prelude::*;
 //! use mckibben_design::{OperatingPoint, Spec, design};
 //!
 //! let wanted = OperatingPoint { force_n: 700.0, contraction: 0.15 };
@@ -49,7 +49,7 @@ pub use limits::{
     check::{Check, Show, fits},
     pressure::Below,
 };
-pub use mckibben::warning::VALIDATED_STRAND_STRAIN;
+pub use mckibben_core::warning::VALIDATED_STRAND_STRAIN;
 pub use models::{Build, Models, SearchedMuscles, near_the_box};
 pub use reason::{Reason, Rejected};
 pub use relaxation::Relaxation;

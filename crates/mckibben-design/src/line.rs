@@ -5,7 +5,7 @@
 //! neighbouring roots nothing changes: one muscle in the middle tells.
 
 use crate::limits::check::{Check, NO_SCORE, Probe, Score};
-use mckibben::analysis::{Abscissa, find_root, golden};
+use mckibben_core::analysis::{Abscissa, find_root, golden};
 use std::cmp::Ordering;
 
 /// Ratio of neighbouring samples.

@@ -1,6 +1,6 @@
 //! The models of a search, and which of them looks at a muscle.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelError, ModelKind},
     muscle::Muscle,
 };

@@ -4,7 +4,7 @@ use crate::{
     BraidChoice, Build, Candidate, Closest, Demand, Models, Open, Relaxation, Spec, design_with,
     fits, tubes::cast_of,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::bisect,
     muscle::{Braid, BraidStiffness, Muscle},
     progress::Progress,

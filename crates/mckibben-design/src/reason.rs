@@ -1,7 +1,7 @@
 //! Why a muscle does not fit.
 
 use crate::{Check, Show};
-use mckibben::{model::ModelError, muscle::Muscle};
+use mckibben_core::{model::ModelError, muscle::Muscle};
 use serde::Serialize;
 
 /// The bound that a muscle breaks.

@@ -11,7 +11,7 @@ use crate::{
     search::{Pick, Search},
     trial::Trial,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options, bisect, find_root},
     model::ModelError,
     muscle::Muscle,

@@ -1,7 +1,7 @@
 //! A change of a specification: what it does, and how it is said.
 
 use crate::{Demand, Lift, OperatingPoint, Spec, bundle::envelope_ratio, limits::check::Show};
-use mckibben::{
+use mckibben_core::{
     joined,
     units::{Dimension, Values, rounded, tidy},
 };

@@ -9,7 +9,7 @@ use crate::{
     search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult},
     trial::Trial,
 };
-use mckibben::{
+use mckibben_core::{
     progress::{Progress, Silent},
     threads,
     units::Values,

@@ -13,7 +13,7 @@ use crate::{
     models::THICK_WALL,
     trial::Trial,
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube},
     progress::Progress,
     threads,

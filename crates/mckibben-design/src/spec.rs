@@ -1,7 +1,7 @@
 //! What is wanted, and what may be varied.
 
 use crate::{Demand, Limits, OperatingPoint, TubePart};
-use mckibben::{
+use mckibben_core::{
     analysis::{Options, bisect},
     cancel::Cancelled,
     liquid::LiquidSupply,

@@ -4,7 +4,7 @@ use crate::{
     Bundle, Candidate, Models, Outcome, Relaxation, Spec, SpecError, bundle, design_joint,
     design_with, other_parts::other_parts,
 };
-use mckibben::{
+use mckibben_core::{
     progress::{CancelOnly, Progress},
     units::Values,
 };

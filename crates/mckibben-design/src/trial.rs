@@ -5,7 +5,7 @@ use crate::{
     Build, OperatingPoint, Spec,
     limits::pressure::{self, Below},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root},
     cancel,
     model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},

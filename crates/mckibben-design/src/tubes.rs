@@ -4,7 +4,7 @@
 //! a bore as rods are sold, and a wall of at least [`LEAST_CAST_WALL_MM`] between a share of
 //! [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
-use mckibben::{
+use mckibben_core::{
     catalogue::{CastRow, PartsFile, Sources, TubeRow},
     rubber::{LibraryError, Rubber, library},
 };
@@ -92,7 +92,7 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
         rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
     cast.ok_or_else(|| {
         let given: String = name.chars().take(60).collect();
-        let near = mckibben::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
+        let near = mckibben_core::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
         let known = near.map_or("; `parts list tubes` lists them".into(), |n| {
             format!(" (did you mean {n}?)")
         });

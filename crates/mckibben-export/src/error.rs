@@ -1,6 +1,6 @@
 //! Why a muscle cannot be exported.
 
-use mckibben::{
+use mckibben_core::{
     analysis::AnalysisError, cancel::Cancelled, model::ModelError, muscle::MuscleError,
 };
 use thiserror::Error;

@@ -10,7 +10,7 @@ use crate::{
     ExportError, Form, HostError, Result,
     form::{FUNCTIONS, functions},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options, bisect},
     cancel,
     extremes::peak,

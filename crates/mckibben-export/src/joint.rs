@@ -5,7 +5,7 @@ use crate::{
     Artefact, BoxRequest, ExportError, ExportedMuscle, MARK, Result, Target, muscle::plain,
     template::list,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     extremes::peak,
     joint::{Joint, JointSpring, Path},

@@ -21,7 +21,7 @@ pub(crate) use error::Result;
 pub use fit::{BoxRequest, FormErrors};
 pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
 pub use joint::ExportedJoint;
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::Target;

@@ -4,7 +4,7 @@ use crate::{
     BoxRequest, ExportError, Form, FormErrors, MARK, Result,
     fit::{Fitted, Sample, fit},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::{ForceModel, Workspace},
     muscle::{Direction, file::to_toml},

@@ -1,5 +1,5 @@
 //! Numbers and lists in the texts of the hosts.
-use mckibben::joined;
+use mckibben_core::joined;
 
 pub use mckibben_io::template::render;
 

@@ -7,7 +7,7 @@ use crate::{
     simulation::Simulation,
     three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate},
 };
-use mckibben::{
+use mckibben_core::{
     model::{ModelEntry, unknown_model},
     muscle::Muscle,
     refused::Refused,

@@ -1,7 +1,7 @@
 //! Why there is no answer.
 
 use crate::solver::newton::{LastConverged, Stopped};
-use mckibben::{cancel::Cancelled, model::ModelError, muscle::Ends, size, status::Status};
+use mckibben_core::{cancel::Cancelled, model::ModelError, muscle::Ends, size, status::Status};
 use thiserror::Error;
 
 /// An answer, or why there is none.

@@ -13,15 +13,15 @@
 //! | [`element`] | Q2/P−1 rubber of any law, two strand families on a line; bricks and single strands |
 //! | [`load`] | the cavity's volume with its derivatives |
 //! | [`solver`] | dense, chained and sparse factorisations, Newton's method; the continuation that finds equilibria and curves |
-//! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben::model::ForceModel), sensitivities |
+//! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben_core::model::ForceModel), sensitivities |
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
 //! | [`simulation`], [`results`] | questions to either, and answers |
 //! | [`elements`] | both by name, with their mesh |
 //! | [`verification`] | cases with exact values |
 //!
 //! ```
-//! use mckibben::model::{ForceModel, Workspace};
-//! use mckibben::muscle::Muscle;
+//! use mckibben_core::model::{ForceModel, Workspace};
+//! use mckibben_core::muscle::Muscle;
 //! use mckibben_fem::axisymmetric::Axisymmetric;
 //! use mckibben_fem::simulation::{Detail, Simulation};
 //!

@@ -1,7 +1,7 @@
 //! What an equilibrium tells, whichever elements found it.
 
 use crate::{Result, solver::body::Body};
-use mckibben::{extremes::peak, model::Response, muscle::Muscle};
+use mckibben_core::{extremes::peak, model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;

@@ -7,7 +7,7 @@ use crate::{
     simulation::{Detail, Given, Simulation},
     solver::curve::{Curve, CurvePoint, falling},
 };
-use mckibben::{
+use mckibben_core::{
     cancel::{self, Cancelled},
     model::{Response, Seated, Workspace},
     muscle::{EndState, Ends, Muscle},

@@ -10,7 +10,7 @@ use crate::{
         curve::{Curve, CurvePoint, isometric},
     },
 };
-use mckibben::{
+use mckibben_core::{
     model::{
         Accuracy, ForceModel, ModelEntry, ModelError, ModelId, ModelInfo, ModelRange, Response,
         Result, Workspace,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::{Muscle, Rubber},
     rubber::{Law, Yeoh},
@@ -25,7 +25,7 @@ fn muscles() -> [Muscle; 2] {
     [
         prototype.clone(),
         prototype
-            .with_tube(mckibben::muscle::Tube {
+            .with_tube(mckibben_core::muscle::Tube {
                 rubber: yeoh,
                 ..tube
             })

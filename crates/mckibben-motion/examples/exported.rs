@@ -1,7 +1,7 @@
 //! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same
 //! equations independently.
 
-use mckibben::{
+use mckibben_core::{
     load::Load,
     model::Ideal,
     muscle::{Braid, Friction, Muscle, Terminals, Tube},

@@ -4,7 +4,7 @@ use crate::fluid::Medium;
 
 /// R of dry air in J/(kg K), which is mJ/(g K).
 pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
-pub use mckibben::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
+pub use mckibben_core::analysis::{ATMOSPHERE_MPA, HEAT_RATIO};
 /// Density of ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso2013\].
 pub const REFERENCE_DENSITY_G_PER_L: f64 = 1.185;
 
@@ -205,7 +205,9 @@ impl Medium for Air {
 /// Normal litres (DIN 1343: 0 °C, 101.325 kPa, dry) of a mass of air in g.
 pub fn normal_litres(mass_g: f64) -> f64 {
     // mm³ at 20 °C and atmospheric pressure; J/(kg K) is mJ/(g K), and 1 MPa mm³ is 1 mJ
-    mckibben::analysis::normal_litres(mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA)
+    mckibben_core::analysis::normal_litres(
+        mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA,
+    )
 }
 
 /// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at

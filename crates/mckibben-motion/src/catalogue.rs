@@ -1,7 +1,7 @@
 //! Named valves.
 
 use crate::{MotionError, Orifice, Result, Valve};
-use mckibben::{
+use mckibben_core::{
     muscle::file::{FileError, Source},
     nearest::nearest,
     units::{Dimension, parse_quantity},

@@ -1,7 +1,7 @@
 //! What is commanded over time.
 
 use crate::{MotionError, Result, error::within};
-use mckibben::extremes::ends;
+use mckibben_core::extremes::ends;
 use std::f64::consts::TAU;
 
 /// A value over time: pressure in MPa, opening, or position.

@@ -4,7 +4,7 @@ use crate::{
     ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid,
     PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
-use mckibben::{model::ForceModel, muscle::Friction};
+use mckibben_core::{model::ForceModel, muscle::Friction};
 
 /// The supply of compressed air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,7 +86,7 @@ pub struct Actuated<'a> {
     /// What fills it.
     pub fluid: Fluid,
     /// Friction of its braid, half the width of its loop, which builds up again after each reversal
-    /// ([`Presliding`](mckibben::muscle::Presliding)). Together with the overstress of the rubber
+    /// ([`Presliding`](mckibben_core::muscle::Presliding)). Together with the overstress of the rubber
     /// it is no larger than the model's pull.
     pub friction: Option<Friction>,
     /// Viscoelasticity of its rubber.

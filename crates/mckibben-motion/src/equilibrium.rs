@@ -6,7 +6,7 @@ use crate::{
     state::State,
     system::{Switch, System},
 };
-use mckibben::{analysis::find_root, model::ModelError};
+use mckibben_core::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]
@@ -212,7 +212,7 @@ impl System<'_> {
                 member
                     .muscle
                     .model
-                    .response(&mut mckibben::model::Workspace::new(), p, 0.0);
+                    .response(&mut mckibben_core::model::Workspace::new(), p, 0.0);
             MotionError::require(!response.is_ok_and(|r| r.volume_mm3.is_none()), || {
                 let name = &info.name;
                 format!(

@@ -1,6 +1,6 @@
 //! Why there is no motion.
 
-use mckibben::{cancel::Cancelled, model::ModelError, muscle::MuscleError, size::TooLarge};
+use mckibben_core::{cancel::Cancelled, model::ModelError, muscle::MuscleError, size::TooLarge};
 use thiserror::Error;
 
 /// A motion, or why there is none.

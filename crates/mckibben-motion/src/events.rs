@@ -31,7 +31,7 @@ pub enum EventKind {
     Venting,
 }
 
-mckibben::units::display_as_serde_word!(EventKind);
+mckibben_core::units::display_as_serde_word!(EventKind);
 
 /// What happened when.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

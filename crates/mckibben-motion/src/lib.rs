@@ -11,8 +11,8 @@
 //! page.
 //!
 //! ```
-//! use mckibben::model::{Ideal, ForceModel};
-//! use mckibben::muscle::Muscle;
+//! use mckibben_core::model::{Ideal, ForceModel};
+//! use mckibben_core::muscle::Muscle;
 //! use mckibben_motion::*;
 //!
 //! let model = Ideal::new(&Muscle::prototype());
@@ -20,7 +20,7 @@
 //! let valve = Valve::new(Orifice::new(0.5, 0.3)?);
 //! let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]);
 //! let drive = Drive::new(&load, vec![Actuated::new(&model, Actuator::Valve(valve))], target, 1.0);
-//! let motion = run(&drive, &mckibben::progress::Silent)?;
+//! let motion = run(&drive, &mckibben_core::progress::Silent)?;
 //! assert!(motion.rise_time_s.is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,7 +1,7 @@
 //! The drive about an equilibrium, as a linear system.
 
 use crate::{Drive, MotionError, Result, integrate::Equations, system::System};
-use mckibben::analysis::bisect;
+use mckibben_core::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 

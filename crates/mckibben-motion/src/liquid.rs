@@ -4,7 +4,7 @@
 use crate::{
     ATMOSPHERE_MPA, Flow, Hose, Result, ValveKind, air::Cavity, error::within, fluid::Medium,
 };
-use mckibben::{analysis::find_root, liquid::Liquid};
+use mckibben_core::{analysis::find_root, liquid::Liquid};
 use std::f64::consts::PI;
 
 /// The pressure difference of a flow coefficient, 1 bar, in MPa, and its liquid's density (water)

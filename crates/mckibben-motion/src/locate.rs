@@ -1,7 +1,7 @@
 //! When an event comes: the first guard that fails within a step, by its dense output.
 
 use crate::{OnStop, Result, events::Guard, integrate::Stepper, run::Integration, state::State};
-use mckibben::analysis::find_root;
+use mckibben_core::analysis::find_root;
 
 /// Whether the function of a guard needs an answer of a model.
 fn needs_model(guard: Guard) -> bool {

@@ -1,7 +1,7 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
 use crate::{MotionError, Result, error::within};
-use mckibben::{
+use mckibben_core::{
     joint::{Joint, JointSpring},
     load::Load,
     model::ForceModel,

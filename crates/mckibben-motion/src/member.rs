@@ -2,7 +2,7 @@
 //! and the slack muscle.
 
 use crate::Actuated;
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm},
 };

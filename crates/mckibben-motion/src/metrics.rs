@@ -1,7 +1,7 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
-use mckibben::{analysis::bisect, extremes::peak};
+use mckibben_core::{analysis::bisect, extremes::peak};
 
 /// A point that was integrated.
 pub struct Passed {

@@ -1,7 +1,7 @@
 //! The answer to a drive.
 
 use crate::{Event, MotionError, MotionSeries};
-use mckibben::units::short_numbers;
+use mckibben_core::units::short_numbers;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// A motion.

@@ -10,7 +10,7 @@ use crate::{
     state::State,
     system::System,
 };
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 
 impl Integration<'_, '_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest

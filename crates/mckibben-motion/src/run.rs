@@ -4,7 +4,7 @@ use crate::{
     Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result,
     events::Guard, integrate::Stepper, metrics::Passed, state::State, system::System,
 };
-use mckibben::{progress::Progress, size};
+use mckibben_core::{progress::Progress, size};
 
 /// Runs a drive to its end.
 ///

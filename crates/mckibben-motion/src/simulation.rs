@@ -7,7 +7,7 @@ use crate::{
     state::State,
     system::{Modes, Switch, System},
 };
-use mckibben::progress::Progress;
+use mckibben_core::progress::Progress;
 
 /// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
 ///
@@ -122,7 +122,7 @@ impl Simulation {
             let turns: Vec<f64> = mode
                 .presliding
                 .iter()
-                .flat_map(mckibben::muscle::Presliding::numbers)
+                .flat_map(mckibben_core::muscle::Presliding::numbers)
                 .collect();
             let switch = f64::from(mode.switch as u8);
             out.extend([

@@ -5,7 +5,7 @@ use crate::{
     metrics::{changes, rise_time},
     run,
 };
-use mckibben::progress::Progress;
+use mckibben_core::progress::Progress;
 
 /// A valve that is large enough.
 #[derive(Debug, Clone, PartialEq)]

@@ -233,7 +233,7 @@ mod tests {
         valve::Valve,
         viscoelastic::{Branch, Prony},
     };
-    use mckibben::{model::Ideal, muscle::Muscle};
+    use mckibben_core::{model::Ideal, muscle::Muscle};
 
     #[test]
     fn every_number_of_a_state_has_one_place() {

@@ -8,7 +8,7 @@ use crate::{
     member::{Answer, Member, Moment, Substitute},
     state::{ControllerState, Layout, MuscleState, State, Totals},
 };
-use mckibben::muscle::Presliding;
+use mckibben_core::muscle::Presliding;
 use std::cell::{Cell, RefCell};
 
 /// What an on–off valve does.

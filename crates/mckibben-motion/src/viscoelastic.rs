@@ -1,7 +1,7 @@
 //! The rubber's viscoelasticity.
 
 use crate::{Result, error::within};
-pub use mckibben::rubber::over_time::Branch;
+pub use mckibben_core::rubber::over_time::Branch;
 
 /// A Prony series on the wall's part of the pull, whose shares are over the long-time part.
 ///

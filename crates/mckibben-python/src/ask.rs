@@ -1,8 +1,8 @@
 //! Every command by name, and quantities as users write them.
 
 use crate::{error::Wrong, request, run, value};
-use mckibben::units::NamedUnit;
 use mckibben_app::ask_value;
+use mckibben_core::units::NamedUnit;
 use pyo3::prelude::*;
 
 /// The answer to a request with numbers and the contents of files.
@@ -18,8 +18,9 @@ pub fn ask<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let request = value::request(request)?;
-    let work =
-        |progress: &dyn mckibben::progress::Progress| Ok(ask_value(command, request, progress)?);
+    let work = |progress: &dyn mckibben_core::progress::Progress| {
+        Ok(ask_value(command, request, progress)?)
+    };
     value::answer(py, &run::long(py, progress, work)?)
 }
 

@@ -1,8 +1,8 @@
 //! A fitted formula as a function of arrays, over muscles of any diameter and wall.
 
 use crate::{error::Wrong, run};
-use mckibben::formula::{Document, Formula as Fitted};
 use mckibben_app::{Problem, ProblemKind};
+use mckibben_core::formula::{Document, Formula as Fitted};
 use numpy::{PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use std::{f64::consts::PI, path::Path};

@@ -1,8 +1,8 @@
 //! A model bound to its muscle, evaluated for arrays.
 
 use crate::{error::Wrong, run, value};
-use mckibben::progress::Progress;
 use mckibben_app::{BoundModel, Many, PointQuantity};
+use mckibben_core::progress::Progress;
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;

@@ -1,16 +1,16 @@
 //! A muscle: its file, its measures, and its models.
 
 use crate::{error::Wrong, model::Model, request, run, value};
-use mckibben::{
+use mckibben_app::{
+    BoundModel, MuscleFields, Problem, ProblemKind, QuestionFields, understood, with_parameters,
+};
+use mckibben_core::{
     muscle::{
         Muscle as Held,
         file::{FileError, parse_muscle, to_toml},
         measures::{STIFFNESS, fields},
     },
     rubber::RubberLaw,
-};
-use mckibben_app::{
-    BoundModel, MuscleFields, Problem, ProblemKind, QuestionFields, understood, with_parameters,
 };
 use mckibben_fit::identify::Target;
 use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};

@@ -2,8 +2,8 @@
 //! numbers that were likely meant in another unit.
 
 use crate::{error::Wrong, value};
-use mckibben::units::{Dimension, NamedUnit, parse_quantity, parse_values};
 use mckibben_app::{Problem, ProblemKind, TextFile, find, measured_folder};
+use mckibben_core::units::{Dimension, NamedUnit, parse_quantity, parse_values};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -92,7 +92,7 @@ pub fn unlikely(name: &str, number: f64) -> Option<String> {
         _ if value < low => ("mm", "m", 1e3),
         _ => ("mm", "um", 1e-3),
     };
-    let meant = mckibben::units::short_numbers(&format!("{}", value * factor)).into_owned();
+    let meant = mckibben_core::units::short_numbers(&format!("{}", value * factor)).into_owned();
     Some(format!(
         "{name}={value} is {value} {unit}; if {value} {other} is meant, give {meant}, or \"{value} \
          {other}\"; \"{value} {unit}\" says that it is meant"

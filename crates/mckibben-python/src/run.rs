@@ -6,8 +6,8 @@
 //! call ends with.
 
 use crate::error::Wrong;
-use mckibben::{cancel::Cancel, progress::Progress};
 use mckibben_app::{Problem, ProblemKind, within};
+use mckibben_core::{cancel::Cancel, progress::Progress};
 use pyo3::prelude::*;
 use std::{
     sync::{

@@ -1,8 +1,8 @@
 //! A drive in a control loop.
 
 use crate::{error::Wrong, request, run, value};
-use mckibben::threads::Threads;
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
+use mckibben_core::threads::Threads;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;

@@ -10,8 +10,8 @@ use axum::{
     },
     response::{IntoResponse, Response},
 };
-use mckibben::{cancel::Cancel, progress::Silent, threads::Threads};
 use mckibben_app::Problem;
+use mckibben_core::{cancel::Cancel, progress::Silent, threads::Threads};
 use serde_json::Value;
 use std::sync::{Arc, LazyLock};
 use tokio::{sync::Semaphore, task::spawn_blocking};

@@ -6,8 +6,8 @@
 //! function, `host.progress(done, total)`. A panic writes its words to where the answer stands and
 //! traps; the host then reads them and makes a new instance.
 
-use mckibben::progress::Progress;
 use mckibben_app::ask_packed;
+use mckibben_core::progress::Progress;
 use std::cell::RefCell;
 
 #[cfg(target_arch = "wasm32")]

@@ -6,7 +6,7 @@
 //! L0/D0 5–20, θ0 20–35°, neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the
 //! finite elements pull.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::Random,

@@ -5,7 +5,7 @@
 //! that contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread and
 //! prints pulls, time and work as JSON. A mesh that ends in `:quadratic` has no deck.
 
-use mckibben::muscle::file::read_muscle;
+use mckibben_core::muscle::file::read_muscle;
 use mckibben_fem::{
     output::{deck, increments},
     simulation::Divided,

@@ -2,7 +2,7 @@
 //! elements, by the ideal formula, and by other programs (`data/peers`).
 //! `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Ideal, Workspace},
     muscle::file::read_muscle,
 };

@@ -3,7 +3,7 @@
 //!
 //! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     rubber::RubberLaw,
 };

@@ -4,7 +4,7 @@
 //! `cargo study universal_figure -- docs/figures/universal.svg 150` takes the file and the number
 //! of muscles.
 
-use mckibben::model::{ModelKind, Workspace};
+use mckibben_core::model::{ModelKind, Workspace};
 use mckibben_campaign::fit::universal::held_out_samples;
 use mckibben_report::{Axis, Figure, Panel, Series};
 use std::{error::Error, path::Path};

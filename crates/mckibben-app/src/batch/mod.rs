@@ -14,7 +14,7 @@ use crate::{
     AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
     burst_of, check_branch, finite, put_first, ratio, said_of,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
     model::{ForceModel, Reference, Workspace},

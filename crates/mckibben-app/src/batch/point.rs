@@ -12,7 +12,7 @@
 
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     cancel,
     differences::slope,

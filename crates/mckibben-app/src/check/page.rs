@@ -7,7 +7,7 @@ use crate::{
     units::{DEGREES, GRAMS, JOULES, MEGAPASCALS, NORMAL_LITRES, NUMBER, PERCENT},
     words::{braid_name, law_text},
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{EndFactor, Muscle},
     warning::is_of_burst,
 };

@@ -7,7 +7,7 @@ use crate::{
     units::PERCENT,
     words::{aligned, half_width, within},
 };
-use mckibben::{
+use mckibben_core::{
     answer::Answer,
     curve::{Curve, CurvePoint, Test},
     muscle::Direction,

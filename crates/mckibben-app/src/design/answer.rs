@@ -9,7 +9,7 @@ use crate::{
     said_of,
     words::{braid_name, rubber_name},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Burst,
     extremes::peak,
     liquid::Liquid,

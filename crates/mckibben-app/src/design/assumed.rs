@@ -3,7 +3,7 @@
 
 use super::request::DesignRequest;
 use crate::words::number;
-use mckibben::{
+use mckibben_core::{
     muscle::{Braid, Muscle},
     units::typed::Choice,
 };

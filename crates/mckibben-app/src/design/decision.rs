@@ -3,11 +3,11 @@
 
 use super::CandidateAnswer;
 use crate::{Units, number, percent, words::within};
-use mckibben::{
+use mckibben_build::relief_mpa;
+use mckibben_core::{
     joined,
     units::{Dimension, rounded, tidy},
 };
-use mckibben_build::relief_mpa;
 use mckibben_design::{Candidate, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.

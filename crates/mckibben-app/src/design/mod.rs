@@ -19,7 +19,7 @@ pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
 use answer::{muscle_file, not_checked, out_of_reach, touches};
 use decision::Decision;
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::{ForceModel, ModelError, Workspace},
     muscle::Muscle,

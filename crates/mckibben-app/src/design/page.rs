@@ -8,7 +8,7 @@ use crate::{
     print::{Csv, Page, Rows, Show, Table, sentences},
     units::{NEWTON_METRES, NORMAL_LITRES, PERCENT},
 };
-use mckibben::{joined, units::rounded};
+use mckibben_core::{joined, units::rounded};
 
 impl Show for DesignAnswer {
     fn warnings(&self) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! Which model ranks the muscles of a search, and which one decides in the end.
 
 use crate::{MeshFields, Model, ModelFields, Result};
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelError},
     muscle::Muscle,
 };

@@ -7,8 +7,8 @@ use crate::{
     flags::{self, Args},
 };
 #[cfg(feature = "clap")]
-use mckibben::units::{QuantityError, typed};
-use mckibben::{
+use mckibben_core::units::{QuantityError, typed};
+use mckibben_core::{
     muscle::Muscle,
     units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume},
     warning::strand_strength_n,

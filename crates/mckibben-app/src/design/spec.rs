@@ -10,7 +10,7 @@ use crate::{
     parts::{sleeve_entries, unread, users_tubes},
     ratio, rubber, sleeve,
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     muscle::{
         Braid, Direction, Muscle, Tube,

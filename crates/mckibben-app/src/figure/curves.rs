@@ -2,7 +2,7 @@
 
 use super::{caption, contraction, pressure, pull, said};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     curve::{Curve, CurvePoint, Test},
     extremes::peak,
@@ -42,7 +42,7 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
     figure.caption(caption(format!(
         "Model {}. {about}. The paper: {}",
         study.model,
-        mckibben::PAPER
+        mckibben_core::PAPER
     )))
 }
 

@@ -2,13 +2,13 @@
 
 use super::{caption, contraction};
 use crate::{NamedFigure, words::number};
-use mckibben::{extremes::ends, formula::Formula};
 use mckibben_campaign::fit::{
     FittedFormula,
     data::{distinct, same},
     errors::Compared,
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
+use mckibben_core::{extremes::ends, formula::Formula};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// The diameter and wall that figures of one muscle show, where the table has them: the
@@ -115,7 +115,7 @@ impl Section<'_> {
             .caption(caption(format!(
                 "{text}. Method: {}. The paper: {}",
                 self.formula.provenance.method,
-                mckibben::PAPER
+                mckibben_core::PAPER
             )))
             .palette(Palette::Sequential)
     }

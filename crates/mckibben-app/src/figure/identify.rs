@@ -2,7 +2,7 @@
 
 use super::{caption, contraction, curves::MOST_BANDS, pressure, pull, said, some_of};
 use crate::{percent, units::Units};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     extremes::{ends, peak},
     model::Workspace,

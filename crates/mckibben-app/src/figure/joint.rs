@@ -2,7 +2,7 @@
 
 use super::{caption, curves::MOST_BANDS, said};
 use crate::{JointAnswer, JointRow, Units};
-use mckibben::joint::{JointMap, MapPoint};
+use mckibben_core::joint::{JointMap, MapPoint};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.

@@ -6,7 +6,7 @@ use super::{
     some_of,
 };
 use crate::{MuscleSummary, Simulated, Units, percent};
-use mckibben::curve::Test;
+use mckibben_core::curve::Test;
 use mckibben_fem::results::{ProfilePoint, Solution, StrandState};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 

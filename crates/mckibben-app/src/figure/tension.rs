@@ -1,7 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::{caption, some_of};
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 

@@ -7,14 +7,14 @@ use crate::{
     units::{DEGREES, NUMBER, PERCENT},
     words::in_a_row,
 };
-use mckibben::formula::{
-    Body, Document, Formula, FormulaErrors, Made, MadeBraid, NamedBraid, UniversalFormula,
-    UniversalSummary, paper_terms,
-};
 use mckibben_campaign::fit::{
     FittedFormula, PaperMethod,
     results::Results,
     signs::{Sign, signs},
+};
+use mckibben_core::formula::{
+    Body, Document, Formula, FormulaErrors, Made, MadeBraid, NamedBraid, UniversalFormula,
+    UniversalSummary, paper_terms,
 };
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -7,7 +7,7 @@ use crate::{
     units::NUMBER,
     words::in_a_row,
 };
-use mckibben::{extremes::peak, muscle::Bench};
+use mckibben_core::{extremes::peak, muscle::Bench};
 use mckibben_fit::identify::{Identification, Identified};
 
 impl Show for IdentifyAnswer {

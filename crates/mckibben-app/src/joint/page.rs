@@ -6,7 +6,7 @@ use crate::{
     print::{Amount, Csv, Page, Show, Table, sentences},
     units::{DEGREES, NEWTON_METRES, Scale},
 };
-use mckibben::extremes::ends;
+use mckibben_core::extremes::ends;
 
 const NM_PER_RAD: Scale = Scale::fixed("N m/rad");
 

@@ -6,7 +6,7 @@ use crate::{
     print::{Page, Rows, Table},
     units::{JOULES, NORMAL_LITRES, PERCENT},
 };
-use mckibben::load::{Balance, LoadError};
+use mckibben_core::load::{Balance, LoadError};
 
 /// An equilibrium at a pressure, or why there is none.
 type Line<'a> = (f64, Option<&'a Balance>, &'static str);

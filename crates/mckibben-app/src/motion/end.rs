@@ -5,7 +5,7 @@ use crate::{
     units::Units,
     words::{number, percent},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     joint::{JointModel, Turning},

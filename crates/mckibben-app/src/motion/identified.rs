@@ -13,7 +13,7 @@ use crate::{
     units::NUMBER,
     with_error_bar,
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     progress::Progress,
     units::{Dimension, parse_quantity},

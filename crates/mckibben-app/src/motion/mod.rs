@@ -17,7 +17,7 @@ use crate::{
     Model, MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure,
     finite, put_first, said_of,
 };
-use mckibben::{extremes::peak, muscle::file::FileError, progress::Progress};
+use mckibben_core::{extremes::peak, muscle::file::FileError, progress::Progress};
 use mckibben_motion::{
     Command, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target,
     drive_names, parse_drive, run_as_far, size, with_value,

@@ -1,7 +1,7 @@
 //! What a drive moves: a muscle with its load, or a joint.
 
 use crate::{Model, Problem, ProblemKind, Result};
-use mckibben::{joint::Joint, model::ForceModel, muscle::Friction};
+use mckibben_core::{joint::Joint, model::ForceModel, muscle::Friction};
 use mckibben_motion::{Actuated, Drive, DriveFile, Mechanism, SingleMuscle, Target};
 
 /// What a drive moves, with its models.

@@ -7,7 +7,7 @@ use crate::{
     flags::{self, Args},
     given, no_ratio,
 };
-use mckibben::units::{
+use mckibben_core::units::{
     Dimension, parse_quantity,
     typed::{Damping, Pressure, Time},
 };

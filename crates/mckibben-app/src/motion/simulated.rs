@@ -2,7 +2,7 @@
 
 use super::{MotionRequest, Moved};
 use crate::{Problem, ProblemKind, Result, finite};
-use mckibben::progress::Progress;
+use mckibben_core::progress::Progress;
 use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, Target};
 use std::sync::Arc;
 

@@ -7,7 +7,7 @@ use crate::{
     units::{DEGREES, MEGAPASCALS, NUMBER, PERCENT, Scale},
     words::law_text,
 };
-use mckibben::rubber::library::Standing;
+use mckibben_core::rubber::library::Standing;
 use mckibben_design::tubes::TubePart;
 
 impl Show for PartsListAnswer {

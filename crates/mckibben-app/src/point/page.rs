@@ -6,7 +6,7 @@ use crate::{
     print::{Page, Rows, Show, sentences},
     units::{NUMBER, PERCENT},
 };
-use mckibben::answer::Answer;
+use mckibben_core::answer::Answer;
 
 impl Show for PointAnswer {
     fn warnings(&self) -> Vec<String> {

@@ -7,7 +7,7 @@ use crate::{
     units::{MEGAPASCALS, NUMBER, PERCENT, Scale},
     words::in_a_row,
 };
-use mckibben::rubber::Law;
+use mckibben_core::rubber::Law;
 use mckibben_fit::{
     rubber::{FittedLaw, Measure},
     rubber_over_time::{PronyFit, SofteningFit},

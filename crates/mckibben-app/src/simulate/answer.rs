@@ -2,7 +2,7 @@
 
 use super::Simulated;
 use crate::{BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem};
-use mckibben::{curve::Test, model::Response, status::Status, warning::Warning};
+use mckibben_core::{curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -1,7 +1,7 @@
 //! The deformed muscle of each point, as files that ParaView opens.
 
 use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Result, Units};
-use mckibben::{model::Response, size};
+use mckibben_core::{model::Response, size};
 use mckibben_fem::output::{Shape, VtuFile, VtuSeries};
 use mckibben_io::files::File;
 

@@ -13,7 +13,7 @@ use crate::{
     forces, list, put_first, reach, said_of, steps, warnings,
 };
 use files::ShapeFiles;
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     cancel,

@@ -6,7 +6,7 @@ use crate::{
     print::{Csv, Page, Rows, Show, Table, sentences},
     units::{DEGREES, JOULES, NUMBER, PERCENT},
 };
-use mckibben::model::Response;
+use mckibben_core::model::Response;
 
 type Line<'a> = (&'a Simulated, &'a SimulatedRow);
 

@@ -6,7 +6,7 @@ use crate::{
     print::{Csv, Page, Show, Table},
     units::NUMBER,
 };
-use mckibben::verification::{CaseKind, Measure, VerificationRow};
+use mckibben_core::verification::{CaseKind, Measure, VerificationRow};
 
 /// The cases of one kind, and what they are.
 const KINDS: [(&str, CaseKind, Measure, &str); 4] = [

@@ -1,7 +1,7 @@
 //! Units of fields in the schemas.
 
-use mckibben::muscle::Measure;
 use mckibben_app::COMMANDS;
+use mckibben_core::muscle::Measure;
 use serde_json::Value;
 use std::collections::BTreeSet;
 

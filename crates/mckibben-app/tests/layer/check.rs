@@ -1,7 +1,7 @@
 //! What `check` finds.
 
-use mckibben::muscle::measures::LENGTH;
 use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check, units::Units};
+use mckibben_core::muscle::measures::LENGTH;
 
 fn checked(request: CheckRequest) -> CheckAnswer {
     check(&request).unwrap()

@@ -1,7 +1,7 @@
 //! Every command ends where its caller leaves.
 
-use mckibben::{cancel::Cancel, progress::Silent, threads::Threads};
 use mckibben_app::{COMMANDS, ProblemKind, ask_value};
+use mckibben_core::{cancel::Cancel, progress::Silent, threads::Threads};
 use serde_json::{Value, json};
 use std::{fmt::Write, path::Path, time::Duration};
 

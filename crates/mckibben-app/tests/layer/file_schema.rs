@@ -6,7 +6,7 @@ use mckibben_app::file_schema;
 #[test]
 fn a_law_needs_its_constants_and_every_law_is_named() {
     let material = &file_schema("muscle").unwrap()["properties"]["tube"]["properties"]["material"];
-    let names = mckibben::rubber::Law::names();
+    let names = mckibben_core::rubber::Law::names();
     assert_eq!(
         material["properties"]["law"]["enum"]
             .as_array()

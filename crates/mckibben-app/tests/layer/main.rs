@@ -30,11 +30,11 @@ mod units;
 mod words;
 mod written;
 
-use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
     DesignRequest, ForceRequest, Problem, ProblemKind, ValidateRequest, ask, design, force,
     validate,
 };
+use mckibben_core::progress::{Progress, Silent};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 

@@ -1,13 +1,13 @@
 //! Arrays of points.
 
-use mckibben::{
-    cancel::Cancel,
-    muscle::measures::{OUTER_DIAMETER, WALL},
-    progress::Silent,
-};
 use mckibben_app::{
     ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields,
     PointQuantity, ProblemKind, QuestionFields, force, with_parameters,
+};
+use mckibben_core::{
+    cancel::Cancel,
+    muscle::measures::{OUTER_DIAMETER, WALL},
+    progress::Silent,
 };
 use mckibben_fit::identify::Target;
 

@@ -1,7 +1,7 @@
 //! The list of measures.
 
-use mckibben::muscle::measures::{SECTIONS, STIFFNESS};
 use mckibben_app::{MeasuresRequest, measures};
+use mckibben_core::muscle::measures::{SECTIONS, STIFFNESS};
 
 /// The fields are those of the requests' schema, with the same bounds, defaults and units.
 #[test]

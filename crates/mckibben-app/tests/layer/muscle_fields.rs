@@ -1,7 +1,7 @@
 //! The fields of a muscle in requests.
 
-use mckibben::muscle::Measure;
 use mckibben_app::{ForceRequest, MuscleFields};
+use mckibben_core::muscle::Measure;
 use serde_json::{Map, Value};
 
 /// An identity: what is written is read, and in the order of the schema.
@@ -11,7 +11,7 @@ fn fields_are_written_and_read_again_with_all_measures_among_them() {
         rubber: Some("paper".into()),
         ..MuscleFields::default()
     };
-    for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
+    for (i, (_, measure)) in mckibben_core::muscle::measures::fields().enumerate() {
         fields.measures.set(measure, 1.0 + i as f64);
     }
     let request = ForceRequest {

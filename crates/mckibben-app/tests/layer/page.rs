@@ -2,8 +2,8 @@
 //! memory, documents.
 
 use super::reply;
-use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, ask, ask_packed};
+use mckibben_core::progress::Silent;
 use mckibben_report::Part;
 use serde_json::{Value, json};
 

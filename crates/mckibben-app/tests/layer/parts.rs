@@ -253,7 +253,8 @@ fn errors_of_a_comparison_are_those_of_its_points() {
         let pull = |(p, e)| {
             let request =
                 json!({ "pressure_mpa": p, "contraction": e, "model": model }).to_string();
-            let answer = mckibben_app::ask("force", &request, &mckibben::progress::Silent).ok()?;
+            let answer =
+                mckibben_app::ask("force", &request, &mckibben_core::progress::Silent).ok()?;
             serde_json::from_str::<Value>(&answer).unwrap()["force_n"].as_f64()
         };
         points.map(pull).collect()

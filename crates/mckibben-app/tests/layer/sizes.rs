@@ -1,10 +1,10 @@
 //! Every number of muscle, joint and drive files, far too large, far too small, zero and negative:
 //! an answer of finite numbers, or a problem with its reason.
 
-use mckibben::progress::Silent;
 use mckibben_app::{
     ForceRequest, JointRequest, MotionRequest, MuscleFields, Problem, ProblemKind, TextFile,
 };
+use mckibben_core::progress::Silent;
 use serde_json::Value;
 
 const SIZES: [&str; 8] = [

@@ -1,11 +1,11 @@
 //! Muscles that do not pull: slack ones, and those whose strands break; muscles without a text.
 
 use crate::reply;
-use mckibben::{
+use mckibben_app::{ProblemKind, ask};
+use mckibben_core::{
     progress::Silent,
     random::{Random, rounds},
 };
-use mckibben_app::{ProblemKind, ask};
 use serde_json::{Value, json};
 
 const OWNED: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength = \"220 \

@@ -1,7 +1,7 @@
 //! The breakdown of a ± in words.
 
-use mckibben::uncertainty::{FrictionKnown, UncertaintyParts};
 use mckibben_app::{bench, breakdown, units::Units};
+use mckibben_core::uncertainty::{FrictionKnown, UncertaintyParts};
 
 /// √(159² + 50² + 1²) = 166.7, by hand.
 #[test]

@@ -1,8 +1,8 @@
 //! Files that the program writes are files that it reads.
 
 use crate::{reply, root};
-use mckibben::progress::Silent;
 use mckibben_app::ask;
+use mckibben_core::progress::Silent;
 use serde_json::{Value, json};
 
 const LAWS: [&str; 5] = [
@@ -48,7 +48,7 @@ fn whatever_was_identified_is_a_muscle() {
         );
         let folder = root().join("crates/mckibben-fit/data/measured").join(set);
         let text = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap();
-        let measured = mckibben::muscle::file::parse_muscle(&text("muscle.toml")).unwrap();
+        let measured = mckibben_core::muscle::file::parse_muscle(&text("muscle.toml")).unwrap();
         let tube = measured.tube();
         let muscle = format!(
             "[tube]\nouter_diameter = {}\nwall_thickness = {}\nlength = \
@@ -115,7 +115,7 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
         "rubber-rtv615",
     ] {
         let text = std::fs::read_to_string(folder.join(name).join("points.csv")).unwrap();
-        let muscle = json!({ "name": "p.toml", "text": mckibben::muscle::file::to_toml(&mckibben::muscle::Muscle::prototype()) });
+        let muscle = json!({ "name": "p.toml", "text": mckibben_core::muscle::file::to_toml(&mckibben_core::muscle::Muscle::prototype()) });
         for law in [
             "neo-hookean",
             "gent",
@@ -143,7 +143,7 @@ fn whatever_rubber_was_fitted_is_a_muscle() {
 /// η of Ogden and Roxburgh by the largest energy so far.
 #[test]
 fn the_softening_of_a_rubber_stands_in_its_muscle_file() {
-    use mckibben::rubber::{Law, over_time::erf};
+    use mckibben_core::rubber::{Law, over_time::erf};
     let (mu, r, m, beta) = (0.4, 1.5, 0.04, 0.1);
     let mut text = String::from("time_s,stretch,nominal_stress_mpa\n");
     let (mut time, mut largest) = (0, 0.0_f64);
@@ -163,7 +163,7 @@ fn the_softening_of_a_rubber_stands_in_its_muscle_file() {
         "rubber",
         json!({ "data": data, "laws": ["neo-hookean"], "softening": true }),
     );
-    let muscle = mckibben::muscle::file::parse_muscle(answer["muscle_file"].as_str().unwrap());
+    let muscle = mckibben_core::muscle::file::parse_muscle(answer["muscle_file"].as_str().unwrap());
     let rubber = muscle.unwrap().tube().rubber.clone();
     let written = rubber.softening.unwrap();
     for (key, written, made) in [

@@ -1,11 +1,11 @@
 //! Cut list, pressures, files.
 
-use mckibben::{
+use mckibben_build::{Clamps, Content, Operating, Plan, Wishes, files};
+use mckibben_core::{
     analysis::FailureMode,
     muscle::{Muscle, file::parse_muscle},
     units::Dimension,
 };
-use mckibben_build::{Clamps, Content, Operating, Plan, Wishes, files};
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.
 fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {

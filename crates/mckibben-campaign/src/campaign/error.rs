@@ -1,6 +1,6 @@
 //! Why a campaign does not run, or a store cannot be read.
 
-use mckibben::{cancel::Cancelled, threads::ThreadsError};
+use mckibben_core::{cancel::Cancelled, threads::ThreadsError};
 #[cfg(feature = "store")]
 use mckibben_io::files::ReadError;
 #[cfg(feature = "store")]

@@ -5,7 +5,9 @@ use super::{
     plan::{Inputs, Plan, constants, rounded},
 };
 use crate::columns::PointRow;
-use mckibben::{cancel::Cancelled, model::Workspace, progress::Progress, status::Status, threads};
+use mckibben_core::{
+    cancel::Cancelled, model::Workspace, progress::Progress, status::Status, threads,
+};
 use mckibben_fem::{FemError, simulation::Detail, solver::curve::CurvePoint};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

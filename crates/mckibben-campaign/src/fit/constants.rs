@@ -14,7 +14,7 @@ use super::{
     data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, PRESSURES, WALLS, same},
     error::{FitError, Result},
 };
-use mckibben::{
+use mckibben_core::{
     formula::Coefficients,
     model::{ForceModel, ModelError},
     muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber},

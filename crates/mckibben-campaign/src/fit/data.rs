@@ -1,7 +1,7 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
 use crate::columns::PointRow;
-use mckibben::{
+use mckibben_core::{
     formula::{Coefficients, Formula},
     model::Workspace,
     muscle::Muscle,

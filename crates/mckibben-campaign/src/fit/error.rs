@@ -1,6 +1,6 @@
 //! Why a table gives no formula.
 
-use mckibben::cancel::Cancelled;
+use mckibben_core::cancel::Cancelled;
 use thiserror::Error;
 
 pub type Result<T, E = FitError> = std::result::Result<T, E>;

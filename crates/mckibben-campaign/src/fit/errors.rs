@@ -4,7 +4,7 @@ use super::{
     data::{FitPoint, distinct, same},
     error::{FitError, Result},
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     formula::{ErrorSummary, RegionErrors},
 };

@@ -18,7 +18,7 @@ use super::{
     error::{FitError, Result},
     errors::{Compared, compared},
 };
-use mckibben::{
+use mckibben_core::{
     cancel,
     formula::{GlobalTerms, Scales, Term},
 };

@@ -8,7 +8,7 @@ use super::{
     make::{Method, fitted},
     paper_method::Rules,
 };
-use mckibben::muscle::Muscle;
+use mckibben_core::muscle::Muscle;
 use mckibben_fem::verification::VerificationRow;
 
 /// The formulas by both methods, fitted without D0 35, and the published one.

@@ -8,7 +8,7 @@ use super::{
     paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
 };
 use crate::{columns::PointRow, hash};
-use mckibben::{
+use mckibben_core::{
     extremes::ends,
     formula::{
         Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,

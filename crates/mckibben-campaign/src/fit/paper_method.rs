@@ -12,7 +12,7 @@ use super::{
     error::{FitError, Result},
     least_squares::least_squares,
 };
-use mckibben::{extremes::peak, formula::Coefficients};
+use mckibben_core::{extremes::peak, formula::Coefficients};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 

@@ -13,7 +13,7 @@ use super::{
     paper_method::{Rules, SlackRule, ThinRule},
     universal::{HeldOutRow, held_out, held_out_samples},
 };
-use mckibben::{formula::Formula, muscle::Muscle, progress::Progress};
+use mckibben_core::{formula::Formula, muscle::Muscle, progress::Progress};
 use serde::Serialize;
 
 /// One comparison.

@@ -1,7 +1,7 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
 use super::{paper_method::PaperMethod, signs::signs};
-use mckibben::{formula::Coefficients, joined};
+use mckibben_core::{formula::Coefficients, joined};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 

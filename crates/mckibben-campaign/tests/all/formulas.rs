@@ -1,11 +1,5 @@
 //! Formulas from tables of points: the paper's method, `global`, and what is refused.
 
-use mckibben::{
-    formula::{Body, Coefficients, Document, Made, Provenance},
-    muscle::Muscle,
-    progress::Silent,
-    status::Status,
-};
 use mckibben_campaign::{
     PointRow,
     fit::{
@@ -13,6 +7,12 @@ use mckibben_campaign::{
         errors::{compared, errors},
         *,
     },
+};
+use mckibben_core::{
+    formula::{Body, Coefficients, Document, Made, Provenance},
+    muscle::Muscle,
+    progress::Silent,
+    status::Status,
 };
 
 /// Points of the paper's campaign with a force of our choice.
@@ -198,7 +198,7 @@ fn failed_rows_are_no_points() {
 
 #[test]
 fn table_1_is_the_one_shipped() {
-    let text = include_str!("../../../mckibben/data/table1.csv");
+    let text = include_str!("../../../mckibben-core/data/table1.csv");
     let rows: Vec<Vec<f64>> = text
         .lines()
         .skip(1)
@@ -245,7 +245,7 @@ fn signs_and_tables_are_complete() {
 
 #[test]
 fn the_make_of_a_table_is_read_or_refused() {
-    use mckibben::formula::{MadeBraid, NamedBraid};
+    use mckibben_core::formula::{MadeBraid, NamedBraid};
     let with = |d: f64, k: Option<f64>, c10: f64| PointRow {
         outer_diameter_mm: d,
         stiffness_of_braid_n_per_mm: k,

@@ -1,11 +1,11 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
-use mckibben::{
+use mckibben_campaign::fit::universal::*;
+use mckibben_core::{
     formula::{Document, Form, Provenance},
     model::{ForceModel, Workspace},
     progress::Silent,
 };
-use mckibben_campaign::fit::universal::*;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of
 /// them, and tighter ones that the formula meets by a factor of three; the short form meets the
@@ -37,13 +37,13 @@ fn the_goals_hold_on_random_muscles() {
 fn longer_muscles_than_the_campaigns_are_as_good() {
     for s in held_out_samples(4, 5) {
         let (tube, p) = (s.muscle.tube(), s.points[0].pressure_mpa);
-        let long = mckibben::muscle::Tube {
+        let long = mckibben_core::muscle::Tube {
             length_mm: 50.0 * tube.outer_diameter_mm,
             ..tube.clone()
         };
         let muscle = s.muscle.with_tube(long).unwrap();
         let fe = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
-        let model = mckibben::model::ModelKind::Universal
+        let model = mckibben_core::model::ModelKind::Universal
             .build(&muscle)
             .unwrap();
         let blocked = fe.force_n(&mut Workspace::new(), p, 0.0).unwrap();

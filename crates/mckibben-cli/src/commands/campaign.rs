@@ -10,12 +10,12 @@ use crate::{
     warn,
 };
 use clap::Subcommand;
-use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
     campaign_merge, campaign_show, campaign_status, words::number,
 };
 use mckibben_campaign::campaign::Outcome;
+use mckibben_core::progress::{Progress, Silent};
 use std::time::{Duration, Instant};
 
 fn no_csv(format: Format) -> Result<(), Problem> {

@@ -3,8 +3,8 @@
 use crate::{
     Format, Plot, Problem, check_ending, cli::examples, output::print, path_on_one_line, save,
 };
-use mckibben::progress::Silent;
 use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_fit};
+use mckibben_core::progress::Silent;
 use std::path::{Path, PathBuf};
 
 /// Laws from tension tests.

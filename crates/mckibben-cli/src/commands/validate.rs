@@ -1,10 +1,10 @@
 //! `validate`: verification and validation, each with its table.
 
 use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, cli::examples, output::width};
-use mckibben::joined;
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
 };
+use mckibben_core::joined;
 use mckibben_fit::validation::built_in::built_in;
 use std::path::{Path, PathBuf};
 

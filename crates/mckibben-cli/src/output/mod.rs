@@ -6,11 +6,11 @@ pub mod width;
 mod write;
 
 use crate::{Format, Problem, clean, display_units, quantities::unit_hint, unprinted};
-use mckibben::warning::is_of_burst;
 use mckibben_app::{
     ProblemKind, Units,
     print::{Page, Show},
 };
+use mckibben_core::warning::is_of_burst;
 use serde::Serialize;
 use serde_json::Value;
 use std::{

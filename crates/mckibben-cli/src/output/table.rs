@@ -2,11 +2,11 @@
 //! values.
 
 use crate::Problem;
-use mckibben::clean::cell;
 use mckibben_app::{
     ProblemKind,
     print::{Csv, Form},
 };
+use mckibben_core::clean::cell;
 use serde_json::{Map, Value};
 
 /// The columns of an answer's rows by their schema.

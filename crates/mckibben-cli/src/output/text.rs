@@ -3,8 +3,8 @@
 use super::width::{self, fold};
 use crate::{clean::line, typed::in_flags};
 use comfy_table::{CellAlignment, Table, presets};
-use mckibben::joined;
 use mckibben_app::print::{Block, Column, Page};
+use mckibben_core::joined;
 use std::path::Path;
 
 /// The name of a file.

@@ -1,7 +1,7 @@
 //! How wide text is: as wide as the terminal, or as `COLUMNS` in the environment says; else tables
 //! are 100 columns wide at most, and sentences stay on one line.
 
-use mckibben::joined;
+use mckibben_core::joined;
 use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::{Width, terminal_size_of};
 

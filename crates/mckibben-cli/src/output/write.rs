@@ -7,8 +7,8 @@ use crate::{
     typed::{self, in_flags},
 };
 use anstyle::{AnsiColor, Style};
-use mckibben::{units::short_numbers, warning::is_of_burst};
 use mckibben_app::{BuiltFile, ProblemKind};
+use mckibben_core::{units::short_numbers, warning::is_of_burst};
 use mckibben_io::files::{check_free, put, put_all};
 use std::{
     io::{Error, ErrorKind, Write},

@@ -280,7 +280,7 @@ fn the_muscle_file_of_a_rubber_has_its_constants() {
         );
         assert!(pull > 0.0 || !part.is_empty(), "{line}");
     }
-    let prony = mckibben::muscle::file::read_muscle(dir.path().join("m.toml"))
+    let prony = mckibben_core::muscle::file::read_muscle(dir.path().join("m.toml"))
         .unwrap()
         .tube()
         .rubber
@@ -514,7 +514,7 @@ fn the_papers_points_are_its_tables() {
             .collect()
     };
     let (table, points) = (
-        rows("crates/mckibben/data/table1.csv"),
+        rows("crates/mckibben-core/data/table1.csv"),
         rows("data/paper/table1.csv"),
     );
     assert_eq!(points.len(), 25);

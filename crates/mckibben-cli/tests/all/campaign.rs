@@ -2,7 +2,7 @@
 #![cfg(unix)]
 
 use crate::common::{Ran, command, folder, names, ran, run_in};
-use mckibben::random::Random;
+use mckibben_core::random::Random;
 use serde_json::Value;
 use std::{
     path::Path,

@@ -48,7 +48,7 @@ const FLAGS: [(&str, &str); 18] = [
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: mckibben::random::rounds(60) as u32, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: mckibben_core::random::rounds(60) as u32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn flags_never_panic((line, flag) in prop::sample::select(&FLAGS[..]), word in words()) {
@@ -66,7 +66,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: mckibben::random::rounds(40) as u32, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: mckibben_core::random::rounds(40) as u32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn numbers_of_any_size_give_answers_or_errors(

@@ -2,7 +2,7 @@
 
 use super::{AT_POINTS, Limit, pressure::Below};
 use crate::{Build, Objective, OperatingPoint, Spec, trial::Trial};
-use mckibben::{
+use mckibben_core::{
     model::{Response, Result},
     muscle::Muscle,
     units::{Dimension, rounded},

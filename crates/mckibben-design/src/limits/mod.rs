@@ -8,8 +8,8 @@ pub mod pressure;
 
 use crate::{Relaxation, Spec, bundle::envelope_ratio};
 use check::{AtPoint, Show, round};
-pub use mckibben::analysis::SAFETY;
-use mckibben::{
+pub use mckibben_core::analysis::SAFETY;
+use mckibben_core::{
     analysis::Safety,
     model::{ModelError, Result, ThickWall},
     units::Dimension,

@@ -6,7 +6,7 @@ use crate::{
     relaxation::{Change, three_digits},
     trial::Trial,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{FailureMode, FailurePressure, NoBurst, bisect},
     model::{ModelError, Result},
     units::Dimension,

@@ -1,6 +1,6 @@
 //! The design search against brute force and against its own promises.
 
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, FailureMode, Options},
     liquid::{Liquid, LiquidSupply},
     load::Load,
@@ -15,7 +15,7 @@ use mckibben_design::{
     design, design_joint, fits,
 };
 
-fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
+fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben_core::model::ModelError> {
     Ok(Box::new(ThickWall::new(muscle)))
 }
 
@@ -441,7 +441,7 @@ fn combinations_that_are_no_muscle_say_why() {
 /// these torques by the joint's own equations; a grid of radii holds no smaller muscle.
 #[test]
 fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
-    use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
+    use mckibben_core::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
     let torque = |(torque_nm, angle_deg)| TorqueWanted {
         torque_nm,
         angle_deg,

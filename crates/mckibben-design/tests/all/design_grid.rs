@@ -1,6 +1,6 @@
 //! The design search on random specifications: against a brute-force grid, and at a larger supply.
 
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ModelError, ModelKind, Workspace},
     muscle::{Braid, Muscle, Tube},

@@ -1,6 +1,6 @@
 //! Muscles that push, designed for a push at an extension.
 
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ThickWall, Workspace},
     muscle::Muscle,

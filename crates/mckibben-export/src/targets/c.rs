@@ -6,7 +6,7 @@ use crate::{
     Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
     template::{list, lists, number, render},
 };
-use mckibben::joined;
+use mckibben_core::joined;
 
 pub const TARGET: Target = Target {
     name: "c",

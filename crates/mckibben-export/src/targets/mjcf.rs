@@ -25,7 +25,7 @@ use crate::{
     muscle::LIMIT,
     template::{number, render},
 };
-use mckibben::joint::{JointSpring, Path};
+use mckibben_core::joint::{JointSpring, Path};
 
 pub const TARGET: Target = Target {
     name: "mjcf",

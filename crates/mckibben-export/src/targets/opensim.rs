@@ -14,7 +14,7 @@ use crate::{
     muscle::LIMIT,
     template::{number, render},
 };
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 use std::f64::consts::PI;
 
 pub const TARGET: Target = Target {

@@ -1,7 +1,7 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Presliding, Terminals, Tube};
+use mckibben_core::muscle::{Braid, BraidStiffness, Friction, Muscle, Presliding, Terminals, Tube};
 use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
 use std::{fmt::Write as _, io::Read as _, path::Path, process::Command, sync::LazyLock};
@@ -752,7 +752,7 @@ fn names_of_languages_and_libraries_are_names_of_muscles() {
 /// required"), for muscles of all kinds; what misses 5 % is not written.
 #[test]
 fn scenes_have_values_that_mujoco_reads() {
-    let rubber = mckibben::rubber::library::find("ecoflex-00-30").unwrap();
+    let rubber = mckibben_core::rubber::library::find("ecoflex-00-30").unwrap();
     let braid = Braid {
         angle_deg: 18.6,
         stiffness: BraidStiffness::NewtonPerMm(684.0),

@@ -1,7 +1,7 @@
 //! The form: its potential, its inverse, its continuation, its error.
 
 use super::{exported, fe};
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::Workspace,
     muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
@@ -128,7 +128,7 @@ fn the_status_says_where_a_point_lies() {
 /// A tube that is mounted stretched pulls by itself where the strands are slack: 10 N of 920 N, and
 /// less from there on.
 pub fn prestretched() -> Muscle {
-    let rubber = mckibben::rubber::library::find("sortaclear-40").unwrap();
+    let rubber = mckibben_core::rubber::library::find("sortaclear-40").unwrap();
     let tube = Tube {
         prestretch: 1.05,
         ..Tube::new(28.4, 3.1, 310.0, rubber)
@@ -173,7 +173,7 @@ fn the_error_that_is_stated_is_that_of_any_point() {
         26.7,
         2.35,
         316.0,
-        mckibben::rubber::library::find("rtv615").unwrap(),
+        mckibben_core::rubber::library::find("rtv615").unwrap(),
     );
     let braid = Braid {
         angle_deg: 24.0,

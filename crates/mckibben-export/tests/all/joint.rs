@@ -4,7 +4,7 @@ use super::{
     fe,
     files::{compiled_and_run, numbers, python, runs},
 };
-use mckibben::{
+use mckibben_core::{
     joint::{Joint, JointModel, Turning, parse_joint},
     model::ForceModel,
     muscle::{Muscle, file::parse_muscle},
@@ -136,8 +136,8 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
             exported.stiffness_error_nm_per_rad,
         );
         let blocked_n = exported.muscles[0].blocked_force_n;
-        let smooth = |point: &mckibben::joint::JointPoint| {
-            let pulls = |m: &mckibben::joint::MuscleState| {
+        let smooth = |point: &mckibben_core::joint::JointPoint| {
+            let pulls = |m: &mckibben_core::joint::MuscleState| {
                 m.answer.slack || m.answer.response.force_n > 0.021 * blocked_n
             };
             point.muscles.iter().all(pulls)

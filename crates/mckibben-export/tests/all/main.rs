@@ -12,7 +12,7 @@ mod form;
 mod joint;
 mod refused;
 
-use mckibben::{model::ForceModel, muscle::Muscle};
+use mckibben_core::{model::ForceModel, muscle::Muscle};
 use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};
 use mckibben_fem::{axisymmetric::MeshSpec, elements::section};
 

@@ -1,6 +1,6 @@
 //! Models that cannot be exported: each is refused with its numbers and what to do.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Ideal, ModelError, ModelInfo, Response, Workspace},
     muscle::Muscle,
 };

@@ -27,7 +27,7 @@ use crate::{
         newton::{NewtonSystem, Stopped},
     },
 };
-use mckibben::{extremes::peak, model::ThickWall, muscle::Crimp};
+use mckibben_core::{extremes::peak, model::ThickWall, muscle::Crimp};
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.

@@ -21,7 +21,7 @@ use crate::{
     },
     solver::{body::State, continuation::Continuation},
 };
-use mckibben::{model::ThickWall, muscle::Muscle, rubber::over_time::OgdenRoxburgh};
+use mckibben_core::{model::ThickWall, muscle::Muscle, rubber::over_time::OgdenRoxburgh};
 use std::sync::Arc;
 
 impl Memory {

@@ -24,7 +24,7 @@ use crate::{
     element::q2::{GAUSS2, along},
     simulation::Given,
 };
-use mckibben::model::Workspace;
+use mckibben_core::model::Workspace;
 use std::f64::consts::PI;
 
 /// Second derivatives of the shape functions of a line element in its coordinate: middle, left,

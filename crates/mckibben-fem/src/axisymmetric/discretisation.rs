@@ -9,7 +9,7 @@ use crate::{
     },
     solver::{body::Control, continuation::Continuation},
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{Bulk, Crimp, Parts, StrandLay},
     rubber::{Law, RubberLaw, over_time::OgdenRoxburgh},
 };

@@ -18,7 +18,7 @@
 
 use super::discretisation::{BraidSpec, Discretisation, LAYER};
 use crate::{element::strand::STRAND_POINTS, solver::body::State};
-use mckibben::{analysis::bisect, muscle::StrandLay};
+use mckibben_core::{analysis::bisect, muscle::StrandLay};
 
 /// Steps of integration per station.
 const STEPS: usize = 4;

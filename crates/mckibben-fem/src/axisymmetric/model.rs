@@ -10,7 +10,7 @@ use crate::{
     Result,
     simulation::{Divided, FiniteElements, Given},
 };
-use mckibben::{
+use mckibben_core::{
     model::{Accuracy, ForceModel, ModelEntry, Reference, ThickWall, Workspace},
     muscle::Muscle,
 };

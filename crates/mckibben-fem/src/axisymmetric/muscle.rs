@@ -14,7 +14,7 @@ use crate::{
         newton::{NewtonOptions, NewtonSystem},
     },
 };
-use mckibben::{
+use mckibben_core::{
     analysis::bisect,
     model::{ForceModel, Ideal, Workspace},
 };

@@ -5,7 +5,7 @@ use super::{
     mesh::Mesh,
 };
 use crate::Result;
-use mckibben::{differences::STENCIL, muscle::Parts};
+use mckibben_core::{differences::STENCIL, muscle::Parts};
 use std::{collections::BTreeMap, sync::Arc};
 
 /// A muscle that differs in one number.

@@ -15,7 +15,7 @@ use crate::{
     results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
     solver::body::State,
 };
-use mckibben::{extremes::peak, muscle::Muscle};
+use mckibben_core::{extremes::peak, muscle::Muscle};
 
 impl MuscleBody for Body {
     fn derivatives(&mut self) -> Result<[f64; 3]> {

@@ -22,7 +22,7 @@ use crate::{
     results::{FieldNode, NodeMeans, StrandState},
     solver::body::State,
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::Muscle,

@@ -12,7 +12,7 @@ use super::{
     neighbour::Neighbour,
 };
 use crate::{FemError, Result, results::Sensitivity, solver::body::State};
-use mckibben::{
+use mckibben_core::{
     differences::STENCIL,
     muscle::{
         Muscle, Parts,

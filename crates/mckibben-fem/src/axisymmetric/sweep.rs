@@ -1,6 +1,6 @@
 //! Rubber laws of random muscles.
 
-use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use mckibben_core::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
 /// The law number `kind` with a shear modulus at rest: Mooney–Rivlin with a share of C01 up to 0.3,
 /// neo-Hookean, Yeoh, Gent with a jm from `least_jm` to 80, Ogden. `unit` gives a number below one

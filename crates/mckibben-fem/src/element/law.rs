@@ -6,7 +6,7 @@ use super::{
     spatial::SpatialLaw,
     stretches::ByStretches,
 };
-use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
+use mckibben_core::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A law in both states of deformation.
 pub struct ElementLaw<'a> {

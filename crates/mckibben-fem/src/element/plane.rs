@@ -15,7 +15,7 @@
 pub use super::plane_law::{AnyPlaneLaw, Gradient, PlaneLaw, Stress};
 
 use super::spatial::inverse_cube_root;
-use mckibben::rubber::InvariantLaw;
+use mckibben_core::rubber::InvariantLaw;
 
 /// A law in I1 and I2.
 #[derive(Debug)]
@@ -107,7 +107,7 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::{super::law::with_law, *};
-    use mckibben::rubber::Law;
+    use mckibben_core::rubber::Law;
 
     pub fn tangent(law: &dyn AnyPlaneLaw, f: Gradient, p: f64) -> Stress {
         let mut out = [Stress::default()];

@@ -10,7 +10,7 @@
 //! a symmetric tangent.
 
 use super::plane::{Gradient, Stress};
-use mckibben::rubber::over_time::OgdenRoxburgh;
+use mckibben_core::rubber::over_time::OgdenRoxburgh;
 
 /// What becomes of the stress `s` of the first loading at F, taken without the multiplier, in
 /// rubber that has seen the energy `seen_mpa`; `p` multiplies J − 1.
@@ -76,7 +76,7 @@ mod tests {
         },
         *,
     };
-    use mckibben::rubber::Law;
+    use mckibben_core::rubber::Law;
 
     const SOFTENING: OgdenRoxburgh = OgdenRoxburgh {
         r: 1.4,

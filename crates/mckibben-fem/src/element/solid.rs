@@ -11,7 +11,7 @@ use super::{
     q2::{Geometry, MODES, NODES, PADDED, POINTS, Point},
     softened::soften,
 };
-use mckibben::rubber::over_time::OgdenRoxburgh;
+use mckibben_core::rubber::over_time::OgdenRoxburgh;
 
 /// A row of nodal values.
 pub type NodalRow = [f64; PADDED];

@@ -15,7 +15,7 @@ use super::{
     lanes::{MOST, Real},
     spatial_stretches::{Stretches, by_stretches},
 };
-use mckibben::rubber::{InvariantDerivatives, InvariantLaw};
+use mckibben_core::rubber::{InvariantDerivatives, InvariantLaw};
 
 /// A law in I1 and I2, evaluated at several places at once.
 pub trait Invariants: Sync {

@@ -11,7 +11,7 @@ use super::{
     stretches::logarithmic,
     tensor::{PAIRS, Spatial, Symmetric},
 };
-use mckibben::rubber::RubberLaw;
+use mckibben_core::rubber::RubberLaw;
 
 /// A law in the principal stretches.
 pub trait Stretches: Sync {

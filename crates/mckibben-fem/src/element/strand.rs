@@ -4,7 +4,7 @@
 //!
 //! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 λθ), linear in the unknowns; Rs and t as
 //! [`StrandLay`] has them (Rs = R, t = 0 of strands on the surface). Per family and area of the
-//! sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)),
+//! sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben_core::muscle::Crimp)),
 //! written with the tension q per width as a separate variable:
 //!
 //!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πRs dZ.
@@ -20,7 +20,7 @@
 //! with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
 use super::q2::{GAUSS2, along};
-use mckibben::muscle::StrandLay;
+use mckibben_core::muscle::StrandLay;
 use std::f64::consts::PI;
 
 /// Integration points of a line element.

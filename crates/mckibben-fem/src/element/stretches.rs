@@ -7,7 +7,7 @@
 //!   u = (d1 − d2)/(λ1 − λ2),  v = (d1 + d2)/(λ1 + λ2)        (Ogden 1984 \[ogden1984\], §6.1)
 
 use super::plane_law::{Gradient, PlaneLaw, Stress};
-use mckibben::rubber::RubberLaw;
+use mckibben_core::rubber::RubberLaw;
 
 /// A law in the principal stretches.
 #[derive(Debug)]

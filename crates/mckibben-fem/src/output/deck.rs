@@ -11,7 +11,7 @@ use crate::{
     FemError, Result,
     three_dimensional::{Brick, ThreeDimensional},
 };
-use mckibben::{
+use mckibben_core::{
     joined,
     model::ForceModel,
     muscle::Bulk,

@@ -4,7 +4,7 @@ use super::{
     Shape,
     vtu::{Grid, VtuError, collection},
 };
-use mckibben::model::Response;
+use mckibben_core::model::Response;
 
 /// The parts of a step.
 const PARTS: [&str; 3] = ["tube", "braid", "plug"];

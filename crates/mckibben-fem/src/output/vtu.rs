@@ -8,7 +8,7 @@
 use crate::element::spatial::Vector;
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use flate2::{Compression, write::ZlibEncoder};
-use mckibben::clean;
+use mckibben_core::clean;
 use std::io::Write as _;
 use thiserror::Error;
 

@@ -116,7 +116,7 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::random::Random;
+    use mckibben_core::random::Random;
     use nalgebra::{DMatrix, DVector};
 
     /// Indefinite chains of random slabs, against the product of the whole matrix and its dense

@@ -23,7 +23,7 @@ use super::{
     trail::Trail,
 };
 use crate::{FemError, Result};
-use mckibben::{cancel, status::Status};
+use mckibben_core::{cancel, status::Status};
 use std::fmt;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to

@@ -8,7 +8,7 @@ use super::{
     trail::{Along, Trail},
 };
 use crate::{FemError, Result, results::Sensitivity};
-use mckibben::{
+use mckibben_core::{
     cancel::{self, Cancelled},
     model::Response,
 };

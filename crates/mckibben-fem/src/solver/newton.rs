@@ -4,7 +4,7 @@
 //! tolerance: it is then computed alone, and where it is a little above, the old tangent corrects
 //! once more. Nothing is allocated.
 
-use mckibben::cancel::Cancelled;
+use mckibben_core::cancel::Cancelled;
 use thiserror::Error;
 
 /// A system of equations at its present iterate.

@@ -9,7 +9,7 @@ use super::{
     newton::{Interrupted, Stopped},
 };
 use crate::{FemError, Result};
-use mckibben::cancel;
+use mckibben_core::cancel;
 
 /// Single equilibria on the way to a given pull.
 const SEARCH_STEPS: usize = 12;

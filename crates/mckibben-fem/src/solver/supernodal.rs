@@ -12,7 +12,7 @@ use super::{
     symbolic::{Form, Pattern, Symbolic},
 };
 use crate::element::lanes::Width;
-use mckibben::cancel;
+use mckibben_core::cancel;
 use std::ops::Range;
 
 /// Columns, rows and depth of a product: 10⁹ operations, some tenths of a second at the most.
@@ -217,7 +217,7 @@ mod tests {
         Pattern, Stopped,
     };
     use crate::element::lanes::tests::each_width;
-    use mckibben::{
+    use mckibben_core::{
         cancel::{Cancel, Cancelled},
         random::Random,
     };

@@ -284,7 +284,7 @@ impl Symbolic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::random::Random;
+    use mckibben_core::random::Random;
 
     fn patterns() -> impl Iterator<Item = Pattern> {
         let mut r = Random(5);

@@ -18,7 +18,7 @@ use crate::{
         newton::{Result, Stopped},
     },
 };
-use mckibben::cancel;
+use mckibben_core::cancel;
 use std::{array::from_fn, ops::Range, sync::LazyLock};
 
 /// Bricks between two checks of the cancel flag: some tenths of a second at the most. A multiple of

@@ -18,7 +18,7 @@ use crate::{
         sparse::SparseCholesky,
     },
 };
-use mckibben::{cancel, extremes::peak};
+use mckibben_core::{cancel, extremes::peak};
 use std::sync::Arc;
 
 /// Tolerances of conjugate gradients: inside of Newton's method, and for derivatives.

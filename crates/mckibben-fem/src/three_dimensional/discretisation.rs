@@ -16,7 +16,7 @@ use crate::{
         sparse::{Analysis, Pattern},
     },
 };
-use mckibben::{
+use mckibben_core::{
     cancel::{self, Cancelled},
     extremes::peak,
     muscle::Bulk,

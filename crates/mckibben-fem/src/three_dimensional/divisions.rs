@@ -7,7 +7,7 @@
 
 use super::mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
 use crate::{FemError, Result};
-use mckibben::{muscle::Muscle, size::MAX_ELEMENTS};
+use mckibben_core::{muscle::Muscle, size::MAX_ELEMENTS};
 
 /// By how much the ideal blocked force of the mesh's angle may differ from that of the braid's.
 const MOST_OFF: f64 = 0.1;

@@ -2,7 +2,7 @@
 
 use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use crate::Result;
-use mckibben::{muscle::Muscle, size};
+use mckibben_core::{muscle::Muscle, size};
 
 /// Nodes through the wall, around and along, and bytes, of one mesh of bricks that was measured
 /// (`docs/finite-elements-3d.md`).

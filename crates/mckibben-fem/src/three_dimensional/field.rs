@@ -26,7 +26,7 @@ use crate::{
     results::{FieldNode, NodeMeans},
     solver::newton::NewtonSystem as _,
 };
-use mckibben::model::Workspace;
+use mckibben_core::model::Workspace;
 use std::{array::from_fn, collections::HashMap};
 
 /// A node of the bricks: (x, y, z) at rest and now, Cauchy stress xx, yy, zz, xy, yz, zx.

@@ -6,7 +6,7 @@ use crate::element::{
     spatial::{PAIRS, Vector},
     spatial_stretches::principal_axes,
 };
-use mckibben::extremes::peak;
+use mckibben_core::extremes::peak;
 
 /// Place now of a node in mm.
 pub fn now(body: &Body, node: usize) -> Vector {

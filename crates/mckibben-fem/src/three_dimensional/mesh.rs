@@ -7,7 +7,7 @@
 
 use super::plug::{Plug, PlugGrid, profile};
 use crate::{FemError, Result};
-use mckibben::muscle::Muscle;
+use mckibben_core::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

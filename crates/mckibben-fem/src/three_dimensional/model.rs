@@ -5,7 +5,7 @@ use super::{
     muscle::MuscleMesh,
 };
 use crate::{Result, simulation::FiniteElements};
-use mckibben::{
+use mckibben_core::{
     model::{Accuracy, ModelEntry, Reference},
     muscle::Muscle,
 };

@@ -19,7 +19,7 @@ use crate::{
         newton::{NewtonOptions, NewtonSystem, Stopped},
     },
 };
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelEntry},
     muscle::{BraidStiffness, Muscle},
 };

@@ -8,7 +8,7 @@ use crate::{
     element::{spatial::Vector, truss::Truss},
     solver::dissection::Sheet,
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{Bulk, Muscle},
     rubber::{Law, NeoHookean},
 };

@@ -16,7 +16,7 @@ use crate::{
     },
     results::{MuscleBody, ProfilePoint, StrandState, StretchAt, largest_of_most},
 };
-use mckibben::{cancel, extremes::peak, muscle::Muscle};
+use mckibben_core::{cancel, extremes::peak, muscle::Muscle};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 impl MuscleBody for MuscleInBricks {

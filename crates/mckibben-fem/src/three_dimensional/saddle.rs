@@ -13,7 +13,7 @@ use super::{
     discretisation::{Discretisation, share},
 };
 use crate::solver::{body::State, sparse::SparseCholesky};
-use mckibben::cancel;
+use mckibben_core::cancel;
 
 const ITERATIONS: usize = 60;
 

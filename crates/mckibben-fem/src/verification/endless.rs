@@ -6,7 +6,7 @@
 
 use super::{Path, Rows, THROUGH, braid, inflated, pull, radius, rubber, stretched};
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben::{
+use mckibben_core::{
     model::ThickWall,
     muscle::{Braid, BraidStiffness, Muscle, StrandLay},
     rubber::RubberLaw,

@@ -8,7 +8,7 @@ use crate::{
     axisymmetric::{Body, Ends, Mesh},
     element::{law, plane::Gradient},
 };
-use mckibben::rubber::Law;
+use mckibben_core::rubber::Law;
 use std::f64::consts::PI;
 
 /// A mesh of an annulus 1 ≤ R ≤ 2, 0 ≤ Z ≤ 3 whose inner nodes are moved about.

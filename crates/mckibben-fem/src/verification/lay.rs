@@ -14,7 +14,7 @@
 
 use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, pull, radius, slice};
 use crate::axisymmetric::{Body, BraidSpec};
-use mckibben::{
+use mckibben_core::{
     model::ThickWall,
     muscle::{Braid, BraidStiffness, Crimp, StrandLay},
 };

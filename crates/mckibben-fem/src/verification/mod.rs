@@ -24,7 +24,7 @@ use crate::{
         newton::{self, Effort, NewtonOptions, NewtonSystem},
     },
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Braid, Bulk, Muscle, Rubber, StrandLay, Terminals, Tube},
@@ -33,7 +33,7 @@ use mckibben::{
 };
 
 pub use bricks::COOK_FINE;
-pub use mckibben::verification::{CaseKind, Measure, VerificationRow};
+pub use mckibben_core::verification::{CaseKind, Measure, VerificationRow};
 
 /// The rows of the cases, with the source of those that come next.
 pub struct Rows {

@@ -4,7 +4,7 @@
 
 use super::{Rows, changed, section_pull};
 use crate::axisymmetric::Axisymmetric;
-use mckibben::{
+use mckibben_core::{
     differences::slope,
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Tube},

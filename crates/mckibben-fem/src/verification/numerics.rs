@@ -16,7 +16,7 @@ use crate::{
         newton::{NewtonOptions, NewtonSystem as _},
     },
 };
-use mckibben::{
+use mckibben_core::{
     differences::{STENCIL, slope},
     model::Workspace,
     muscle::{

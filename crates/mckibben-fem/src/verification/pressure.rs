@@ -9,7 +9,7 @@ use crate::{
     load::cavity::volume,
     simulation::{Given, Simulation},
 };
-use mckibben::{model::Workspace, muscle::Muscle};
+use mckibben_core::{model::Workspace, muscle::Muscle};
 
 /// The rows of E.
 pub fn follower_pressure(rows: &mut Rows) {

@@ -9,7 +9,7 @@ use crate::{
     axisymmetric::{Ends, Mesh, Problem},
     solver::body::Control,
 };
-use mckibben::muscle::Bulk;
+use mckibben_core::muscle::Bulk;
 
 /// (A, B, λz, a/A, p, b, N − πa²p).
 pub const ROWS: [[f64; 7]; 5] = [

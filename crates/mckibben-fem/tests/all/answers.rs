@@ -1,7 +1,7 @@
 //! Answers by finite elements as everybody gets them: inverses come back, and a slack muscle is an
 //! answer.
 
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     model::{ForceModel, Workspace},

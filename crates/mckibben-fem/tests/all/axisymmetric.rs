@@ -1,7 +1,7 @@
 //! The axisymmetric muscle as a user meets it.
 
 use super::sweep::case;
-use mckibben::{
+use mckibben_core::{
     cancel::{Cancel, Cancelled},
     joint::{Joint, JointModel, JointMuscle, Link, Path, Turning},
     model::{ForceModel, ModelError, ThickWall, Workspace},
@@ -249,7 +249,7 @@ fn a_curve_can_be_cancelled() {
 fn a_solution_is_whole() {
     let mut braid = Braid::paper();
     braid.stiffness = BraidStiffness::NewtonPerMm(321.0);
-    braid.strands = Some(mckibben::muscle::Strands {
+    braid.strands = Some(mckibben_core::muscle::Strands {
         count: 48,
         section: None,
         strength_n: None,

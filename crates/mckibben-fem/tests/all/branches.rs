@@ -1,6 +1,6 @@
 //! An answer depends on its question alone: not on the points before it, their order or their grid.
 
-use mckibben::{
+use mckibben_core::{
     model::Workspace,
     muscle::{Muscle, file::read_muscle},
     random::rounds,

@@ -1,7 +1,7 @@
 //! Muscles whose rubber was stretched before, as a user meets them.
 
 use super::prestretch::slopes_are_those_of_differences;
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Response, ThickWall, Workspace},
     muscle::{Bulk, Conditioned, Muscle, Rubber, Tube, file::read_muscle},
     rubber::{

@@ -1,6 +1,6 @@
 //! Contact of the strands with the tube, and the friction of their crossings.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace, pivoting_n_per_mm},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     rubber::{Law, NeoHookean},

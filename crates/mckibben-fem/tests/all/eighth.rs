@@ -1,6 +1,6 @@
 //! Files of the three-dimensional model: one eighth of a muscle, and the whole one from it.
 
-use mckibben::{model::Workspace, muscle::Muscle};
+use mckibben_core::{model::Workspace, muscle::Muscle};
 use mckibben_fem::{
     FemError,
     output::{Extent, Shape, deck, vtu::Grid},

@@ -1,7 +1,7 @@
 //! Muscles that extend: strands at more than 54.7° to the axis.
 
 use super::prestretch::slopes_are_those_of_differences;
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},

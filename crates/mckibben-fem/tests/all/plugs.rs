@@ -1,7 +1,7 @@
 //! Tubes that are drawn on plugs of another diameter than their bore.
 
 use super::{prestretch::slopes_are_those_of_differences, universal_small::random};
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::PLUG_DIAMETER},
     random::{Random, rounds},

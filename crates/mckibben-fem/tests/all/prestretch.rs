@@ -1,6 +1,6 @@
 //! Tubes that are mounted with a stretch, in the finite elements.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::PRESTRETCH},
     rubber::{Law, NeoHookean, Ogden, Yeoh},

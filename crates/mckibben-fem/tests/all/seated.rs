@@ -1,6 +1,6 @@
 //! Ends that seat and slip: the muscle between them, its slopes and its energies.
 
-use mckibben::{
+use mckibben_core::{
     model::{Response, Workspace},
     muscle::{Muscle, Terminals},
 };

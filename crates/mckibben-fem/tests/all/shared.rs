@@ -1,7 +1,7 @@
 //! One model shared by two threads, each with its workspace, answers as one thread does, bit by
 //! bit.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals},
 };

@@ -3,7 +3,7 @@
 //!
 //! `MCKIBBEN_TIMES=20` asks 1000 of them.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::{Random, rounds},

@@ -1,6 +1,6 @@
 //! Random muscles with a question each, from a seed.
 
-use mckibben::{
+use mckibben_core::{
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::Random,
 };

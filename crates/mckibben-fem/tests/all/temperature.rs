@@ -1,6 +1,6 @@
 //! Rubber at another temperature than that of its constants, in the finite elements.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::TEMPERATURE},
     rubber::{Law, Yeoh},

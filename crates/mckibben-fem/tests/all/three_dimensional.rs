@@ -1,6 +1,6 @@
 //! The muscle in bricks as a user meets it.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::Muscle,
 };

@@ -1,6 +1,6 @@
 //! The ± of `universal-small` against finite elements, on random muscles of its box.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::{Random, rounds},

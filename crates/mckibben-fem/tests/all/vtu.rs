@@ -1,7 +1,7 @@
 //! Files for ParaView, read back.
 
 use base64::Engine as _;
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel as _, Response, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Strands},
 };

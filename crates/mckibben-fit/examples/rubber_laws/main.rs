@@ -1,10 +1,10 @@
 //! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints
-//! `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
+//! `crates/mckibben-core/data/rubber-laws.json`: `cargo xtask golds`.
 
 mod table_of_fits;
 mod windows;
 
-use mckibben::rubber::library::{TABLE_OF_FITS, entries};
+use mckibben_core::rubber::library::{TABLE_OF_FITS, entries};
 use mckibben_fit::rubber::read_tension;
 use std::{error::Error, fs::File, path::Path};
 use table_of_fits::curve_of_fits;

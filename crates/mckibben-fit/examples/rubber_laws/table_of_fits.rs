@@ -9,7 +9,7 @@
 //! most 1.2 % up to 50 %, 2.2 % up to 100 %, 1.0 % up to 150 % and 4.3 % up to 200 % (RTV615, which
 //! breaks at 193 %: 1.2, 4.6, 2.6 and 14 %).
 
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     MooneyRivlin, RubberLaw,
     library::{LibraryError, TABLE_OF_FITS, plain},
 };

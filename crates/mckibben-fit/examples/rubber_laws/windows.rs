@@ -1,6 +1,6 @@
 //! Laws of a rubber up to several stretches: what the library has of its named rubbers.
 
-use mckibben::rubber::library::{Standing, Window, WindowLaw};
+use mckibben_core::rubber::library::{Standing, Window, WindowLaw};
 use mckibben_fit::rubber::{FitSettings, TensionFit, TensionFitError, TensionPoint, fit_tension};
 
 /// Stretches at which windows end; behind the last one comes a window of all data.

@@ -3,7 +3,7 @@
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
 use crate::{least_squares::Errors, measured::DataPoint};
-use mckibben::{analysis::Evaluation, cancel, model::ModelError};
+use mckibben_core::{analysis::Evaluation, cancel, model::ModelError};
 use serde::Serialize;
 
 /// Errors of a model, model − reference.

@@ -10,7 +10,7 @@ use crate::{
     measured::{DataPoint, Quantity, distinct},
     rubber::MODULI,
 };
-use mckibben::{
+use mckibben_core::{
     cancel,
     extremes::peak,
     joined,

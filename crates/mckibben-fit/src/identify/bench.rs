@@ -14,7 +14,7 @@ use crate::{
     least_squares::{Estimate, Unknown, slopes, t95},
     measured::{DataPoint, MeasuredPoint, Section},
 };
-use mckibben::{
+use mckibben_core::{
     extremes::ends,
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Bench, Direction},

@@ -2,7 +2,7 @@
 
 use super::Target;
 use crate::measured::Section;
-use mckibben::muscle::{
+use mckibben_core::muscle::{
     BraidStiffness, Muscle, MuscleError,
     measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT},
 };

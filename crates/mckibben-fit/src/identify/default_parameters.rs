@@ -2,7 +2,7 @@
 
 use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify};
 use crate::measured::{DataPoint, distinct};
-use mckibben::{
+use mckibben_core::{
     model::Workspace,
     muscle::{
         Direction, Muscle,

@@ -1,7 +1,7 @@
 //! Why nothing was identified.
 
 use crate::least_squares::EstimateError;
-use mckibben::{cancel::Cancelled, model::ModelError, muscle::MuscleError};
+use mckibben_core::{cancel::Cancelled, model::ModelError, muscle::MuscleError};
 use thiserror::Error;
 
 pub type Result<T, E = IdentifyError> = std::result::Result<T, E>;

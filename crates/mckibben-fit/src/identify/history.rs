@@ -3,13 +3,13 @@
 //!   F = F₀(P, ε; θ) − F_c(P, ε; θ) z
 //!
 //! F₀: the mean of both branches, F_c: half the width of the loop, z: the share of the
-//! [`Presliding`](mckibben::muscle::Presliding) at the contraction times L0, with the history of
+//! [`Presliding`](mckibben_core::muscle::Presliding) at the contraction times L0, with the history of
 //! the rows before. A table begins on the branch that its first row states; without one at rest, z
 //! = 0. Between two rows the muscle moves one way.
 
 use super::{IdentifyError, Result};
 use crate::measured::{DataPoint, Quantity};
-use mckibben::muscle::{Direction, Muscle, Presliding};
+use mckibben_core::muscle::{Direction, Muscle, Presliding};
 
 /// Whether a row continues the history of another.
 fn continues(row: &DataPoint, before: &DataPoint) -> bool {

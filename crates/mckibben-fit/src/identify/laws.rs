@@ -11,7 +11,7 @@ use super::{
     Identification, IdentifyError, Parameter, Request, Result, Target, advice::neighbours, identify,
 };
 use crate::least_squares::aicc;
-use mckibben::{
+use mckibben_core::{
     analysis::find_root,
     cancel::Cancelled,
     muscle::{Rubber, Tube},

@@ -1,7 +1,7 @@
 //! The parameters that can be identified, named as in the muscle file.
 
 use Target::{ContractionOffset, DeadVolume, Law, Modulus, Stiffness, StiffnessExponent};
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Measure, Muscle,
         measures::{Identify, of_section},
@@ -16,7 +16,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
     /// A constant of the rubber law, by its place in
-    /// [`Law::constants`](mckibben::rubber::Law::constants).
+    /// [`Law::constants`](mckibben_core::rubber::Law::constants).
     Law(usize),
     /// One factor on all moduli of the law.
     Modulus,
@@ -295,7 +295,7 @@ fn split(text: &str, muscle: &Muscle) -> Result<(Target, Vec<f64>), ParameterErr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::muscle::measures::ANGLE;
+    use mckibben_core::muscle::measures::ANGLE;
 
     #[test]
     fn names_starts_and_bounds_are_read() {

@@ -9,7 +9,7 @@
 //!
 //! g: N per unit of the measured quantity, the mean slope at the start, so that all residuals are
 //! in N; of a volume |∂F/∂ε| / |∂V/∂ε| with ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings
-//! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben::model::Slopes)) where it has
+//! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben_core::model::Slopes)) where it has
 //! one and no volumes were measured.
 
 use super::{Candidate, Parameter, Request, Target, history};
@@ -17,7 +17,7 @@ use crate::{
     least_squares::Residuals,
     measured::{DataPoint, Quantity, Section},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::{ForceModel, ModelError, Result, Workspace},
     muscle::{

@@ -5,7 +5,7 @@ use crate::{
     least_squares::Errors,
     measured::{DataPoint, Quantity},
 };
-use mckibben::muscle::{Bench, Direction, Muscle};
+use mckibben_core::muscle::{Bench, Direction, Muscle};
 use serde::Serialize;
 
 /// One identified parameter.

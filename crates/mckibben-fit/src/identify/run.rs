@@ -13,7 +13,7 @@ use crate::{
     least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate},
     measured::{DataPoint, Quantity},
 };
-use mckibben::{
+use mckibben_core::{
     cancel::Cancelled,
     extremes::peak,
     model::ModelError,

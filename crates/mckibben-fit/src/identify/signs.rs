@@ -5,7 +5,7 @@ use crate::{
     least_squares::Line,
     measured::{DataPoint, Quantity},
 };
-use mckibben::{cancel, extremes::peak, muscle::Muscle};
+use mckibben_core::{cancel, extremes::peak, muscle::Muscle};
 
 /// A force below zero by more than this share of the ideal muscle's pull is no muscle that lies
 /// slack.

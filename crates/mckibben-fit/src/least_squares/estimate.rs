@@ -11,7 +11,7 @@
 
 use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use mckibben::{cancel, extremes::peak};
+use mckibben_core::{cancel, extremes::peak};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;

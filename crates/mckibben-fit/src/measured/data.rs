@@ -1,6 +1,6 @@
 //! A row of data: the measured quantity, its state, its muscle and its error.
 
-use mckibben::muscle::{
+use mckibben_core::muscle::{
     Direction, Measure, Muscle, MuscleError,
     measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
 };

@@ -2,7 +2,7 @@
 //! motion.
 
 use super::data::interpolate;
-use mckibben::{extremes::ends, muscle::Direction};
+use mckibben_core::{extremes::ends, muscle::Direction};
 
 /// Pressures over time that another instrument recorded.
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! Points from people's tables.
 
 use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section, over_time::branches};
-use mckibben::{cancel, extremes::ends, muscle::Direction};
+use mckibben_core::{cancel, extremes::ends, muscle::Direction};
 use mckibben_io::table::{
     Column, Columns, MEASURED, Meaning::*, POINTS, RECORDED, Table, TableError, Understood,
     is_absolute, spoken,

@@ -6,7 +6,7 @@ mod sheet;
 use super::TensionPoint;
 use crate::measured::distinct;
 use cell::{LARGEST_STRETCH, STRESS, STRETCH, Tests};
-use mckibben::joined;
+use mckibben_core::joined;
 use mckibben_io::table::{
     Column, Columns,
     Meaning::{self, *},

@@ -5,7 +5,7 @@ use super::{
     problem::{Problem, Raw},
 };
 use crate::least_squares::{Errors, aicc, t95};
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
 };
 use serde::{Serialize, Serializer};

@@ -2,7 +2,7 @@
 //! Mooney–Rivlin, Yeoh.
 //!
 //! The constants free, or such that the law is stable wherever a muscle wall may be. With x = ln
-//! λθ, y = ln λz, Hill's inequality (see [`is_stable_at`](mckibben::rubber::is_stable_at)) asks the
+//! λθ, y = ln λz, Hill's inequality (see [`is_stable_at`](mckibben_core::rubber::is_stable_at)) asks the
 //! Hessian H(c) of ŵ to be positive definite, and H is linear in the constants c. So in every state
 //!
 //!   vᵀ H(c) v = Σ cᵢ vᵀ Hᵢ v ≥ 0.001 μ    for every unit vector v,
@@ -18,7 +18,7 @@ use super::{
     problem::{Problem, Raw},
 };
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
+use mckibben_core::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
 
 /// The columns ∂P/∂c over the divisors.
 struct Linear<'a> {

@@ -30,8 +30,8 @@ mod warning;
 
 pub use data::{read_tension, read_tests};
 pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter, StressErrors};
-pub use mckibben::rubber::Form;
-use mckibben::{
+pub use mckibben_core::rubber::Form;
+use mckibben_core::{
     cancel::{self, Cancelled},
     progress::{Progress, Silent},
     rubber::MUSCLE_HOOP_STRETCH,

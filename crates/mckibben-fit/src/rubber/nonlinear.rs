@@ -12,7 +12,7 @@ use super::{
     problem::{Problem, Raw},
 };
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
+use mckibben_core::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
 /// A limit up to a thousand times that of the data: farther away it is not identifiable.
 const LOWEST: f64 = 1e-3;
@@ -111,7 +111,7 @@ pub fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
     } else {
         &STARTS[..1]
     } {
-        let one = |(i, c): (usize, mckibben::rubber::ConstantValue)| {
+        let one = |(i, c): (usize, mckibben_core::rubber::ConstantValue)| {
             let (low, up) = c.constant.bounds;
             match limit {
                 Some(limit) if limit.place == i => Unknown {

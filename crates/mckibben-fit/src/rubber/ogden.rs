@@ -14,7 +14,7 @@ use super::{
     problem::{Problem, Raw},
 };
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
-use mckibben::{
+use mckibben_core::{
     cancel,
     rubber::{Form, Law, Ogden},
 };

@@ -10,7 +10,7 @@
 //! longer side of a specimen that is pulled with its thickness held, so that squares of it compare
 //! with those of nominal stresses.
 
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     rubber::{MUSCLE_AXIAL_STRETCH, RubberLaw},
 };

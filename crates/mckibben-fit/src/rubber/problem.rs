@@ -1,7 +1,7 @@
 //! The points with their weights, as the solvers see them.
 
 use super::{Mode, TensionPoint};
-use mckibben::{
+use mckibben_core::{
     cancel,
     extremes::peak,
     rubber::{Law, RubberLaw},
@@ -133,7 +133,7 @@ impl Problem {
     }
 
     fn neo_hookean_modulus(&self) -> f64 {
-        let unit = Law::NeoHookean(mckibben::rubber::NeoHookean { mu_mpa: 1.0 });
+        let unit = Law::NeoHookean(mckibben_core::rubber::NeoHookean { mu_mpa: 1.0 });
         let Some(column) = self.scaled_stresses(&unit) else {
             return 0.0;
         };

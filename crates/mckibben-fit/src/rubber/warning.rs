@@ -1,7 +1,7 @@
 //! Warnings about tests and laws.
 
 use super::{FittedLaw, Mode, Parameter, TensionPoint, problem::Problem, runs::Sorted};
-use mckibben::rubber::RubberLaw;
+use mckibben_core::rubber::RubberLaw;
 
 /// Stretch that the wall of a strongly contracted muscle reaches (a 20° braid: 2.4).
 const MUSCLE_STRETCH: f64 = 2.3;

@@ -8,7 +8,7 @@
 
 use super::{OverTimeFitError, Result};
 use crate::rubber::{Mode, TensionPoint};
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     RubberLaw,
     over_time::{OgdenRoxburgh, Prony, Softened},
 };

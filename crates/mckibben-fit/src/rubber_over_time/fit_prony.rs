@@ -17,7 +17,7 @@ use crate::{
     least_squares::{Loss, Residuals, Unknown, estimate},
     rubber::{Form, TensionPoint},
 };
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     ConstantValue, Law, RubberLaw,
     over_time::{Branch, Prony},
 };

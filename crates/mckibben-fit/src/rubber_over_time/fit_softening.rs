@@ -10,7 +10,7 @@ use crate::{
     least_squares::{Estimate, EstimateError, Loss, Unknown, estimate},
     rubber::{Form, TensionPoint},
 };
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     Law, RubberLaw,
     over_time::{OgdenRoxburgh, Prony},
 };

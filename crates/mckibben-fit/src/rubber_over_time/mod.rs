@@ -1,6 +1,6 @@
 //! Constants of rubber over time, from tests.
 //!
-//! [`Bar`] carries softening and relaxation ([`mckibben::rubber::over_time`]) along a uniaxial
+//! [`Bar`] carries softening and relaxation ([`mckibben_core::rubber::over_time`]) along a uniaxial
 //! history; [`fit_softening`] and [`fit_prony`] find their constants from one.
 
 mod bar;
@@ -15,7 +15,7 @@ use crate::{
     least_squares::EstimateError,
     rubber::{FitSettings, FittedLaw, Form, TensionFitError, TensionPoint, fit_tension},
 };
-use mckibben::{refused::Refused, rubber::Law};
+use mckibben_core::{refused::Refused, rubber::Law};
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 

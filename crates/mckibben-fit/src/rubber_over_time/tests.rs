@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::rubber::Form;
-use mckibben::rubber::{
+use mckibben_core::rubber::{
     Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh,
     over_time::{Branch, Held, OgdenRoxburgh, Prony, Softened, erf},
 };

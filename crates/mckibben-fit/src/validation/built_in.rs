@@ -1,7 +1,7 @@
 //! The folders of measured muscles and rubbers that are built in.
 
 use super::case::{CaseError, MeasuredFolder, Measurement, MuscleCase};
-use mckibben::cancel::Cancel;
+use mckibben_core::cancel::Cancel;
 use rust_embed::Embed;
 use std::sync::LazyLock;
 

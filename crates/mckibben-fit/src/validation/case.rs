@@ -9,7 +9,7 @@ use crate::{
     rubber::{Form, Mode, TensionPoint},
     rubber_over_time::TimePoint,
 };
-use mckibben::muscle::{Friction, Muscle};
+use mckibben_core::muscle::{Friction, Muscle};
 use mckibben_io::table::TableError;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;

@@ -9,7 +9,7 @@ use crate::{
     identify::{Parameter, Result},
     measured::mean_of_data,
 };
-use mckibben::{
+use mckibben_core::{
     joined, threads,
     verification::{CaseKind, Measure, VerificationRow},
 };

@@ -9,7 +9,7 @@ use crate::{
     identify::{Identification, Result},
     measured::{DataPoint, mean_of_data},
 };
-use mckibben::{threads, verification::VerificationRow};
+use mckibben_core::{threads, verification::VerificationRow};
 
 /// Parts into which the points of a set are divided; each is held out of one fit.
 const PARTS: usize = 5;

@@ -15,7 +15,7 @@ use crate::{
     identify::Build,
     measured::{DataPoint, distinct, mean_of_data, same},
 };
-use mckibben::{
+use mckibben_core::{
     muscle::{Braid, Muscle},
     threads,
     verification::VerificationRow,

@@ -14,7 +14,7 @@ use super::{
     residual::{ForceErrors, Residual, residuals},
 };
 use crate::{identify::Build, measured::DataPoint};
-use mckibben::{catalogue, muscle::Muscle};
+use mckibben_core::{catalogue, muscle::Muscle};
 use serde::Serialize;
 
 /// The prefix of the name of a muscle of the library in place of a muscle file: `lib:dmsp-20-300`.
@@ -108,7 +108,7 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
 mod tests {
     use super::{super::elements, *};
     use crate::identify::{Identification, Identified, Request, Target, identify};
-    use mckibben::{muscle::file::parse_muscle, rubber::RubberLaw};
+    use mckibben_core::{muscle::file::parse_muscle, rubber::RubberLaw};
 
     /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {

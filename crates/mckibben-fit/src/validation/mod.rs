@@ -30,8 +30,8 @@ use crate::{
 };
 use coverage::{Coverage, share_row, validated};
 #[cfg(test)]
-use mckibben::model::{ForceModel, ModelError};
-use mckibben::{
+use mckibben_core::model::{ForceModel, ModelError};
+use mckibben_core::{
     analysis::{Evaluation, Options},
     cancel::Cancelled,
     extremes::peak,
@@ -175,7 +175,7 @@ pub(crate) fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelErro
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::progress::Silent;
+    use mckibben_core::progress::Silent;
 
     /// Independent figures for the same data: ideal 92–95 N rms, thick-wall with two fitted
     /// constants about 6 N and an end factor of 1.11, an axisymmetric prototype with one fitted

@@ -24,7 +24,7 @@ use crate::{
     least_squares::{Errors, Line},
     measured::{Section, mean_of_data},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, Evaluation},
     model::{ModelError, Workspace},
     muscle::{Direction, Muscle},
@@ -210,7 +210,7 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::{
+    use mckibben_core::{
         model::{ForceModel, ThickWall},
         muscle::{Braid, BraidStiffness, Terminals, Tube},
         rubber::{Law, NeoHookean},
@@ -225,7 +225,8 @@ mod tests {
             Ok(Box::new(ThickWall::new(m)))
         };
         for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
-            let rubber = mckibben::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
+            let rubber =
+                mckibben_core::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
             let braid = Braid {
                 angle_deg,
                 stiffness: BraidStiffness::Inextensible,

@@ -10,7 +10,7 @@ use crate::{
     rubber::read_tests,
     rubber_over_time::read_history,
 };
-use mckibben::muscle::{Muscle, file::parse_muscle};
+use mckibben_core::muscle::{Muscle, file::parse_muscle};
 use mckibben_io::table::Columns;
 use serde::{
     Deserialize,

@@ -10,7 +10,7 @@ use crate::{
     measured::{DataPoint, distinct, mean_of_data, same},
     rubber_over_time::OverTimeFitError,
 };
-use mckibben::{
+use mckibben_core::{
     cancel::Cancelled,
     extremes::peak,
     muscle::{Direction, Muscle},
@@ -309,7 +309,7 @@ mod tests {
         super::{built_in::muscles, elements},
         *,
     };
-    use mckibben::{
+    use mckibben_core::{
         cancel::Cancelled,
         progress::{Progress, Silent},
     };

@@ -6,7 +6,7 @@ use crate::{
     least_squares::Errors,
     measured::{DataPoint, MeasuredPoint, Quantity, Section},
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     extremes::peak,
     model::{ForceModel, Workspace},

@@ -6,7 +6,7 @@ use super::{
     report::ReportError,
 };
 use crate::rubber::{Parameter, StressErrors};
-use mckibben::progress::Progress;
+use mckibben_core::progress::Progress;
 use serde::Serialize;
 
 /// Every fit of rubbers.
@@ -77,7 +77,7 @@ mod tests {
         super::{built_in::measurements, case::Measurement},
         *,
     };
-    use mckibben::progress::Silent;
+    use mckibben_core::progress::Silent;
 
     /// Every fit of every rubber that is built in has an answer; a fit to some modes predicts the
     /// others.

@@ -11,7 +11,7 @@ use crate::{
     },
     rubber_over_time::{Bar, Result, TimePoint, fit_prony},
 };
-use mckibben::{progress::Progress, rubber::over_time::Prony};
+use mckibben_core::{progress::Progress, rubber::over_time::Prony};
 
 /// Strain that tells a move from a hold.
 const MOVE: f64 = 1e-3;

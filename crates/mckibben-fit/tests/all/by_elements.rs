@@ -1,6 +1,6 @@
 //! Identification with finite elements: their derivatives, and known constants that come back.
 
-use mckibben::{
+use mckibben_core::{
     model::{Accuracy, ForceModel, ModelError, ModelInfo, Response, Workspace},
     muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
     rubber::{Law, MooneyRivlin},

@@ -1,6 +1,6 @@
 //! Rubbers with a curve: the law is that of `rubber` for the stretches of the muscle.
 
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Braid, Bulk, Muscle, Rubber, Tube,
         file::{parse_muscle, to_toml},

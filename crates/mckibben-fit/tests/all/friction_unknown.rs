@@ -1,6 +1,6 @@
 //! What points leave of the ±: friction that they did not measure, and the scatter of their fit.
 
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::{ForceModel, ModelError, ThickWall, Workspace},
     muscle::{Direction, Muscle, Tube, file::parse_muscle},

@@ -1,6 +1,6 @@
 //! Muscles with thick braids, wide sleeves and crimp, as a user meets them.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube},
     rubber::{Law, NeoHookean},
@@ -56,7 +56,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
     let by = |above: f64, below: f64, h: f64| (above - below) / (2.0 * h);
     let force_by_p = by(at(p + h, e).force_n, at(p - h, e).force_n, h);
     let stiffness = -by(at(p, e + h).force_n, at(p, e - h).force_n, h) / 150.0;
-    let volume = |r: mckibben::model::Response| r.volume_mm3.unwrap();
+    let volume = |r: mckibben_core::model::Response| r.volume_mm3.unwrap();
     let volume_by_l = -by(volume(at(p, e + h)), volume(at(p, e - h)), h) / 150.0;
     assert!((force_by_p / here.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
     assert!((stiffness / here.stiffness_n_per_mm.unwrap() - 1.0).abs() < 1e-6);

@@ -1,6 +1,6 @@
 //! The measured muscles and rubbers that the crate carries are those of the repository.
 
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     model::{ForceModel, ModelError, Workspace},
     muscle::{Direction, Muscle},
@@ -205,7 +205,7 @@ fn friction_estimated_by_one_measured_muscle_holds_the_branches_of_the_other() {
 /// blocked force, which the suggested test states (0.06), and the held-out points at it.
 #[test]
 fn ten_points_give_about_the_uncertainty_of_the_suggested_test() {
-    let thick = |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m);
+    let thick = |m: &Muscle| mckibben_core::model::ModelKind::ThickWall.build(m);
     let mut shares = vec![];
     for (name, fit) in [
         ("tondu2012", "Gent, friction; both branches"),

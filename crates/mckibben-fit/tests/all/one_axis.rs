@@ -1,6 +1,6 @@
 //! The share of a pull's ± for a rubber that is known from one axis.
 
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Braid, Muscle, Rubber, Tube},
     rubber::Law,

@@ -9,7 +9,7 @@ use crate::{
     control::{Pid, PidOutput},
     drive::Target,
 };
-use mckibben::{
+use mckibben_core::{
     muscle::file::{FileError, Source},
     units::{
         Dimension, Values, parse_quantity, parse_values,

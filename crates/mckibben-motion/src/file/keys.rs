@@ -2,7 +2,7 @@
 
 use super::command::Course;
 use crate::valve::ValveKind;
-use mckibben::{
+use mckibben_core::{
     liquid::LIQUIDS,
     muscle::file::named,
     rubber::over_time::Prony,

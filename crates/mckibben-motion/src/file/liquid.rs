@@ -6,7 +6,7 @@ use crate::{
     liquid::{LiquidFill, LiquidValve, Restriction},
     valve::ValveKind,
 };
-use mckibben::{
+use mckibben_core::{
     liquid::Liquid,
     muscle::file::{FileError, Source},
     refused::Refused,

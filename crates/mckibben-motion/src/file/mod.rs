@@ -13,7 +13,7 @@ use crate::{
 use command::Commands;
 pub use keys::DriveKeys;
 use keys::{OfAir, OfLoad, OfSupply};
-use mckibben::{
+use mckibben_core::{
     load::{Load, LoadTable},
     muscle::file::{FileError, Keys, Source},
     units::{
@@ -92,7 +92,7 @@ pub struct DriveFile {
 /// Reads the text of a drive file.
 ///
 /// ```
-/// use mckibben::load::Load;
+/// use mckibben_core::load::Load;
 /// use mckibben_motion::{parse_drive, Subject, Tables};
 /// let drive = parse_drive(
 ///     "muscle = 'muscle.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\ncritical_ratio = 0.3\n\
@@ -101,7 +101,7 @@ pub struct DriveFile {
 /// )?;
 /// assert_eq!(drive.subject, Subject::Muscle("muscle.toml".into()));
 /// assert_eq!(drive.load, Some(Load::Mass { mass_kg: 10.0, level: false }));
-/// # Ok::<(), mckibben::muscle::file::FileError>(())
+/// # Ok::<(), mckibben_core::muscle::file::FileError>(())
 /// ```
 ///
 /// # Errors

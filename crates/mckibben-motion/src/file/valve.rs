@@ -13,7 +13,7 @@ use crate::{
     orifice::Orifice,
     valve::Valve,
 };
-use mckibben::{
+use mckibben_core::{
     muscle::file::{FileError, Source},
     units::{
         Positive,

@@ -1,5 +1,5 @@
 //! Liquids: a rigid vessel on a valve and on a pump, and a muscle on a syringe and with the liquid
-//! shut in against the static filling of the same muscle ([`mckibben::load::fill`]), which solves
+//! shut in against the static filling of the same muscle ([`mckibben_core::load::fill`]), which solves
 //! for the volume, without equations of motion.
 //!
 //! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V,
@@ -10,7 +10,7 @@ use crate::{
     Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump,
     Restriction, SingleMuscle, Syringe, Target, ValveKind,
 };
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     liquid::Liquid,
     load::{Fill, Filling, Load},

@@ -5,7 +5,7 @@ use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Linear, Orifice,
     Prony, SingleMuscle, Target, Valve, equilibrium,
 };
-use mckibben::{
+use mckibben_core::{
     load::Load,
     model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
     muscle::{Friction, Muscle},

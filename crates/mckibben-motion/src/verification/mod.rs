@@ -10,7 +10,7 @@ mod vessel;
 pub use vessel::{Vessel, after, pressure};
 
 use crate::{Actuated, Command, Drive, Motion, SingleMuscle, Target, run};
-use mckibben::{progress::Silent, verification::VerificationRow};
+use mckibben_core::{progress::Silent, verification::VerificationRow};
 
 /// Every case, one after the other.
 pub fn cases() -> Vec<VerificationRow> {

@@ -10,7 +10,7 @@ use crate::{
     ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
     Valve,
 };
-use mckibben::{
+use mckibben_core::{
     extremes::peak,
     model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace},
     muscle::Muscle,

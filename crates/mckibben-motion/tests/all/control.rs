@@ -1,7 +1,7 @@
 //! Valves and controllers that act.
 
 use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
-use mckibben::model::ModelKind;
+use mckibben_core::model::ModelKind;
 use mckibben_motion::*;
 
 fn on_off(closed_centre: bool) -> Actuator {
@@ -169,7 +169,7 @@ fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() 
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     let target = steps(&[(0.0, 0.0), (0.05, 0.2)]);
     let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 2.0);
-    let sized = size(&drive, 0.2, &mckibben::progress::Silent).unwrap();
+    let sized = size(&drive, 0.2, &mckibben_core::progress::Silent).unwrap();
     assert!(
         sized.rise_time_s <= 0.2 && sized.rise_time_s > 0.199,
         "{}",
@@ -179,6 +179,6 @@ fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() 
     let mut drive = drive;
     drive.muscles[0].actuator = Actuator::Valve(Valve::new(smaller));
     assert!(ran(&drive).rise_time_s.unwrap() > 0.2);
-    let error = size(&drive, 1e-3, &mckibben::progress::Silent).unwrap_err();
+    let error = size(&drive, 1e-3, &mckibben_core::progress::Silent).unwrap_err();
     assert!(matches!(error, MotionError::NoAnswer(_)), "{error}");
 }

@@ -2,7 +2,7 @@
 //! between the points of the series.
 
 use crate::support::{close, damped, note_muscle, ran, regulator, steps, valve};
-use mckibben::{
+use mckibben_core::{
     model::{ModelKind, Workspace},
     muscle::{Braid, Muscle, Terminals},
     progress::Silent,

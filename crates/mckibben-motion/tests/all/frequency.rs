@@ -1,7 +1,7 @@
 //! Small oscillations and frequency responses.
 
 use crate::support::{close, elbow, note_muscle, ran, regulator};
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     muscle::Muscle,
 };

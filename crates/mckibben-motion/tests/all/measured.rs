@@ -3,7 +3,7 @@
 //! found, rounded up.
 
 use crate::support::{damped, ran};
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube},

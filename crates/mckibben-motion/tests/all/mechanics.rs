@@ -1,7 +1,7 @@
 //! Muscles that move: balances, friction, stops, slack, convergence.
 
 use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
-use mckibben::{
+use mckibben_core::{
     analysis::{Evaluation, Options},
     liquid::Liquid,
     load::{Filling, Load},
@@ -44,7 +44,7 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
 /// that slip.
 #[test]
 fn identity_a_slow_loop_lies_on_the_static_branches() {
-    use mckibben::muscle::{Direction, Terminals};
+    use mckibben_core::muscle::{Direction, Terminals};
     let friction = Friction {
         lever_mm: 0.8,
         presliding_mm: Some(0.05),
@@ -95,7 +95,7 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
                 motion.series.muscles[0].pressure_mpa[i],
                 motion.series.muscles[0].contraction[i],
             );
-            let w = &mut mckibben::model::Workspace::new();
+            let w = &mut mckibben_core::model::Workspace::new();
             let expected = Evaluation::new(model, w, direction).force_n(p, e).unwrap();
             assert!((model.force_n(w, p, e).unwrap() / expected - 1.0).abs() > 0.02);
             close(motion.series.muscles[0].force_n[i], expected, relative);
@@ -144,7 +144,7 @@ fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
 /// strands' contact.
 #[test]
 fn closed_form_presliding_stiffens_the_linear_system() {
-    use mckibben::model::{Workspace, pivoting_n_per_mm};
+    use mckibben_core::model::{Workspace, pivoting_n_per_mm};
     let muscle = note_muscle();
     let model = ThickWall::new(&muscle);
     let load = SingleMuscle::hanging(&model, 10.0);
@@ -281,7 +281,7 @@ fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
     let at = equilibrium(&both(0.3, 0.3), &[0.3, 0.3]).unwrap();
     assert!(at.coordinate.abs() < 1e-10, "{}", at.coordinate);
     // τ' = r² (K1 + K2) at the pressures that the regulators hold.
-    let w = &mut mckibben::model::Workspace::new();
+    let w = &mut mckibben_core::model::Workspace::new();
     let k = model
         .response(w, 0.3, 0.1)
         .unwrap()
@@ -316,7 +316,7 @@ fn closed_form_relaxation_of_the_rubber() {
     drive.initial_coordinate = Some(22.0);
     drive.tolerance = 1e-9;
     let motion = ran(&drive);
-    let w = &mut mckibben::model::Workspace::new();
+    let w = &mut mckibben_core::model::Workspace::new();
     let still = model.force_n(w, 0.3, 0.1).unwrap();
     let excess = |t: f64| {
         let i = motion
@@ -331,7 +331,7 @@ fn closed_form_relaxation_of_the_rubber() {
     let ideal = Ideal::new(&note_muscle());
     let wall = |p: f64| {
         model
-            .force_n(&mut mckibben::model::Workspace::new(), p, 0.1)
+            .force_n(&mut mckibben_core::model::Workspace::new(), p, 0.1)
             .unwrap()
             - ideal.pull(p, 0.1)
     };
@@ -372,7 +372,7 @@ fn a_muscle_lifts_a_mass_from_its_stop() {
 
 #[test]
 fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_contractions() {
-    use mckibben::joint::{Joint, JointMuscle, JointSpring, Link, Path};
+    use mckibben_core::joint::{Joint, JointMuscle, JointSpring, Link, Path};
     let path = Path::Points {
         origin_mm: [-20.0, 250.0],
         insertion_mm: [30.0, 12.0],

@@ -1,7 +1,7 @@
 //! Drives of all kinds, drawn from a fixed seed.
 
 use crate::support::{note_muscle, regulator, sprung, steps};
-use mckibben::{model::ModelKind, muscle::Friction, progress::Silent};
+use mckibben_core::{model::ModelKind, muscle::Friction, progress::Silent};
 use mckibben_motion::*;
 
 /// Numbers in 0 … 1, always the same.

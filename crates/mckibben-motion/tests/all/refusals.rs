@@ -1,7 +1,7 @@
 //! What is refused, and how it is said.
 
 use crate::support::{note_muscle, regulator, steps, valve};
-use mckibben::{cancel::Cancel, load::Load, model::ModelKind, progress::Silent};
+use mckibben_core::{cancel::Cancel, load::Load, model::ModelKind, progress::Silent};
 use mckibben_motion::{verification::Vessel, *};
 
 #[test]
@@ -121,7 +121,7 @@ fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
 fn a_model_without_answer_ends_the_run_with_time_and_state() {
     // Thrown against nothing: an unlimited pull stretches the muscle past where its strands are
     // straight.
-    let model = mckibben::model::Ideal::new(&note_muscle());
+    let model = mckibben_core::model::Ideal::new(&note_muscle());
     let load = SingleMuscle {
         added_mass_kg: 5.0,
         ..SingleMuscle::new(&model, Load::Force { force_n: 1e5 })

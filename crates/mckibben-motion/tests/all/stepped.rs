@@ -1,7 +1,7 @@
 //! A drive in a control loop.
 
 use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, ModelKind},
     muscle::Friction,
     progress::Silent,

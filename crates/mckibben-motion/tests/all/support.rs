@@ -1,6 +1,6 @@
 //! What several tests need.
 
-use mckibben::{
+use mckibben_core::{
     joint::{Joint, JointMuscle, Link, Path},
     load::Load,
     model::ForceModel,
@@ -10,7 +10,7 @@ use mckibben_motion::*;
 
 /// Runs, or says why not.
 pub fn ran(drive: &Drive<'_>) -> Motion {
-    run(drive, &mckibben::progress::Silent).unwrap()
+    run(drive, &mckibben_core::progress::Silent).unwrap()
 }
 
 pub fn close(a: f64, b: f64, relative: f64) {
@@ -28,7 +28,7 @@ pub fn last(list: &[f64]) -> f64 {
 
 /// The muscle of the design note: D0 20, s 1.5, L0 220, 24°, C10 0.1 MPa, k 900 N/mm.
 pub fn note_muscle() -> Muscle {
-    use mckibben::{
+    use mckibben_core::{
         muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube},
         rubber::{Law, MooneyRivlin},
     };

@@ -2,8 +2,8 @@
 
 use crate::{Client, posted};
 use axum::{body::Body, http::Request};
-use mckibben::progress::Silent;
 use mckibben_app::{ask, ask_packed};
+use mckibben_core::progress::Silent;
 
 #[tokio::test]
 async fn the_page_is_that_of_a_server() {

@@ -2,7 +2,7 @@
 //! of the program. `MCKIBBEN_TIMES` takes more.
 
 use crate::Client;
-use mckibben::random::Random;
+use mckibben_core::random::Random;
 use mckibben_server::Config;
 use serde_json::{Value, json};
 use std::{path::Path, time::Duration};
@@ -94,7 +94,7 @@ async fn mutated_requests_give_an_answer_or_a_reason() {
         ),
     ];
     let mut random = Random(1);
-    let rounds = mckibben::random::rounds(100);
+    let rounds = mckibben_core::random::rounds(100);
     for i in 0..rounds {
         let (command, text, request) = &kinds[i % kinds.len()];
         let request = if i % 3 == 0 {

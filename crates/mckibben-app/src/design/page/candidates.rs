@@ -5,7 +5,7 @@ use crate::{
     print::{Page, Table},
     units::{DEGREES, GRAMS, NORMAL_LITRES, PERCENT},
 };
-use mckibben::joined;
+use mckibben_core::joined;
 
 impl DesignAnswer {
     /// The candidates with what differs among them; with `is_full` everything that is known of

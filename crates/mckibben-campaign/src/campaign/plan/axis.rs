@@ -1,6 +1,6 @@
 //! The quantities that can vary, and the measures of a muscle that follow.
 
-use mckibben::{
+use mckibben_core::{
     muscle::{
         BraidStiffness, Measure, Muscle, MuscleError,
         measures::{MEASURES, Parts},

@@ -1,7 +1,7 @@
 //! The keys of a plan file beside those of its muscle.
 
 use super::axis::{Axis, Variable, variables};
-use mckibben::{
+use mckibben_core::{
     muscle::{
         Bench,
         file::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table},

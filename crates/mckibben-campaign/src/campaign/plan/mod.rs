@@ -7,7 +7,7 @@
 //!      [test]\ncontractions = \"0..20:5%\"\npressures = \"0..2.5:0.1bar\"\n",
 //! )?;
 //! assert_eq!((plan.muscles(), plan.points_per_muscle()), (10, 5 * 26));
-//! # Ok::<(), mckibben::muscle::file::FileError>(())
+//! # Ok::<(), mckibben_core::muscle::file::FileError>(())
 //! ```
 
 mod axis;
@@ -25,7 +25,7 @@ pub use keys::PlanKeys;
 pub use sampling::Sampling;
 
 use crate::hash;
-use mckibben::{muscle::Muscle, rubber::Law, size::TooLarge};
+use mckibben_core::{muscle::Muscle, rubber::Law, size::TooLarge};
 use mckibben_fem::{FemError, elements::Elements};
 use sampling::Design;
 

@@ -6,7 +6,7 @@ use super::{
     sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling},
     vary,
 };
-use mckibben::{
+use mckibben_core::{
     muscle::file::{FileError, Source, read_text},
     units::typed::{Choice, Quantity},
 };

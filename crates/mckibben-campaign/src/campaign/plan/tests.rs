@@ -60,7 +60,7 @@ fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
             "{least} {most}"
         );
     };
-    spans(mckibben::muscle::Muscle::outer_diameter_mm, 10.0, 60.0);
+    spans(mckibben_core::muscle::Muscle::outer_diameter_mm, 10.0, 60.0);
     spans(|m| m.wall_mm() / m.outer_diameter_mm(), 0.017, 0.18500001);
     spans(|m| m.length_mm() / m.outer_diameter_mm(), 4.4, 22.000001);
     spans(|m| m.braid().angle_deg, 16.5, 39.0);
@@ -267,8 +267,8 @@ fn a_plan_has_one_rubber() {
 /// with [`Muscle::with`].
 #[test]
 fn every_measure_of_a_muscle_varies() {
-    let lever = mckibben::muscle::Measure::of_field("friction_lever_mm").unwrap();
-    for measure in mckibben::muscle::measures::MEASURES {
+    let lever = mckibben_core::muscle::Measure::of_field("friction_lever_mm").unwrap();
+    for measure in mckibben_core::muscle::measures::MEASURES {
         // A presliding length needs a friction.
         let (base, stated) = match measure.key {
             "friction.presliding" => (

@@ -4,7 +4,7 @@ use super::{
     axis::{Axis, CONSTANT, SCALE},
     sampling::Sampling,
 };
-use mckibben::{
+use mckibben_core::{
     joined,
     muscle::{
         Muscle, NEUTRAL_ANGLE_DEG,

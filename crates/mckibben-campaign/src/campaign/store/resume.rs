@@ -2,7 +2,7 @@
 
 use super::{file::Opened, folder::Folder, provenance::Provenance};
 use crate::campaign::error::{CampaignError, Result};
-use mckibben::threads::Threads;
+use mckibben_core::threads::Threads;
 use serde::Serialize;
 use std::{
     collections::BTreeSet,

@@ -15,7 +15,7 @@ use crate::campaign::{
     plan::Plan,
     solve,
 };
-use mckibben::{progress::Progress, threads::Threads};
+use mckibben_core::{progress::Progress, threads::Threads};
 use mckibben_io::files::check_writable;
 use serde::Serialize;
 use std::{

@@ -5,7 +5,7 @@ use crate::{
     campaign::error::{CampaignError, Result},
     columns::{PointRow, Role},
 };
-use mckibben::status::Status;
+use mckibben_core::status::Status;
 use serde::Serialize;
 use std::{collections::BTreeMap, path::Path};
 

@@ -5,7 +5,7 @@ mod rows;
 mod same_bytes;
 
 use super::*;
-use mckibben::{
+use mckibben_core::{
     progress::{Progress, Silent},
     status::Status,
 };

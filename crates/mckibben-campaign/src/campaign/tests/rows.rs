@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::PointRow;
-use mckibben::model::Workspace;
+use mckibben_core::model::Workspace;
 use mckibben_fem::simulation::Given;
 
 fn run_plan(text: &str) -> Vec<PointRow> {

@@ -1,7 +1,7 @@
 //! Random muscles that no fit has seen, and how far models are from finite elements on them.
 
 use super::points::{PullPoint, Sample, shares, summary};
-use mckibben::{
+use mckibben_core::{
     formula::UniversalSummary,
     model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},

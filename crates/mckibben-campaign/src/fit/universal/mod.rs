@@ -1,4 +1,4 @@
-//! `--method universal`: the end deficit of [`mckibben::model::Universal`] from a campaign of
+//! `--method universal`: the end deficit of [`mckibben_core::model::Universal`] from a campaign of
 //! muscles of every make.
 //!
 //! Each point where the finite elements pull gives the δ of their pull: F∞(λ) = F_FE gives λ, then
@@ -20,7 +20,7 @@ use super::{
 };
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
-use mckibben::{
+use mckibben_core::{
     extremes::ends,
     formula::{
         Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange,

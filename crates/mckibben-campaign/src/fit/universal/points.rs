@@ -4,7 +4,7 @@ use crate::{
     columns::PointRow,
     fit::error::{FitError, Result},
 };
-use mckibben::{
+use mckibben_core::{
     formula::UniversalSummary,
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},

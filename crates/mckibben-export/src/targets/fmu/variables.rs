@@ -3,7 +3,7 @@
 use super::{Kind, Version};
 use crate::{ExportedMuscle, template::number};
 use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
-use mckibben::joined;
+use mckibben_core::joined;
 use std::fmt::Write as _;
 
 #[derive(Clone, Copy, PartialEq)]

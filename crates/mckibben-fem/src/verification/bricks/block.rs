@@ -6,7 +6,7 @@ use crate::{
     three_dimensional::{Brick, Problem},
     verification::rubber,
 };
-use mckibben::{muscle::Bulk, rubber::Law};
+use mckibben_core::{muscle::Bulk, rubber::Law};
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {

@@ -10,7 +10,7 @@ use crate::{
     three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial, ThreeDimensional},
     verification::{Rows, pressure::balance},
 };
-use mckibben::muscle::Muscle;
+use mckibben_core::muscle::Muscle;
 
 /// The rows of the pressure.
 pub fn follower_pressure(rows: &mut Rows) {

@@ -9,7 +9,7 @@ use crate::{
     three_dimensional::{Brick, Freedom},
     verification::{Rows, neo_hookean},
 };
-use mckibben::muscle::Bulk;
+use mckibben_core::muscle::Bulk;
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {

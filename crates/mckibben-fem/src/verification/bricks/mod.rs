@@ -23,7 +23,7 @@ use crate::{
         Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
     },
 };
-use mckibben::muscle::Muscle;
+use mckibben_core::muscle::Muscle;
 
 const BRICKS: [(Brick, &str); 2] = [
     (Brick::Linear, "8-node brick"),

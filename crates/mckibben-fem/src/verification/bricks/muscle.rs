@@ -12,7 +12,7 @@ use crate::{
         pull,
     },
 };
-use mckibben::{
+use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::{BraidStiffness, Bulk, Muscle},
 };

@@ -10,7 +10,7 @@ use crate::{
     three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter, dot},
     verification::{Rows, changed, largest_difference, order_of_newton, rubber},
 };
-use mckibben::{
+use mckibben_core::{
     differences::{STENCIL, slope},
     muscle::{BraidStiffness, Bulk, Muscle},
     random::Random,

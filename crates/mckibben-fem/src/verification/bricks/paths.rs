@@ -15,7 +15,7 @@ use crate::{
     three_dimensional::{Body, Brick, BrickSpec},
     verification::{Rows, changed},
 };
-use mckibben::{muscle::Bulk, rubber::Law};
+use mckibben_core::{muscle::Bulk, rubber::Law};
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {

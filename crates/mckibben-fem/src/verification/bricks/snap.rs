@@ -10,7 +10,7 @@
 //! Loaded and held: both supports held, the apex pushed down.
 
 use crate::{element::truss::Truss, verification::Rows};
-use mckibben::analysis::find_root;
+use mckibben_core::analysis::find_root;
 
 /// E·A in N.
 const EA: f64 = 1000.0;

@@ -10,7 +10,7 @@ use crate::{
     three_dimensional::{Brick, Freedom, now},
     verification::{Rows, rubber},
 };
-use mckibben::muscle::Bulk;
+use mckibben_core::muscle::Bulk;
 
 const RADIUS: f64 = 5.0;
 /// ψ in rad/mm.

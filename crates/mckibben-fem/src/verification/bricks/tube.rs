@@ -9,7 +9,7 @@ use crate::{
     three_dimensional::{Brick, Freedom},
     verification::{Rows, rubber, tube::ROWS},
 };
-use mckibben::muscle::Bulk;
+use mckibben_core::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
 /// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`,

@@ -1,7 +1,7 @@
 //! Doubts that a fit states about its fit.
 
 use super::*;
-use mckibben::muscle::file::{parse_muscle, to_toml};
+use mckibben_core::muscle::file::{parse_muscle, to_toml};
 
 #[test]
 fn what_the_data_cannot_tell_is_flagged() {
@@ -401,7 +401,7 @@ fn a_constant_on_its_bound_is_the_bound() {
 /// bench at its rate.
 #[test]
 fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
-    use mckibben::analysis::Evaluation;
+    use mckibben_core::analysis::Evaluation;
     let plain = soft();
     let rubbing = plain
         .with_friction(Some(Friction::power_law(60.0, 0.6)))

@@ -1,7 +1,7 @@
 //! Rows in time order, against the branches of the friction written out.
 
 use super::*;
-use mckibben::model::pivoting_n_per_mm;
+use mckibben_core::model::pivoting_n_per_mm;
 
 const LEVER_MM: f64 = 0.6;
 const PRESLIDING_MM: f64 = 0.8;

@@ -6,7 +6,7 @@ use crate::{
     least_squares::{Loss, Noise},
     measured::MeasuredPoint,
 };
-use mckibben::{
+use mckibben_core::{
     cancel::Cancelled,
     model::{ForceModel, ModelError, ThickWall, Workspace},
     muscle::{
@@ -22,7 +22,7 @@ fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn with_ends(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    mckibben::model::ModelKind::ThickWall.build(m)
+    mckibben_core::model::ModelKind::ThickWall.build(m)
 }
 
 fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
@@ -490,7 +490,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
 /// come back, and the errors of neighbours are independent with it alone.
 #[test]
 fn of_all_laws_the_points_prefer_the_one_that_made_them() {
-    use mckibben::rubber::Gent;
+    use mckibben_core::rubber::Gent;
     let m = soft();
     let truth = muscle(
         Law::Gent(Gent {

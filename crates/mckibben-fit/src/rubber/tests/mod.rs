@@ -1,6 +1,6 @@
 use super::*;
 use crate::least_squares::Noise;
-use mckibben::{
+use mckibben_core::{
     cancel::{Cancel, Cancelled},
     rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, RubberLaw, Yeoh},
 };
@@ -293,11 +293,11 @@ fn the_stable_yeoh_lies_on_the_edge_of_stability() {
     };
     let hoop = FitSettings::default().hoop_stretch;
     assert_eq!(
-        mckibben::rubber::muscle_unstable_from(&towards(0.0), hoop),
+        mckibben_core::rubber::muscle_unstable_from(&towards(0.0), hoop),
         None
     );
     assert_ne!(
-        mckibben::rubber::muscle_unstable_from(&towards(0.05), hoop),
+        mckibben_core::rubber::muscle_unstable_from(&towards(0.05), hoop),
         None
     );
     let alone = fit_tension(

@@ -1,4 +1,4 @@
-//! What most programs need: `use mckibben::prelude::*`.
+//! What most programs need: `use mckibben_core::prelude::*`.
 
 pub use crate::{
     analysis::{Evaluation, Options},

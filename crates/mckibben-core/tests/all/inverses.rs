@@ -1,6 +1,6 @@
 //! Inverses against the function that they invert, looked at on a fine grid.
 
-use mckibben::{
+use mckibben_core::{
     analysis::{AnalysisError, Evaluation, Options},
     cancel::Cancel,
     model::{ForceModel, ModelError, ModelKind, Workspace},

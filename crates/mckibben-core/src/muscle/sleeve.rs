@@ -42,14 +42,14 @@ impl Sleeve {
     /// enough for a search.
     ///
     /// ```
-    /// use mckibben::sleeve::library;
+    /// use mckibben_core::sleeve::library;
     /// let mut sleeve = library::find("flexo-overexpanded-0.38in")?;
     /// // Its seller does not state the filaments: measured with a calliper.
     /// sleeve.strand_diameter_mm = Some(0.2);
     /// let braid = sleeve.on(12.0)?;
     /// assert!((braid.angle_deg - 17.79).abs() < 0.01);
     /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
-    /// # Ok::<(), mckibben::refused::Refused>(())
+    /// # Ok::<(), mckibben_core::refused::Refused>(())
     /// ```
     pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
         let strands = self.of_strands()?;

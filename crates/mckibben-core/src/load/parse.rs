@@ -10,10 +10,10 @@ impl Load {
     /// Reads a load; `table` gives the points of a table by the name behind `table:`.
     ///
     /// ```
-    /// use mckibben::load::Load;
+    /// use mckibben_core::load::Load;
     /// let load = Load::parse("mass:2kg+spring:12N/mm@50N", &|_| None)?;
     /// assert!((load.force_n(10.0) - (2.0 * 9.80665 + 170.0)).abs() < 1e-9);
-    /// # Ok::<(), mckibben::refused::Refused>(())
+    /// # Ok::<(), mckibben_core::refused::Refused>(())
     /// ```
     pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, Refused> {
         let mut loads = parts(text)

@@ -152,14 +152,14 @@ struct OfSpring {
 /// Reads the text of a joint file.
 ///
 /// ```
-/// use mckibben::joint::parse_joint;
+/// use mckibben_core::joint::parse_joint;
 /// let file = parse_joint(
 ///     "[joint]\nradius = '25 mm'\nrange = '-60..60 deg'\n\
 ///      [muscle_1]\nfile = 'biceps.toml'\ncontraction_at_neutral = '10%'\n\
 ///      [muscle_2]\nfile = 'triceps.toml'\ncontraction_at_neutral = '10%'\n",
 /// )?;
 /// assert_eq!(file.files().collect::<Vec<_>>(), ["biceps.toml", "triceps.toml"]);
-/// # Ok::<(), mckibben::muscle::file::FileError>(())
+/// # Ok::<(), mckibben_core::muscle::file::FileError>(())
 /// ```
 ///
 /// # Errors

@@ -54,7 +54,7 @@ pub enum Conditioned {
 /// moduli in MPa:
 ///
 /// ```
-/// use mckibben::muscle::Rubber;
+/// use mckibben_core::muscle::Rubber;
 /// let text = r#"{"name":"mine","law":"gent","mu":0.2,"jm":50.0,"bulk_modulus":"incompressible"}"#;
 /// let rubber: Rubber = serde_json::from_str(text)?;
 /// assert_eq!(rubber.law.name(), "gent");

@@ -1,7 +1,7 @@
 //! Muscle files: TOML with quantities as people write them.
 //!
 //! ```
-//! use mckibben::muscle::file::{parse_muscle, to_toml};
+//! use mckibben_core::muscle::file::{parse_muscle, to_toml};
 //! let muscle = parse_muscle("[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = 1\n")?;
 //! assert_eq!(muscle.wall_mm(), 1.0);
 //! assert_eq!(parse_muscle(&to_toml(&muscle))?, muscle);
@@ -10,7 +10,7 @@
 //!     error.to_string(),
 //!     "line 2, column 18: tube.wall_thickness = \"-3 mm\": is -3\u{a0}mm; it must be above zero and finite"
 //! );
-//! # Ok::<(), mckibben::muscle::file::FileError>(())
+//! # Ok::<(), mckibben_core::muscle::file::FileError>(())
 //! ```
 //!
 //! Whatever is omitted is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key

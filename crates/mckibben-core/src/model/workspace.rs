@@ -28,8 +28,8 @@ impl PartialEq for ModelId {
 /// One workspace serves one model at a time: used with another model it begins anew.
 ///
 /// ```
-/// use mckibben::model::{ForceModel, ModelKind, Workspace};
-/// use mckibben::muscle::Muscle;
+/// use mckibben_core::model::{ForceModel, ModelKind, Workspace};
+/// use mckibben_core::muscle::Muscle;
 ///
 /// let model = ModelKind::Universal.build(&Muscle::prototype())?;
 /// std::thread::scope(|threads| {
@@ -38,7 +38,7 @@ impl PartialEq for ModelId {
 ///         threads.spawn(move || model.force_n(&mut Workspace::new(), 0.2, contraction));
 ///     }
 /// });
-/// # Ok::<(), mckibben::model::ModelError>(())
+/// # Ok::<(), mckibben_core::model::ModelError>(())
 /// ```
 #[derive(Default)]
 pub struct Workspace {

@@ -111,7 +111,8 @@ fn an_entry_is_complete_and_its_key_is_author_and_year() {
 
 #[test]
 fn every_named_rubber_cites_its_source() {
-    let library = fs::read_to_string(root().join("crates/mckibben/data/rubbers.toml")).unwrap();
+    let library =
+        fs::read_to_string(root().join("crates/mckibben-core/data/rubbers.toml")).unwrap();
     let citations: Vec<_> = library
         .lines()
         .filter(|l| l.starts_with("citation = "))
@@ -128,7 +129,7 @@ fn every_named_rubber_cites_its_source() {
 
 #[test]
 fn every_named_sleeve_and_material_says_where_its_figures_stand() {
-    let library = fs::read_to_string(root().join("crates/mckibben/data/braids.toml")).unwrap();
+    let library = fs::read_to_string(root().join("crates/mckibben-core/data/braids.toml")).unwrap();
     let citations: Vec<_> = library
         .lines()
         .filter(|l| l.starts_with("citation = "))

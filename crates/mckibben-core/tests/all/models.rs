@@ -1,6 +1,6 @@
 //! One battery over all models, the identities that tie them together, and published figures.
 
-use mckibben::{
+use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     curve::Test,

@@ -1,7 +1,7 @@
 //! The burst pressure: a closed form, the identity that defines it, and that the blocked muscle is
 //! the worst case.
 
-use mckibben::{
+use mckibben_core::{
     analysis::{Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst},
     model::{ForceModel, ModelKind, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube},
@@ -252,7 +252,7 @@ fn the_rubber_tears_where_its_stretch_is_that_at_break() {
             10.0,
             2.0,
             200.0,
-            mckibben::rubber::library::find(name).unwrap(),
+            mckibben_core::rubber::library::find(name).unwrap(),
         );
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
         let bladder = burst(&ThickWall::new(&m)).unwrap().bladder;

@@ -1,6 +1,6 @@
 //! Rubber at another temperature than that of its constants.
 
-use mckibben::{
+use mckibben_core::{
     model::{ModelKind, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Tube, measures::TEMPERATURE},
     rubber::{Law, MooneyRivlin, Yeoh, over_time::OgdenRoxburgh},

@@ -1,6 +1,6 @@
 //! Whatever is typed, no parser panics, none takes long, and what is accepted is finite.
 
-use mckibben::{
+use mckibben_core::{
     muscle::file::parse_muscle,
     rubber::library,
     units::{Dimension, Values, parse_quantity, parse_values},
