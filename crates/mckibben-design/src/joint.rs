@@ -60,9 +60,9 @@ pub fn design_joint(
     };
     let by_parts = !spec.tubes.is_empty() && sections > 0;
     let quiet = &CancelOnly(progress);
-    let found_on = |radius_mm: f64| {
+    let found_on = |radius_mm: f64, progress: &dyn Progress| {
         let spec = with(radius_mm);
-        design_with(&spec, models, quiet).map(|outcome| (spec, outcome))
+        design_with(&spec, models, progress).map(|outcome| (spec, outcome))
     };
     let coarse = models.settle.is_some() && sections > 0;
     let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
@@ -105,7 +105,7 @@ pub fn design_joint(
             _ if progress.cancelled() => Err(Cancelled.into()),
             Some(error) => Err(error),
             // No muscle at all: the search of the first radius says why.
-            None => found_on(places.first().copied().unwrap_or_default()),
+            None => found_on(places.first().copied().unwrap_or_default(), progress),
         };
     };
     let mut chosen = samples[i];
@@ -135,7 +135,7 @@ pub fn design_joint(
             found
         };
     }
-    found_on(chosen.0)
+    found_on(chosen.0, quiet)
 }
 
 fn on_radius(spec: &Spec, radius_mm: f64) -> Spec {
