@@ -40,10 +40,16 @@ def main():
         before = recorded.get(group)
         before = "" if before is None else f"{before:.1%}"
         if tests:
-            print(f"{seconds:8.1f} {seconds / total:6.1%} {before:>6} {tests:6}  {group}")
+            print(
+                f"{seconds:8.1f} {seconds / total:6.1%} {before:>6} {tests:6}  {group}"
+            )
     print(f"{total:8.1f}  in all")
     if "--record" in sys.argv:
-        shares = {group: round(seconds / total, 4) for group, (tests, seconds) in sorted(groups.items()) if tests}
+        shares = {
+            group: round(seconds / total, 4)
+            for group, (tests, seconds) in sorted(groups.items())
+            if tests
+        }
         RECORD.write_text(json.dumps(shares, indent=1) + "\n")
 
 

@@ -32,12 +32,6 @@ const BEST: usize = 8;
 const SETTLED: usize = 5;
 const CLOSE: f64 = 1.06;
 
-/// The infinitely long muscle alone.
-const ROUGH: Models<'static> = Models {
-    search: THICK_WALL,
-    settle: None,
-};
-
 /// A radius with what it gave.
 type Tried = (f64, Merit);
 
@@ -70,7 +64,14 @@ pub fn design_joint(
     let mut first_error = None;
     // The best radius hardly depends on the model: where another one settles, the infinitely long
     // muscle says about where it lies.
-    let roughly = if coarse { ROUGH } else { models };
+    let roughly = if coarse {
+        Models {
+            search: THICK_WALL,
+            settle: None,
+        }
+    } else {
+        models
+    };
     let mut tried = |radius_mm: f64, models: Models<'_>| -> (Merit, Vec<Pick>) {
         progress.report(done, total);
         done += 1;
