@@ -195,7 +195,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             and type(a) in (float, int)
             and type(b) in (float, int)
         ):
-            found = bound.native.one(wanted, a, b, nan)
+            found = bound.native.answer_pair(wanted, a, b, nan)
             pressure = (
                 a if wanted == "force" else b if wanted == "contraction" else found
             )

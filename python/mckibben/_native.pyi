@@ -39,6 +39,10 @@ class Model:
         """
         The pressure in MPa that the muscle is allowed; infinite where it is not known.
         """
+    def answer_pair(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
+        """
+        The answer to one pair of numbers; NaN where it has none and `nan` is true.
+        """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
         """
         Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
@@ -52,10 +56,6 @@ class Model:
     def name(self, /) -> str:
         """
         The model's name.
-        """
-    def one(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
-        """
-        The answer to one pair of numbers; NaN where it has none and `nan` is true.
         """
     def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]":
         """

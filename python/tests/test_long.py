@@ -181,7 +181,7 @@ def test_a_number_costs_little_more_than_its_model() -> None:
         seconds(work)
         for work in (
             lambda: muscle.force(0.2, 0.1, model="universal"),
-            lambda: native.one("force", 0.2, 0.1, False),
+            lambda: native.answer_pair("force", 0.2, 0.1, False),
         )
     )
     assert own - alone < 60 * seconds(lambda: empty(0.2, 0.1, model="universal"))
