@@ -79,7 +79,7 @@ impl CommandEntry {
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let schema = self.request_schema();
-        check_fields("a request", request, schema, schema)
+        check_fields(format_args!("a request"), request, schema, schema)
     }
 
     /// The JSON Schema of its request, made once.
@@ -91,11 +91,16 @@ impl CommandEntry {
 
 /// Refuses fields that a schema does not have, in the objects of fields within too.
 #[cfg(feature = "schema")]
-fn check_fields(what: &str, fields: &Value, schema: &Value, root: &Value) -> Result<(), Problem> {
-    let name = schema["$ref"]
-        .as_str()
-        .and_then(|path| path.rsplit('/').next());
-    let schema = name.map_or(schema, |name| &root["$defs"][name]);
+fn check_fields(
+    what: std::fmt::Arguments<'_>,
+    fields: &Value,
+    schema: &Value,
+    root: &Value,
+) -> Result<(), Problem> {
+    let place = schema["$ref"].as_str().and_then(|r| r.strip_prefix('#'));
+    let schema = place
+        .and_then(|place| root.pointer(place))
+        .unwrap_or(schema);
     let known = schema["properties"].as_object();
     if let Some(list) = fields.as_array() {
         // By its type a list would be read as the fields in their order.
@@ -103,10 +108,9 @@ fn check_fields(what: &str, fields: &Value, schema: &Value, root: &Value) -> Res
             let message = format!("{what} is an object of fields, not a list");
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }
-        let what = &format!("each of {what}");
-        return list
-            .iter()
-            .try_for_each(|item| check_fields(what, item, &schema["items"], root));
+        return list.iter().try_for_each(|item| {
+            check_fields(format_args!("each of {what}"), item, &schema["items"], root)
+        });
     }
     let (Some(fields), Some(known)) = (fields.as_object(), known) else {
         return Ok(());
@@ -118,10 +122,10 @@ fn check_fields(what: &str, fields: &Value, schema: &Value, root: &Value) -> Res
             let message = format!("there is no field \"{field}\" in this request");
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
         };
-        let checked = check_fields(&format!("`{field}`"), value, schema, root);
-        checked.map_err(|problem| match problem.field {
-            None => problem.in_field(field.clone()),
-            Some(_) => problem,
+        let checked = check_fields(format_args!("`{field}`"), value, schema, root);
+        checked.map_err(|problem| Problem {
+            field: problem.field.or_else(|| Some(field.clone())),
+            ..problem
         })?;
     }
     Ok(())

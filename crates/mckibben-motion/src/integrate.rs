@@ -66,22 +66,22 @@ const SHORTER: (f64, f64) = (0.125, 5.0);
 
 /// l_j(s) and its slope of the cubic that is 1 at the stage j, and 0 at the others and the start.
 fn cubic(j: usize, s: f64) -> (f64, f64) {
-    let nodes = || {
-        let others = STAGES.into_iter().enumerate().filter(move |(k, _)| *k != j);
-        others.map(|(_, c)| c).chain([0.0])
-    };
-    let below: f64 = nodes().map(|c| STAGES[j] - c).product();
-    let value: f64 = nodes().map(|c| s - c).product();
-    let without = |left: f64| -> f64 { nodes().filter(|c| *c != left).map(|c| s - c).product() };
-    let slope: f64 = nodes().map(without).sum();
-    (value / below, slope / below)
+    let (c, [a, b]) = (STAGES[j], others(j));
+    let below = (c - a) * (c - b) * c;
+    let slope = (s - b) * s + (s - a) * s + (s - a) * (s - b);
+    ((s - a) * (s - b) * s / below, slope / below)
+}
+
+/// The stages beside one.
+fn others(stage: usize) -> [f64; 2] {
+    [[1, 2], [0, 2], [0, 1]][stage].map(|i: usize| STAGES[i])
 }
 
 /// ∫ of the parabola through values at the stages, from 0 to a share of the step: the weights of
 /// the values.
 fn weights(share: f64) -> [f64; 3] {
     from_fn(|i| {
-        let [a, b] = [STAGES[(i + 1) % 3], STAGES[(i + 2) % 3]];
+        let [a, b] = others(i);
         let below = (STAGES[i] - a) * (STAGES[i] - b);
         share * (share * share / 3.0 - 0.5 * (a + b) * share + a * b) / below
     })
@@ -99,6 +99,11 @@ fn size<'a>(errors: impl IntoIterator<Item = &'a f64>, allowed: &DVector<f64>) -
         (sum + (error / allowed).powi(2), count + 1)
     });
     (sum / f64::from(count)).sqrt()
+}
+
+/// Those of the numbers that are solved for.
+fn implicit(numbers: &[f64], count: usize) -> DVector<f64> {
+    DVector::from_column_slice(&numbers[..count])
 }
 
 /// The last step: its collocation polynomial, and the rates of the quadratures at the stages.
@@ -158,11 +163,15 @@ pub struct Stepper {
     convergence: f64,
 }
 
-/// How the iterations of a step ended.
-struct Converged {
-    z: [DVector<f64>; 3],
-    iterations: usize,
-    /// By which factor they converged.
+/// A step whose error is allowed.
+struct Attempt {
+    step: Step,
+    /// All numbers at its end.
+    state: Vec<f64>,
+    error: f64,
+    /// By what the next step is shorter.
+    shorter: f64,
+    /// By which factor its iterations converged.
     factor: f64,
 }
 
@@ -224,81 +233,86 @@ impl Stepper {
         if self.h > 0.999 * remaining {
             self.h = remaining;
         }
-        let h = self.h;
-        let n = equations.implicit();
-        let (jacobian, is_new) = match self.jacobian.take() {
+        let (jacobian, is_of_this_state) = match self.jacobian.take() {
             Some(known) => known,
             None => (self.differences(equations), true),
         };
+        match self.attempt(equations, &jacobian) {
+            Ok(done) => {
+                let h = done.step.h;
+                let mut shorter = done.shorter;
+                if let Some((before, error_before)) = self.accepted {
+                    let trend = (before / h).powi(4) * done.error.powi(2) / error_before;
+                    shorter = shorter.max(shorter_by(trend / SAFETY.powi(4)));
+                }
+                self.accepted = Some((h, done.error.max(0.01)));
+                // A step behind one that was rejected is not longer.
+                let next = h / shorter;
+                self.h = if self.is_rejected { next.min(h) } else { next };
+                self.is_rejected = false;
+                self.jacobian = (done.factor < FAST).then_some((jacobian, false));
+                self.state = done.state;
+                self.t = if h == remaining { end } else { self.t + h };
+                self.last = Some(done.step);
+                true
+            }
+            Err(shorter) => {
+                self.jacobian = is_of_this_state.then_some((jacobian, true));
+                self.is_rejected = true;
+                self.h = shorter;
+                false
+            }
+        }
+    }
+
+    /// A step with an error that is allowed, or the step to try in its place.
+    fn attempt(
+        &mut self,
+        equations: &dyn Equations,
+        jacobian: &DMatrix<f64>,
+    ) -> Result<Attempt, f64> {
+        let h = self.h;
         let allowed = self.allowed(equations);
-        let rates = self.rates(equations, self.t, &self.state);
-        let first = DVector::from_column_slice(&rates[..n]);
-        let converged = self.iterate(equations, &jacobian, &allowed);
-        let Some(Converged {
-            z,
-            iterations,
-            factor,
-        }) = converged
-        else {
-            self.jacobian = is_new.then_some((jacobian, true));
-            return self.reject(0.5 * h);
-        };
-        let error = self.error(equations, &jacobian, (&first, &z), &allowed);
+        let n = allowed.len();
+        let first = self.rates(equations, self.t, &self.state);
+        let found = self.iterate(equations, jacobian, &allowed);
+        let (z, iterations, factor) = found.ok_or(0.5 * h)?;
+        let error = self.error(equations, jacobian, (&implicit(&first, n), &z), &allowed);
         let safety = SAFETY * (1 + 2 * ITERATIONS) as f64 / (iterations + 2 * ITERATIONS) as f64;
-        let mut shorter = shorter_by(error / safety.powi(4));
+        let shorter = shorter_by(error / safety.powi(4));
         if error.is_nan() || error >= 1.0 {
             let is_first = self.last.is_none();
-            self.jacobian = is_new.then_some((jacobian, true));
-            return self.reject(if is_first || error.is_nan() {
+            return Err(if is_first || error.is_nan() {
                 0.1 * h
             } else {
                 h / shorter
             });
         }
-        let mut step = Step {
+        equations.near(true);
+        let rates = from_fn(|i| {
+            let t = self.t + STAGES[i] * h;
+            self.rates_at(equations, t, &z[i]).split_off(n)
+        });
+        equations.near(false);
+        let step = Step {
             from: self.t,
             h,
             start: self.state.clone(),
             z,
-            rates: Default::default(),
+            rates,
         };
-        equations.near(true);
-        let at_start = self.rates(equations, self.t, &self.state).split_off(n);
-        step.rates = from_fn(|i| {
-            let mut stage = self.state.clone();
-            stage.iter_mut().zip(&step.z[i]).for_each(|(y, z)| *y += z);
-            self.rates(equations, self.t + STAGES[i] * h, &stage)
-                .split_off(n)
-        });
-        equations.near(false);
         let state = step.state(1.0);
-        let of_totals = self.error_of_totals(&step, &at_start, &state[n..], equations.scales());
+        let of_totals = self.error_of_totals(&step, &first[n..], &state[n..], equations.scales());
         if of_totals > 1.0 {
-            self.jacobian = is_new.then_some((jacobian, true));
-            return self.reject(h * (0.9 * of_totals.powf(-0.25)).max(0.1));
+            return Err(h * (0.9 * of_totals.powf(-0.25)).max(0.1));
         }
-        if let Some((before, error_before)) = self.accepted {
-            let trend = (before / h).powi(4) * error * error / error_before / SAFETY.powi(4);
-            shorter = shorter.max(shorter_by(trend));
-        }
-        self.accepted = Some((h, error.max(0.01)));
-        self.h = if self.is_rejected {
-            h.min(h / shorter)
-        } else {
-            h / shorter
-        };
-        self.is_rejected = false;
-        self.jacobian = (factor < FAST).then_some((jacobian, false));
-        self.state = state;
-        self.t = if h == remaining { end } else { self.t + h };
-        self.last = Some(step);
-        true
-    }
-
-    fn reject(&mut self, h: f64) -> bool {
-        self.is_rejected = true;
-        self.h = h;
-        false
+        Ok(Attempt {
+            step,
+            state,
+            error,
+            shorter,
+            factor,
+        })
     }
 
     /// Tolerances of the numbers that are solved for.
@@ -314,16 +328,11 @@ impl Stepper {
         rates
     }
 
-    /// f of the numbers that are solved for, at increments of the state.
-    fn rates_at(
-        &self,
-        equations: &dyn Equations,
-        t: f64,
-        increments: &DVector<f64>,
-    ) -> DVector<f64> {
+    /// f of all numbers, at increments of those that are solved for.
+    fn rates_at(&self, equations: &dyn Equations, t: f64, increments: &DVector<f64>) -> Vec<f64> {
         let mut y = self.state.clone();
         y.iter_mut().zip(increments).for_each(|(y, z)| *y += z);
-        DVector::from_column_slice(&self.rates(equations, t, &y)[..increments.len()])
+        self.rates(equations, t, &y)
     }
 
     /// J by differences by the variables that appear.
@@ -347,13 +356,14 @@ impl Stepper {
         jacobian
     }
 
-    /// The increments at the stages of a step; `None` where the iterations do not converge.
+    /// The increments at the stages of a step, after how many iterations, and by which factor these
+    /// converged; `None` where they do not.
     fn iterate(
         &mut self,
         equations: &dyn Equations,
         jacobian: &DMatrix<f64>,
         allowed: &DVector<f64>,
-    ) -> Option<Converged> {
+    ) -> Option<([DVector<f64>; 3], usize, f64)> {
         let n = allowed.len();
         let h = self.h;
         let slopes: [[f64; 3]; 3] = from_fn(|i| from_fn(|j| cubic(j, STAGES[i]).1 / h));
@@ -383,7 +393,8 @@ impl Stepper {
         for iterations in 1..=ITERATIONS {
             let mut change = DVector::zeros(3 * n);
             for (i, stage) in z.iter().enumerate() {
-                let mut defect = self.rates_at(equations, self.t + STAGES[i] * h, stage);
+                let rates = self.rates_at(equations, self.t + STAGES[i] * h, stage);
+                let mut defect = implicit(&rates, n);
                 for (slope, z) in slopes[i].iter().zip(&z) {
                     defect.axpy(-slope, z, 1.0);
                 }
@@ -417,11 +428,7 @@ impl Stepper {
             }
             if convergence * norm <= self.newton {
                 self.convergence = convergence;
-                return Some(Converged {
-                    z,
-                    iterations,
-                    factor,
-                });
+                return Some((z, iterations, factor));
             }
         }
         None
@@ -450,8 +457,8 @@ impl Stepper {
             return f64::NAN;
         };
         if size(&error, allowed) >= 1.0 && (self.last.is_none() || self.is_rejected) {
-            let filtered = estimate(&self.rates_at(equations, self.t, &error));
-            error = filtered.unwrap_or(error);
+            let rates = self.rates_at(equations, self.t, &error);
+            error = estimate(&implicit(&rates, allowed.len())).unwrap_or(error);
         }
         size(&error, allowed).max(1e-10)
     }
@@ -476,8 +483,7 @@ impl Stepper {
         let n = allowed.len();
         // It does not depend on what is not linear about the start.
         equations.differences(Some(&self.state));
-        let zero = DVector::zeros(n);
-        let rates = self.rates_at(equations, self.t, &zero);
+        let rates = implicit(&self.rates(equations, self.t, &self.state), n);
         let of_state = size(&self.state[..n], &allowed);
         let of_rates = size(&rates, &allowed);
         let euler = if of_state.min(of_rates) < 1e-5 {
@@ -486,6 +492,7 @@ impl Stepper {
             0.01 * of_state / of_rates
         };
         let moved = self.rates_at(equations, self.t + euler, &(&rates * euler));
+        let moved = implicit(&moved, n);
         equations.differences(None);
         let bend = size(&(moved - rates), &allowed) / euler;
         let fastest = of_rates.max(bend);
