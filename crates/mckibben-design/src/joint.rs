@@ -47,7 +47,6 @@ pub fn design_joint(
     models: Models<'_>,
     progress: &dyn Progress,
 ) -> Result<(Spec, Outcome), SpecError> {
-    let with = |radius_mm: f64| on_radius(spec, radius_mm);
     let (places, sections) = match radius_mm {
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
@@ -55,7 +54,7 @@ pub fn design_joint(
     let by_parts = !spec.tubes.is_empty() && sections > 0;
     let quiet = &CancelOnly(progress);
     let found_on = |radius_mm: f64, progress: &dyn Progress| {
-        let spec = with(radius_mm);
+        let spec = on_radius(spec, radius_mm);
         design_with(&spec, models, progress).map(|outcome| (spec, outcome))
     };
     let coarse = models.settle.is_some() && sections > 0;
@@ -65,10 +64,7 @@ pub fn design_joint(
     // The best radius hardly depends on the model: where another one settles, the infinitely long
     // muscle says about where it lies.
     let roughly = if coarse {
-        Models {
-            search: THICK_WALL,
-            settle: None,
-        }
+        Models::one(THICK_WALL)
     } else {
         models
     };
@@ -77,7 +73,7 @@ pub fn design_joint(
         done += 1;
         let spec = Spec {
             extrapolate: true,
-            ..with(radius_mm)
+            ..on_radius(spec, radius_mm)
         };
         match spec.check() {
             _ if progress.cancelled() => (Merit::NONE, vec![]),
@@ -112,8 +108,8 @@ pub fn design_joint(
     let mut chosen = samples[i];
     let mut tried = |r: f64, models: Models<'_>| (r, tried(r, models).0);
     if by_parts {
-        let near = near.concat();
-        chosen = along_radius(&near, radius_mm.bounds(), spec, models, quiet).unwrap_or(chosen);
+        let best = along_radius(&near.concat(), radius_mm.bounds(), spec, models, quiet);
+        chosen = best.unwrap_or(chosen);
     }
     // Where nothing fits the remedies are those of the radius at which all limits together are
     // missed by least.
@@ -123,9 +119,7 @@ pub fn design_joint(
             let (low, high) = radius_mm.bounds();
             let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
             let near = about.map(|r| tried(r, models));
-            let Some(i) = least(&near, |t| t.1) else {
-                return Err(Cancelled.into());
-            };
+            let i = least(&near, |t| t.1).ok_or(Cancelled)?;
             found = refine(&near, i, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
         }
         // A pulley in tenths of a millimetre.

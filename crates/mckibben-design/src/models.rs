@@ -26,6 +26,14 @@ pub struct Models<'a> {
 }
 
 impl<'a> Models<'a> {
+    /// One that searches and decides.
+    pub fn one(search: &'a Build<'a>) -> Self {
+        Self {
+            search,
+            settle: None,
+        }
+    }
+
     /// The model that decides.
     pub fn decides(self) -> &'a Build<'a> {
         self.settle.map_or(self.search, |settle| settle.0)

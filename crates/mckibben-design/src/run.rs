@@ -125,14 +125,7 @@ const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
 /// [`SpecError`] where the specification cannot be searched, also because none of its combinations
 /// is a muscle; that nothing fits is an [`Outcome`].
 pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
-    design_with(
-        spec,
-        Models {
-            search: build,
-            settle: None,
-        },
-        &Silent,
-    )
+    design_with(spec, Models::one(build), &Silent)
 }
 
 /// [`design`] with two models, which tells how far it is and can be ended before it is done.

@@ -242,7 +242,7 @@ impl Stepper {
                 let h = done.step.h;
                 let mut shorter = done.shorter;
                 if let Some((before, error_before)) = self.accepted {
-                    let trend = (before / h).powi(4) * done.error.powi(2) / error_before;
+                    let trend = (before / h).powi(4) * done.error * done.error / error_before;
                     shorter = shorter.max(shorter_by(trend / SAFETY.powi(4)));
                 }
                 self.accepted = Some((h, done.error.max(0.01)));
@@ -289,6 +289,7 @@ impl Stepper {
             });
         }
         equations.near(true);
+        let at_start = self.rates(equations, self.t, &self.state);
         let rates = from_fn(|i| {
             let t = self.t + STAGES[i] * h;
             self.rates_at(equations, t, &z[i]).split_off(n)
@@ -302,7 +303,8 @@ impl Stepper {
             rates,
         };
         let state = step.state(1.0);
-        let of_totals = self.error_of_totals(&step, &first[n..], &state[n..], equations.scales());
+        let of_totals =
+            self.error_of_totals(&step, &at_start[n..], &state[n..], equations.scales());
         if of_totals > 1.0 {
             return Err(h * (0.9 * of_totals.powf(-0.25)).max(0.1));
         }
