@@ -100,12 +100,6 @@ pub trait Divided: Send + Sync + Sized {
     fn reference(&self) -> Option<&Axisymmetric> {
         self.limit()
     }
-
-    /// A pressure in MPa near which a pull in N at a contraction may have a smaller one than
-    /// `pressure_mpa`.
-    fn near_smaller(&self, _pressure_mpa: f64, _force_n: f64, _contraction: f64) -> Option<f64> {
-        None
-    }
 }
 
 /// A force model by finite elements. The last equilibria are kept in the workspace, so that
@@ -287,18 +281,10 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
                 force_n,
             },
         );
-        let p = point
+        point
             .ok()
             .map(|point| point.pressure_mpa)
-            .filter(|p| *p >= 0.0)?;
-        let c = self.continuation(workspace).ok()?;
-        let near = self.divided.near_smaller(p, force_n, contraction);
-        let reached =
-            near.filter(|near| c.reach_pressure_from(*near, force_n, contraction).is_ok());
-        let smaller = reached
-            .map(|_| c.body.state().pressure)
-            .filter(|p| *p >= 0.0);
-        Some(smaller.map_or(p, |smaller| smaller.min(p)))
+            .filter(|p| *p >= 0.0)
     }
 
     fn contraction_at_pull(

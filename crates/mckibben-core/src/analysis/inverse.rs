@@ -24,6 +24,9 @@ const WIDEST: (f64, f64) = (-1.5, 0.999);
 const NEARLY: f64 = 0.05;
 /// The last bits by which an inverse may lie outside of the range.
 const LAST_BITS: f64 = 1e-11;
+/// Share of a pressure at which the pull falls, by which a sample below it is nearer to the largest
+/// pull.
+const BESIDE: f64 = 1e-3;
 
 /// The place whose pull is nearest to the wanted one, and that pull; a muscle that would push hangs
 /// slack. `start` where none has a pull.
@@ -121,11 +124,15 @@ impl Evaluation<'_> {
         } else {
             info.range.pressure_mpa
         };
-        let highest = limit.min(HIGHEST_PRESSURE_MPA);
+        let mut highest = limit.min(HIGHEST_PRESSURE_MPA);
         self.check_companion(|companion| companion.pressure_at(force_n, contraction))?;
         let closed = |ws: &mut Workspace| model.pressure_at_pull(ws, force_n, contraction);
-        if let Some(p) = self.closed((lowest, highest), closed)? {
-            return Ok(p);
+        let one = self.closed((lowest, highest), closed)?;
+        if let Some(p) = one {
+            if !self.may_have_smaller(force_n, p, contraction) {
+                return Ok(p);
+            }
+            highest = p * (1.0 - BESIDE);
         }
         let scale = force_n.abs().max(1.0);
         let mut sweep = Sweep::new(info.costly, scale, |p| {
@@ -155,8 +162,8 @@ impl Evaluation<'_> {
         if let Some(p) = sweep.first(upwards, false, f64::NEG_INFINITY)? {
             return Ok(p);
         }
-        if let Some(zero) = sweep.all_zeros()?.first() {
-            return Ok(zero.at);
+        if let Some(p) = sweep.all_zeros()?.first().map(|zero| zero.at).or(one) {
+            return Ok(p);
         }
         let (nearest_pressure_mpa, nearest_force_n) = nearest(sweep, options, force_n, lowest)?;
         let ideal = model.muscle().max_ideal_contraction();
@@ -170,6 +177,16 @@ impl Evaluation<'_> {
             nearest_pressure_mpa,
             braid_stops_at: stopped.then_some(ideal),
         })
+    }
+
+    /// Whether the pull passes `force_n` at a pressure in the direction that leads away from where
+    /// it comes from as the pressure rises: it passed before.
+    fn may_have_smaller(&mut self, force_n: f64, pressure_mpa: f64, contraction: f64) -> bool {
+        let slope = self
+            .response(pressure_mpa, contraction)
+            .ok()
+            .and_then(|r| r.force_per_pressure_mm2);
+        slope.is_some_and(|slope| slope * force_n < 0.0 || force_n == 0.0 && slope < 0.0)
     }
 
     /// The pressure in MPa at which the pull rises through `force_n`, below one at which it is

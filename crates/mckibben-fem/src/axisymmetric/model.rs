@@ -24,10 +24,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
         surface, rigid terminals)",
 };
 
-/// A pressure that is so much larger than that of the infinitely long muscle may not be the
-/// smallest.
-const FAR: f64 = 2.0;
-
 /// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families
 /// bonded to the outer surface, rigid terminals, pressure as −P·V.
 pub type Axisymmetric = FiniteElements<MuscleSection>;
@@ -139,14 +135,5 @@ impl Divided for MuscleSection {
 
     fn reference(&self) -> Option<&Axisymmetric> {
         self.default.as_deref()
-    }
-
-    /// Soft strands let the pull rise and fall again with the pressure; the smaller of two is near
-    /// that of the infinitely long muscle.
-    fn near_smaller(&self, pressure_mpa: f64, force_n: f64, contraction: f64) -> Option<f64> {
-        let near = self
-            .thick_wall
-            .pressure_at_pull(&mut Workspace::new(), force_n, contraction)?;
-        (pressure_mpa > FAR * near).then_some(near)
     }
 }

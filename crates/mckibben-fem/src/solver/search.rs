@@ -70,17 +70,7 @@ impl<B: Body> Continuation<B> {
     /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held;
     /// its pressure is sought.
     pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<()> {
-        let guess = self.body.guess_pressure(force, contraction)?;
-        self.reach_pressure_from(guess, force, contraction)
-    }
-
-    /// The same from a pressure in MPa near to it.
-    pub fn reach_pressure_from(
-        &mut self,
-        mut pressure: f64,
-        force: f64,
-        contraction: f64,
-    ) -> Result<()> {
+        let mut pressure = self.body.guess_pressure(force, contraction)?;
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
         let mut refused = FemError::Force {

@@ -79,11 +79,7 @@ pub fn compared(tube: &mut Tube, braid: &mut Braid) {
         c10_mpa: 0.12,
         c01_mpa: 0.03,
     }));
-    braid.strands = Some(Strands {
-        count: 48,
-        section: Some((0.3, 2500.0)),
-        strength_n: None,
-    });
+    braid.strands = Some(Strands::new(48, Some((0.3, 2500.0)), None));
     braid.stiffness = BraidStiffness::OfStrands;
 }
 

@@ -4,9 +4,9 @@
 use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
-    model::{ForceModel, Workspace},
+    model::{ForceModel, ThickWall, Workspace},
     muscle::{Muscle, file::parse_muscle},
-    random::rounds,
+    random::{Random, rounds},
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -133,31 +133,119 @@ fn the_pressure_is_sought_from_where_the_muscle_is_taut() {
     );
 }
 
-/// Soft strands: the pull has its maximum of 35 N near 0.3 MPa and falls through 5 and 10 N again
-/// beyond. The first root by samples of the force 1 kPa apart is the answer.
+/// The smallest pressure at which the pull is `force_n`, between two neighbours of a dense sampling
+/// from below.
+fn first_crossing(samples: &[(f64, f64)], force_n: f64) -> Option<(f64, f64)> {
+    let after = samples.iter().position(|(_, pull)| *pull >= force_n)?;
+    Some((samples[after.checked_sub(1)?].0, samples[after].0))
+}
+
+/// Pulls of a model 1/400 of a range of pressures apart, from its dead pressure on.
+fn dense(model: &Axisymmetric, contraction: f64, highest_mpa: f64) -> Vec<(f64, f64)> {
+    let w = &mut Workspace::new();
+    let pressures = (1..=400).map(|i| highest_mpa * f64::from(i) / 400.0);
+    pressures
+        .filter_map(|p| Some((p, model.force_n(w, p, contraction).ok()?)))
+        .collect()
+}
+
+/// Soft strands let the pull rise and fall again with the pressure: muscles and contractions chosen
+/// because the infinitely long muscle has such a maximum.
+fn muscles_with_a_largest_pull(count: usize) -> impl Iterator<Item = (Muscle, f64, f64)> {
+    let mut r = Random(68);
+    let thrown = std::iter::from_fn(move || {
+        let outer = r.between(8.0, 40.0);
+        let wall = outer * r.between(0.03, 0.14);
+        let muscle = parse_muscle(&format!(
+            "[tube]\nouter_diameter = {outer}\nwall_thickness = {wall}\nlength = {}\n\
+             [tube.material]\nlaw = \"mooney-rivlin\"\nc10 = {}\nc01 = {}\n\
+             [braid]\nangle = {}\nstiffness = {}\n",
+            outer * r.between(6.0, 14.0),
+            r.between(0.04, 0.35),
+            r.between(0.0, 0.12),
+            r.between(20.0, 44.0),
+            r.log(25.0, 150.0),
+        ));
+        Some((muscle.unwrap(), r.between(0.0, 0.22)))
+    });
+    let largest = thrown.filter_map(|(muscle, e)| {
+        let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+        let pulls = (1..=300).map(|i| 0.005 * f64::from(i));
+        let pulls: Vec<(f64, f64)> = pulls
+            .map_while(|p| Some((p, model.force_n(w, p, e).ok()?)))
+            .collect();
+        let (top, most) = pulls.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let falls = most > 1.0 && pulls.last()?.1 < 0.9 * most;
+        falls.then_some((muscle, e, 2.0 * top))
+    });
+    largest.take(count)
+}
+
 #[test]
-fn the_smallest_root_by_dense_sampling_of_force_is_the_pressure() {
-    let muscle = parse_muscle(
-        "[tube]\nouter_diameter = 36.85\nwall_thickness = 2.45\nlength = 437\n\
-         [tube.material]\nlaw = \"neo-hookean\"\nmu = 0.34\n\
-         [braid]\nangle = 41.6\nstiffness = 87.4\n",
-    )
-    .unwrap();
-    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
-    for (force, known) in [(5.0, 0.1178), (10.0, 0.132)] {
-        let mut pull = |p: f64| model.force_n(w, p, 0.13).unwrap();
-        let above = (0..)
-            .map(|i| 0.1 + 1e-3 * f64::from(i))
-            .find(|p| pull(*p) >= force)
-            .unwrap();
+fn the_smallest_root_by_dense_sampling_is_the_pressure_of_muscles_with_a_largest_pull() {
+    let mut asked = 0;
+    for (muscle, e, highest) in muscles_with_a_largest_pull(rounds(12)) {
+        let model = Axisymmetric::new(&muscle).unwrap();
+        let samples = dense(&model, e, highest);
+        let most = samples.iter().fold(0.0, |most: f64, s| most.max(s.1));
+        for share in [0.1, 0.4, 0.7, 0.9, 0.98, 0.995] {
+            let force = share * most;
+            let Some((below, above)) = first_crossing(&samples, force) else {
+                continue;
+            };
+            asked += 1;
+            let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
+                .pressure_at(force, e)
+                .unwrap_or_else(|error| panic!("{error}: {force} N at {e}: {muscle:?}"));
+            assert!(
+                p >= below && p <= above,
+                "{p} is not within {below} to {above} MPa, {force} N at {e}: {muscle:?}"
+            );
+        }
+    }
+    assert!(asked > rounds(12), "{asked}");
+}
+
+/// Two muscles that were found by trial: `force` gives 5.906 N at 0.26 MPa and 6.225 N at 0.265;
+/// the second was found between samples near 0.43 MPa.
+#[test]
+fn the_pressure_of_soft_strands_is_where_the_pull_still_rises() {
+    let found = [
+        (
+            "outer_diameter = 20\nwall_thickness = 2.3\nlength = 160",
+            "law = \"neo-hookean\"\nmu = 0.37",
+            36.0,
+            40.0,
+            (6.2, 0.15),
+            (0.264, 0.265),
+        ),
+        (
+            "outer_diameter = 25.04\nwall_thickness = 2.76\nlength = 191.6",
+            "law = \"mooney-rivlin\"\nc10 = 0.30226\nc01 = 0.11363",
+            32.46,
+            59.0,
+            (140.0, 0.0923),
+            (0.42, 0.44),
+        ),
+        (
+            "outer_diameter = 36.85\nwall_thickness = 2.45\nlength = 437",
+            "law = \"neo-hookean\"\nmu = 0.34",
+            41.6,
+            87.4,
+            (5.0, 0.13),
+            (0.1175, 0.1181),
+        ),
+    ];
+    for (tube, rubber, angle, stiffness, (force, e), (low, high)) in found {
+        let muscle = parse_muscle(&format!(
+            "[tube]\n{tube}\n[tube.material]\n{rubber}\n[braid]\nangle = {angle}\nstiffness = {stiffness}\n"
+        ))
+        .unwrap();
+        let model = Axisymmetric::new(&muscle).unwrap();
         let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
-            .pressure_at(force, 0.13)
+            .pressure_at(force, e)
             .unwrap();
-        assert!(
-            p <= above && p > above - 1e-3 && (p - known).abs() < 5e-4,
-            "{p} {above}"
-        );
-        assert!((pull(p) - force).abs() < 1e-6 * force);
+        assert!(p > low && p < high, "{p} MPa for {force} N of {tube}");
     }
 }
 
